@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// One function a verb. Each reads what it needs, reports everything that is wrong with it, prints its answer and
+// returns the exit code.
+#pragma once
+
+#include "app/options.h"
+
+namespace millwright::app {
+
+/// solve and pareto.
+int run_search(const Options& options);
+int run_check(const Options& options);
+int run_audit(const Options& options);
+int run_calc(const Options& options);
+int run_formulas(const Options& options);
+/// catalogue list, show, lint.
+int run_catalogue(const Options& options);
+
+}  // namespace millwright::app

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/help.h"
+
+#include <utility>
+
+namespace millwright::app {
+
+namespace {
+
+constexpr std::pair<std::string_view, std::string_view> texts[] = {
+    {"millwright",
+     "Exit codes:\n"
+     "  0 done and compliant   1 no compliant design, or a check failed   2 bad input\n"
+     "  3 a limit was reached before the proof was complete   70 a mistake of this program\n\n"
+     "Examples:\n"
+     "  millwright solve problems/sander.toml\n"
+     "  millwright check problems/sander.toml my-bom.csv\n"
+     "  millwright calc power_screw.raising_torque force='6.4 kN' mean_diameter='30 mm' lead='8 mm' friction=0.08\n"
+     "'millwright COMMAND --help' tells more about each command."},
+    {"solve",
+     "Examples:\n"
+     "  millwright solve problems/sander.toml --bom sander.csv\n"
+     "  millwright solve problems/sander.toml --minimise mass --set axis.x.stroke='800 mm'\n"
+     "  millwright solve problems/sander.toml --catalogue my-parts --json -"},
+    {"pareto",
+     "Examples:\n"
+     "  millwright pareto problems/sander.toml --minimise cost,mass --json front.json"},
+    {"check",
+     "Exit code 1 if a check fails. A slot that the bill of materials leaves open is an error without --complete.\n"
+     "Examples:\n"
+     "  millwright check problems/sander.toml problems/sander-bom.csv\n"
+     "  millwright check problems/sander.toml problems/sander-bom.csv --hold-origin paper"},
+    {"audit",
+     "Exit code 0 whatever the verdicts are: a wrong figure in a paper is a finding, not a failure.\n"
+     "Examples:\n"
+     "  millwright audit problems/papers/sander.toml --derive"},
+    {"calc",
+     "Arguments are name=value with a unit, lists separated by commas, ends=fixed_free and the like by name.\n"
+     "Examples:\n"
+     "  millwright calc power_screw.raising_torque force='6.4 kN' mean_diameter='30 mm' lead='8 mm' friction=0.08\n"
+     "  millwright calc power_screw.raising_torque force='1500 N' mean_diameter='14 mm' lead='4 mm' friction=0.155 "
+     "--unit N.cm"},
+    {"formulas",
+     "Examples:\n"
+     "  millwright formulas torque\n"
+     "  millwright formulas --json formulas.json"},
+    {"catalogue",
+     "Examples:\n"
+     "  millwright catalogue list steppers\n"
+     "  millwright catalogue show 23HS22-2804S\n"
+     "  millwright catalogue lint my-parts/steppers/motors.csv"},
+    {"list",
+     "Examples:\n"
+     "  millwright catalogue list\n"
+     "  millwright catalogue list ball_screws"},
+    {"show",
+     "Examples:\n"
+     "  millwright catalogue show 23HS22-2804S"},
+    {"lint",
+     "Exit code 2 if a file cannot be read or holds impossible rows; warnings alone leave it 0.\n"
+     "Examples:\n"
+     "  millwright catalogue lint my-parts\n"
+     "  millwright catalogue lint motors.csv --family steppers"},
+};
+
+}  // namespace
+
+std::string examples(std::string_view verb) {
+  for (const auto& [name, text] : texts)
+    if (name == verb) return std::string(text);
+  return {};
+}
+
+}  // namespace millwright::app

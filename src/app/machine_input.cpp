@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/machine_input.h"
+
+#include "catalogue/location.h"
+#include "machine/problem_file.h"
+#include "machine/references.h"
+#include "text/document.h"
+
+namespace millwright::app {
+
+namespace {
+
+std::optional<machine::Problem> read_problem(const Options& options, text::Diagnostics& diagnostics) {
+  auto document = text::read_document(options.problem, diagnostics);
+  if (!document) return std::nullopt;
+  bool good = true;
+  for (const std::string& setting : options.settings) good = document->set(setting, diagnostics) && good;
+  auto problem = machine::problem_of(*document, diagnostics);
+  return good ? problem : std::nullopt;
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> catalogue_places(const std::vector<std::string>& overlays,
+                                                    text::Diagnostics& diagnostics) {
+  std::vector<std::filesystem::path> places;
+  if (auto shipped = catalogue::shipped_catalogues(); !shipped.empty())
+    places.push_back(std::move(shipped));
+  else
+    diagnostics.error("the shipped catalogues are not found",
+                      "set MILLWRIGHT_CATALOGUES to the folder that holds steppers/, ball_screws/, ...");
+  for (const std::string& overlay : overlays) places.emplace_back(overlay);
+  return places;
+}
+
+std::optional<MachineInput> read_machine(const Options& options, text::Diagnostics& diagnostics) {
+  auto problem = read_problem(options, diagnostics);
+  std::vector<std::string> overlays;
+  if (problem) {
+    const auto folder = std::filesystem::path(options.problem).parent_path();
+    for (const std::string& each : problem->catalogues) overlays.push_back((folder / each).string());
+  }
+  overlays.insert(overlays.end(), options.catalogues.begin(), options.catalogues.end());
+  const auto places = catalogue_places(overlays, diagnostics);
+  auto catalogue = catalogue::Catalogue::load(places, diagnostics);
+  if (diagnostics.has_errors() || !problem) return std::nullopt;
+  if (!machine::check_references(*problem, catalogue, diagnostics)) return std::nullopt;
+  return MachineInput{std::move(*problem), std::move(catalogue)};
+}
+
+void shorten_places(evaluation::Design& design) {
+  const std::string shipped = catalogue::shipped_catalogues().string() + "/";
+  for (evaluation::PartLine& part : design.parts)
+    if (part.where.rfind(shipped, 0) == 0) part.where = "catalogues/" + part.where.substr(shipped.size());
+}
+
+}  // namespace millwright::app

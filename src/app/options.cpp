@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "app/help.h"
+#include "text/diagnostic.h"
+#include "text/nearest.h"
+
+namespace millwright::app {
+
+namespace {
+
+constexpr const char* shared_group = "Common options";
+
+void add_output_options(CLI::App& verb, Options& options) {
+  verb.add_option(
+          "--json", options.json, "write the result as JSON to FILE; - : to standard output, nothing else there")
+      ->type_name("FILE|-")
+      ->group(shared_group);
+  verb.add_flag("--quiet,-q", options.quiet, "no progress on the terminal")->group(shared_group);
+}
+
+/// CLI11's own tells the largest number there is in 300 digits.
+const CLI::Validator positive(
+    [](std::string& text) {
+      double value = 0.0;
+      const bool good = CLI::detail::lexical_cast(text, value) && value > 0.0 && std::isfinite(value);
+      return good ? std::string() : text + " is not a number above 0";
+    },
+    "");
+
+/// One value per occurrence: `--catalogue a b` must leave b alone.
+void add_list_option(
+    CLI::App& verb, const char* name, std::vector<std::string>& list, const char* type, const char* text) {
+  verb.add_option(name, list, text)->type_name(type)->allow_extra_args(false)->group(shared_group);
+}
+
+void add_catalogue_option(CLI::App& verb, Options& options) {
+  add_list_option(
+      verb, "--catalogue", options.catalogues, "DIR", "parts of your own on top of the shipped ones (repeatable)");
+}
+
+void add_machine_options(CLI::App& verb, Options& options) {
+  verb.add_option("PROBLEM", options.problem, "problem file (.toml or .json)")->required();
+  add_output_options(verb, options);
+  add_catalogue_option(verb, options);
+  add_list_option(
+      verb, "--set", options.settings, "PATH=VALUE", "change the problem, e.g. axis.x.stroke='800 mm' (repeatable)");
+  verb.add_option("--threads", options.threads, "threads to search with; the answer does not depend on it")
+      ->type_name("N")
+      ->check(CLI::Range(1U, 1024U))
+      ->group(shared_group);
+  verb.add_option("--time-limit", options.time_limit, "stop after so many seconds with the best build so far")
+      ->type_name("S")
+      ->check(positive)
+      ->group(shared_group);
+  verb.add_option("--gap", options.gap, "relative gap at which the proof counts as complete (1e-6)")
+      ->type_name("G")
+      ->check(CLI::Range(0.0, 1.0))
+      ->group(shared_group);
+}
+
+/// `cost,mass` in one word.
+void add_objectives(CLI::App& verb, std::vector<std::string>& list, const char* text) {
+  verb.add_option("--minimise,--minimize", list, text)
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember({"cost", "mass"}));
+}
+
+struct VerbEntry {
+  CLI::App* app;
+  Verb verb;
+};
+
+class CommandLine {
+ public:
+  explicit CommandLine(Options& options) : options_(options) {
+    app_.name("millwright");
+    app_.set_version_flag("--version", std::string("millwright ") + version);
+    app_.require_subcommand(1);
+    app_.footer(examples("millwright"));
+    add_machine_verbs();
+    add_other_verbs();
+    add_catalogue_verbs();
+  }
+
+  CLI::App& app() { return app_; }
+
+  Verb verb() const {
+    for (const VerbEntry& entry : verbs_)
+      if (entry.app->parsed()) return entry.verb;
+    return Verb::solve;
+  }
+
+  /// Names of the verbs, or of the options that this command line's verb has.
+  std::vector<std::string> names(bool of_options) {
+    std::vector<std::string> names;
+    const CLI::App* deepest = &app_;
+    while (!deepest->get_subcommands().empty()) deepest = deepest->get_subcommands().front();
+    if (of_options) {
+      for (const CLI::Option* option : deepest->get_options())
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    } else {
+      for (const CLI::App* sub : deepest->get_subcommands([](const CLI::App*) { return true; }))
+        names.push_back(sub->get_name());
+    }
+    return names;
+  }
+
+ private:
+  CLI::App& add(CLI::App& parent, const char* name, Verb verb, const char* text) {
+    CLI::App& sub = *parent.add_subcommand(name, text);
+    sub.footer(examples(name));
+    verbs_.push_back({&sub, verb});
+    return sub;
+  }
+
+  void add_machine_verbs() {
+    CLI::App& solve = add(app_, "solve", Verb::solve, "the cheapest (or lightest) compliant build, with proof");
+    add_machine_options(solve, options_);
+    add_objectives(solve, options_.objectives, "cost or mass (default: as the problem says)");
+    solve.add_option("--bom", options_.bom, "write the build as a bill of materials")->type_name("FILE.csv");
+    CLI::App& pareto = add(app_, "pareto", Verb::pareto, "all builds that no other build beats in cost and mass");
+    add_machine_options(pareto, options_);
+    add_objectives(pareto, options_.objectives, "the two objectives (default: cost,mass)");
+    CLI::App& check = add(app_, "check", Verb::check, "does what I plan to buy work?");
+    add_machine_options(check, options_);
+    check.add_option("BOM", options_.bom, "bill of materials (.csv)")->required();
+    check.add_flag("--complete", options_.complete, "choose what the bill of materials leaves open");
+    check.add_option("--hold-origin", options_.hold_origin, "hold only the lines of this origin, choose the rest")
+        ->type_name("ORIGIN");
+  }
+
+  void add_other_verbs() {
+    CLI::App& audit =
+        add(app_, "audit", Verb::audit, "printed results of a published calculation against recomputed ones");
+    audit.add_option("CLAIMS", options_.subject, "claims file (.toml or .json)")->required();
+    audit.add_flag("--derive", options_.derive, "show each calculation");
+    add_output_options(audit, options_);
+    CLI::App& calc = add(app_, "calc", Verb::calc, "one formula, with its derivation");
+    calc.add_option("FORMULA", options_.subject, "name or handbook id, see 'millwright formulas'")->required();
+    calc.add_option("ARGUMENTS", options_.words, "name=value with unit, e.g. force='6.4 kN' loads='100 N,80 N'");
+    calc.add_option("--unit", options_.unit, "unit of the result")->type_name("UNIT");
+    calc.add_flag("--derive", options_.derive, "show the derivation (it always is)");
+    add_output_options(calc, options_);
+    CLI::App& formulas = add(app_, "formulas", Verb::formulas, "the formulas: arguments, units, validity, source");
+    formulas.add_option("WORD", options_.subject, "only those with this word in name, title or handbook id");
+    add_output_options(formulas, options_);
+  }
+
+  void add_catalogue_verbs() {
+    CLI::App& catalogue = *app_.add_subcommand("catalogue", "what can be bought");
+    catalogue.require_subcommand(1);
+    catalogue.footer(examples("catalogue"));
+    CLI::App& list = add(catalogue, "list", Verb::catalogue_list, "the part families, or the parts of one");
+    list.add_option("FAMILY", options_.subject, "e.g. steppers");
+    CLI::App& show = add(catalogue, "show", Verb::catalogue_show, "all that is known about a part");
+    show.add_option("PART", options_.words, "part number")->required();
+    show.add_option("--manufacturer", options_.manufacturer, "its maker")->type_name("NAME");
+    CLI::App& lint = add(catalogue, "lint", Verb::catalogue_lint, "is this catalogue file sane?");
+    lint.add_option("FILES", options_.words, "catalogue files or folders")->required();
+    lint.add_option("--family", options_.subject, "their family, where neither folder nor header tells")
+        ->type_name("FAMILY");
+    for (CLI::App* sub : {&list, &show, &lint}) {
+      add_output_options(*sub, options_);
+      if (sub != &lint) add_catalogue_option(*sub, options_);
+    }
+  }
+
+  Options& options_;
+  CLI::App app_{"Designs the drives of machines, exactly and with the calculation shown."};
+  std::vector<VerbEntry> verbs_;
+};
+
+void complain(const std::string& message, const std::string& hint) {
+  fmt::print(stderr, "millwright: error: {}\n", message);
+  if (!hint.empty()) fmt::print(stderr, "  hint: {}\n", hint);
+}
+
+/// The first word, past options, that is not a verb where one has to stand.
+std::optional<std::string> misspelt_verb(CommandLine& line, int argc, char** argv) {
+  const std::vector<std::string> verbs = line.names(false);
+  if (argc < 2) {
+    complain("a command is missing",
+             fmt::format("commands: {}; 'millwright --help' explains them", fmt::join(verbs, ", ")));
+    return "";
+  }
+  if (argv[1][0] == '-') return std::nullopt;
+  const std::string first = argv[1];
+  if (std::find(verbs.begin(), verbs.end(), first) == verbs.end()) {
+    complain("there is no command " + text::quoted(first),
+             text::did_you_mean(first, verbs, fmt::format("commands: {}", fmt::join(verbs, ", "))));
+    return first;
+  }
+  if (first != "catalogue" || argc < 3 || argv[2][0] == '-') return std::nullopt;
+  const std::vector<std::string> inner{"list", "show", "lint"};
+  if (std::find(inner.begin(), inner.end(), argv[2]) != inner.end()) return std::nullopt;
+  complain("there is no command 'catalogue " + text::printable(argv[2]) + "'",
+           text::did_you_mean(argv[2], inner, "commands: catalogue list, show, lint"));
+  return first;
+}
+
+std::string first_unknown_option(int argc, char** argv, const std::vector<std::string>& known) {
+  for (int i = 1; i < argc; ++i) {
+    const std::string word(argv[i], std::min(std::string_view(argv[i]).find('='), std::string_view(argv[i]).size()));
+    if (word.rfind("--", 0) == 0 && std::find(known.begin(), known.end(), word) == known.end()) return word;
+  }
+  return {};
+}
+
+void complain_of(const CLI::ParseError& error, CommandLine& line, int argc, char** argv) {
+  const std::vector<std::string> known = line.names(true);
+  const std::string unknown = first_unknown_option(argc, argv, known);
+  if (unknown.empty()) {
+    complain(text::printable(error.what()), "'millwright --help' and 'millwright COMMAND --help' show what there is");
+  } else {
+    complain("there is no option " + text::quoted(unknown),
+             text::did_you_mean(unknown, known, fmt::format("options: {}", fmt::join(known, ", "))));
+  }
+}
+
+}  // namespace
+
+std::optional<Options> parse_command_line(int argc, char** argv, int& exit_code) {
+  Options options;
+  CommandLine line(options);
+  exit_code = exit_bad_input;
+  if (misspelt_verb(line, argc, argv)) return std::nullopt;
+  try {
+    line.app().parse(argc, argv);
+  } catch (const CLI::Success& success) {  // --help, --version
+    exit_code = line.app().exit(success);
+    return std::nullopt;
+  } catch (const CLI::ParseError& error) {
+    complain_of(error, line, argc, argv);
+    return std::nullopt;
+  }
+  options.verb = line.verb();
+  if (options.verb == Verb::solve && options.objectives.size() > 1) {
+    complain("solve minimises one objective", "'millwright pareto' gives the front of two");
+    return std::nullopt;
+  }
+  if (options.verb == Verb::pareto) {
+    if (options.objectives.empty()) options.objectives = {"cost", "mass"};
+    if (options.objectives.size() != 2 || options.objectives[0] == options.objectives[1]) {
+      complain("a front has two different objectives", "write --minimise cost,mass");
+      return std::nullopt;
+    }
+  }
+  exit_code = exit_done;
+  return options;
+}
+
+}  // namespace millwright::app

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// The command line as plain data.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace millwright::app {
+
+enum class Verb { solve, pareto, check, audit, calc, formulas, catalogue_list, catalogue_show, catalogue_lint };
+
+/// Exit codes of the program.
+enum ExitCode : int {
+  exit_done = 0,       ///< done and compliant
+  exit_failed = 1,     ///< no compliant design, or a check failed
+  exit_bad_input = 2,  ///< everything wrong has been reported
+  exit_limit = 3,      ///< a limit was reached before the proof was complete
+  exit_bug = 70        ///< our own mistake
+};
+
+struct Options {
+  Verb verb = Verb::solve;
+  // every verb
+  std::string json;  ///< file to write, "-" for standard output, empty for none
+  bool quiet = false;
+  std::vector<std::string> catalogues;  ///< overlay folders
+  // machines
+  std::string problem;
+  std::vector<std::string> settings;    ///< path=value
+  std::vector<std::string> objectives;  ///< empty = the problem file's
+  double gap = 1e-6;
+  double time_limit = std::numeric_limits<double>::infinity();  ///< s
+  unsigned threads = 0;                                         ///< 0 = one per core
+  std::string bom;                                              ///< written by solve, read by check
+  bool complete = false;
+  std::string hold_origin;
+  // audit, calc, formulas, catalogue
+  std::string subject;             ///< claims file, formula, word or family
+  std::vector<std::string> words;  ///< arguments, parts or files
+  bool derive = false;
+  std::string unit;
+  std::string manufacturer;
+};
+
+/// What the command line asks for; or nothing and the exit code, after help, the version or complaints were printed.
+std::optional<Options> parse_command_line(int argc, char** argv, int& exit_code);
+
+}  // namespace millwright::app

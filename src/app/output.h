@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "app/options.h"
+#include "report/text_table.h"
+#include "text/diagnostic.h"
+
+namespace millwright::app {
+
+/// Colours for standard output, if it is a terminal that wants them (NO_COLOR, TERM=dumb).
+report::Style output_style();
+
+/// Prints the diagnostics to standard error.
+void print(const text::Diagnostics& diagnostics);
+
+/// Prints the text, or with `--json -` the JSON, to standard output, and writes the JSON file if one is asked for.
+/// False, with a complaint on standard error, if something could not be written.
+bool deliver(const Options& options, const std::string& text, const std::string& json);
+
+/// Refuses at once, before any work, output files that could not be written later.
+bool outputs_are_writable(const Options& options, text::Diagnostics& diagnostics);
+
+}  // namespace millwright::app

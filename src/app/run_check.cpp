@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/commands.h"
+#include "app/machine_input.h"
+#include "app/machine_result.h"
+#include "app/output.h"
+#include "app/search_watch.h"
+#include "machine/bill_of_materials.h"
+#include "report/json.h"
+#include "report/machine_text.h"
+
+namespace millwright::app {
+
+namespace {
+
+using machine::BillOfMaterials;
+using machine::BomLine;
+
+std::optional<BillOfMaterials> read_bom(const Options& options,
+                                        const machine::Problem& problem,
+                                        const std::shared_ptr<const text::SourceText>& text,
+                                        text::Diagnostics& diagnostics) {
+  auto bom = machine::read_bill_of_materials(text, problem, diagnostics);
+  if (!bom || options.hold_origin.empty()) return bom;
+  const auto& lines = bom->lines;
+  if (std::any_of(lines.begin(), lines.end(), [&](const BomLine& line) { return line.origin == options.hold_origin; }))
+    return bom;
+  diagnostics.error(fmt::format("--hold-origin: no line of {} has the origin {}",
+                                text::printable(options.bom),
+                                text::quoted(options.hold_origin)),
+                    "the column 'origin' says 'paper', 'ours', ...");
+  return std::nullopt;
+}
+
+/// Slots for which there is no candidate although the bill of materials does not fill them, or fills them with a part
+/// that no check can take.
+std::vector<evaluation::EmptySlot> empty_slots(const MachineInput& input,
+                                               const BillOfMaterials& bom,
+                                               const std::string& only_origin) {
+  evaluation::GivenSlots given;
+  for (const BomLine& line : bom.lines)
+    if (!line.is_dimension() && (only_origin.empty() || line.origin == only_origin))
+      given.insert({line.axis, line.slot});
+  return evaluation::MachineModel(input.problem, input.catalogue, given).empty_slots();
+}
+
+report::MachineResult check(const Options& options,
+                            const MachineInput& input,
+                            const BillOfMaterials& bom,
+                            text::Diagnostics& diagnostics) {
+  report::MachineResult result = result_for(input.problem);
+  result.bom_file = options.bom;
+  result.objectives = {input.problem.objective};
+  const Stopwatch watch;
+  result.missing = missing_slots(empty_slots(input, bom, options.hold_origin));
+  if (!result.missing.empty()) return result;
+  evaluation::SearchOptions how = search_options(options, result.objectives);
+  const StopSignal stop;
+  how.stop = stop.stopped();
+  evaluation::BomCheck outcome;
+  {
+    ProgressLine line(options.quiet, result.objectives.front() == "mass" ? "kg" : input.problem.currency);
+    if (line.active()) how.progress = [&line](const solver::Progress& progress) { line.show(progress); };
+    const bool complete = options.complete || !options.hold_origin.empty();
+    outcome = evaluation::check(input.problem, input.catalogue, bom, complete, how, options.hold_origin);
+  }
+  for (const evaluation::BomProblem& problem : outcome.problems)
+    diagnostics.error(problem.where, problem.message, problem.hint);
+  if (!outcome.problems.empty()) return result;
+  result.completed = outcome.completed;
+  result.completion_is_optimal = outcome.complete_is_optimal;
+  std::vector<evaluation::Design> designs;
+  designs.push_back(std::move(outcome.design));
+  set_designs(result, input.problem, std::move(designs));
+  result.timing.solve = watch.seconds();
+  return result;
+}
+
+}  // namespace
+
+int run_check(const Options& options) {
+  const Stopwatch watch;
+  text::Diagnostics diagnostics;
+  const bool writable = outputs_are_writable(options, diagnostics);
+  const auto input = read_machine(options, diagnostics);
+  const auto text = text::SourceText::load(options.bom, diagnostics);
+  const auto bom = input && text ? read_bom(options, input->problem, text, diagnostics) : std::nullopt;
+  if (!bom || !writable) {
+    print(diagnostics);
+    return exit_bad_input;
+  }
+  const double read = watch.seconds();
+  report::MachineResult result = check(options, *input, *bom, diagnostics);
+  print(diagnostics);
+  if (diagnostics.has_errors()) return exit_bad_input;
+  result.timing.read = read;
+  result.timing.total = watch.seconds();
+  const bool satisfied = !result.designs.empty() && result.designs.front().satisfied();
+  if (!deliver(options, report::check_text(result, output_style()), report::check_json(result))) return exit_bad_input;
+  return satisfied ? exit_done : exit_failed;
+}
+
+}  // namespace millwright::app

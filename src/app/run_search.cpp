@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/commands.h"
+#include "app/machine_input.h"
+#include "app/machine_result.h"
+#include "app/output.h"
+#include "app/search_watch.h"
+#include "report/bom_csv.h"
+#include "report/json.h"
+#include "report/machine_text.h"
+#include "text/output_file.h"
+
+namespace millwright::app {
+
+namespace {
+
+report::Status status_of(solver::Status status) {
+  switch (status) {
+    case solver::Status::optimal:
+      return report::Status::optimal;
+    case solver::Status::infeasible:
+      return report::Status::infeasible;
+    case solver::Status::limit:
+      return report::Status::limit;
+  }
+  return report::Status::infeasible;
+}
+
+report::MachineResult search(const Options& options, const MachineInput& input) {
+  report::MachineResult result = result_for(input.problem);
+  result.objectives = options.objectives;
+  if (result.objectives.empty()) result.objectives = {input.problem.objective};
+  const Stopwatch watch;
+  const evaluation::MachineModel model(input.problem, input.catalogue);
+  evaluation::SearchOptions how = search_options(options, result.objectives);
+  const StopSignal stop;
+  how.stop = stop.stopped();
+  evaluation::Synthesis synthesis;
+  {
+    ProgressLine line(options.quiet, result.objectives.front() == "mass" ? "kg" : input.problem.currency);
+    if (line.active()) how.progress = [&line](const solver::Progress& progress) { line.show(progress); };
+    synthesis = evaluation::synthesise(model, how);
+  }
+  result.status = status_of(synthesis.status);
+  result.missing = missing_slots(synthesis.empty_slots);
+  result.lower_bound = synthesis.lower_bound;
+  result.gap = synthesis.gap;
+  result.certificate = {synthesis.combinations, synthesis.nodes, synthesis.evaluations, synthesis.method};
+  set_designs(result, input.problem, std::move(synthesis.designs));
+  result.timing.solve = watch.seconds();
+  return result;
+}
+
+/// The answer is evaluated from scratch: a build that then fails a check would be a wrong answer of ours.
+bool holds(const report::MachineResult& result) {
+  for (const evaluation::Design& design : result.designs)
+    if (!design.satisfied()) return false;
+  return true;
+}
+
+int exit_code_of(const report::MachineResult& result) {
+  if (result.status == report::Status::limit) return exit_limit;
+  return result.designs.empty() ? exit_failed : exit_done;
+}
+
+}  // namespace
+
+int run_search(const Options& options) {
+  const Stopwatch watch;
+  text::Diagnostics diagnostics;
+  const bool writable = outputs_are_writable(options, diagnostics);
+  const auto input = read_machine(options, diagnostics);
+  print(diagnostics);
+  if (!input || !writable) return exit_bad_input;
+  const double read = watch.seconds();
+  report::MachineResult result = search(options, *input);
+  result.timing.read = read;
+  result.timing.total = watch.seconds();
+  if (!holds(result)) throw std::logic_error("the build that the search returned fails a check");
+  if (!options.bom.empty() && !result.designs.empty()) {
+    text::Diagnostics failures;
+    if (!text::write_file_atomically(options.bom, report::bom_csv(result.designs.front()), failures)) {
+      print(failures);
+      return exit_bad_input;
+    }
+  }
+  const report::Style style = output_style();
+  const bool front = options.verb == Verb::pareto;
+  const bool delivered = deliver(options,
+                                 front ? report::front_text(result, style) : report::solve_text(result, style),
+                                 front ? report::front_json(result) : report::solve_json(result));
+  return delivered ? exit_code_of(result) : exit_bad_input;
+}
+
+}  // namespace millwright::app

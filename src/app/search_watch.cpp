@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/search_watch.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+
+namespace millwright::app {
+
+namespace {
+
+std::atomic<bool> stop_requested{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "set from a signal handler");
+
+extern "C" void request_stop(int) { stop_requested.store(true); }
+
+void handle(int signal, void (*handler)(int)) {
+  struct sigaction action = {};
+  action.sa_handler = handler;
+  sigemptyset(&action.sa_mask);
+  action.sa_flags = SA_RESTART;
+  if (handler == request_stop) action.sa_flags |= static_cast<int>(SA_RESETHAND);
+  sigaction(signal, &action, nullptr);
+}
+
+}  // namespace
+
+StopSignal::StopSignal() {
+  stop_requested.store(false);
+  for (const int signal : {SIGINT, SIGTERM}) handle(signal, request_stop);
+}
+
+StopSignal::~StopSignal() {
+  for (const int signal : {SIGINT, SIGTERM}) handle(signal, SIG_DFL);
+}
+
+const std::atomic<bool>* StopSignal::stopped() const { return &stop_requested; }
+
+ProgressLine::ProgressLine(bool quiet, std::string unit)
+    : active_(!quiet && isatty(STDERR_FILENO) != 0), unit_(std::move(unit)) {}
+
+ProgressLine::~ProgressLine() {
+  if (shown_) fmt::print(stderr, "\r\x1B[K");
+  std::fflush(stderr);
+}
+
+void ProgressLine::show(const solver::Progress& progress) {
+  if (!active_) return;
+  shown_ = true;
+  const bool found = std::isfinite(progress.incumbent);
+  const double gap = found && progress.incumbent != 0.0
+                         ? (progress.incumbent - progress.lower_bound) / std::fabs(progress.incumbent)
+                         : 1.0;
+  const std::string best = found ? fmt::format("best {:.2f} {}, gap {:.2f} %", progress.incumbent, unit_, 100.0 * gap)
+                                 : std::string("no build yet");
+  fmt::print(stderr,
+             "\r\x1B[Kbound {:.2f} {}, {}, {} nodes, {:.1f} s",
+             progress.lower_bound,
+             unit_,
+             best,
+             progress.nodes,
+             progress.elapsed_seconds);
+  std::fflush(stderr);
+}
+
+}  // namespace millwright::app

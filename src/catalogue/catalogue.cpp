@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "catalogue/catalogue.h"
+
+#include <fmt/format.h>
+
+#include "catalogue/files.h"
+#include "catalogue/read_table.h"
+#include "text/nearest.h"
+
+namespace millwright::catalogue {
+namespace {
+
+std::vector<Table> empty_tables() {
+  std::vector<Table> tables;
+  for (const FamilyDeclaration& each : families) tables.emplace_back(each.family);
+  return tables;
+}
+
+std::vector<Table> load_layer(const std::filesystem::path& place, int layer, text::Diagnostics& diagnostics) {
+  std::vector<Table> tables = empty_tables();
+  const std::size_t errors = diagnostics.error_count();
+  const std::vector<CatalogueFile> files = catalogue_files(place, diagnostics);
+  if (files.empty() && diagnostics.error_count() == errors) {
+    diagnostics.error(fmt::format("the catalogue {} is empty: it holds no CSV file", text::quoted(place.string(), 200)),
+                      "a catalogue has a folder for each part family, for example steppers/my-motors.csv");
+  }
+  for (const CatalogueFile& file : files) {
+    tables[static_cast<std::size_t>(file.family)].append(read_table(file.text, file.family, layer, diagnostics));
+  }
+  for (Table& table : tables) drop_duplicates(table, diagnostics);
+  return tables;
+}
+
+}  // namespace
+
+Catalogue::Catalogue() : tables_(empty_tables()) {}
+
+Catalogue Catalogue::load(const std::vector<std::filesystem::path>& places, text::Diagnostics& diagnostics) {
+  Catalogue catalogue;
+  for (const std::filesystem::path& place : places) {
+    if (place.empty()) {
+      diagnostics.error("the shipped catalogues were not found", "set MILLWRIGHT_CATALOGUES to their folder");
+      continue;
+    }
+    const int layer = static_cast<int>(catalogue.layers_.size());
+    std::vector<Table> tables = load_layer(place, layer, diagnostics);
+    catalogue.layers_.push_back(place);
+    for (std::size_t family = 0; family < family_count; ++family) {
+      if (!tables[family].empty()) catalogue.tables_[family].overlay(std::move(tables[family]));
+    }
+  }
+  if (catalogue.rows() == 0 && !diagnostics.has_errors()) diagnostics.error("no parts: no catalogue was given");
+  return catalogue;
+}
+
+int Catalogue::rows() const {
+  int rows = 0;
+  for (const Table& each : tables_) rows += each.rows();
+  return rows;
+}
+
+FoundParts Catalogue::find(std::string_view part_number, std::string_view manufacturer) const {
+  FoundParts found;
+  std::vector<std::string_view> names;
+  std::string family_problem;
+  std::string family_hint;
+  for (const Table& table : tables_) {
+    const Found here = table.find(part_number, manufacturer);
+    for (const int row : here.rows) found.parts.push_back(Part{table.family(), row});
+    if (here.problem == Found::Problem::ambiguous || here.problem == Found::Problem::other_maker) {
+      family_problem = here.error;
+      family_hint = here.hint;
+    }
+    for (int row = 0; row < table.rows(); ++row) names.push_back(table.part_number(row));
+  }
+  if (!found.parts.empty()) return found;
+  found.error = family_problem.empty() ? "no part " + text::quoted(part_number) + " in the catalogues" : family_problem;
+  found.hint = family_problem.empty() ? text::did_you_mean(part_number, names) : family_hint;
+  return found;
+}
+
+}  // namespace millwright::catalogue

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// What can be bought: one table a family, read from the shipped folder and the user's overlays.
+//
+//   text::Diagnostics diagnostics;
+//   const Catalogue catalogue = Catalogue::load({shipped_catalogues(), "my-parts"}, diagnostics);
+//   constexpr Column inertia = column(Family::steppers, "rotor_inertia");
+//   const Table& motors = catalogue.table(Family::steppers);
+//   for (int row = 0; row < motors.rows(); ++row) use(motors.number(inertia, row));
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "catalogue/location.h"
+#include "catalogue/table.h"
+#include "text/diagnostic.h"
+
+namespace millwright::catalogue {
+
+/// A row of a family.
+struct Part {
+  Family family;
+  int row;
+};
+
+/// The rows, of any family, that answer to a part number; or why there is none.
+struct FoundParts {
+  std::vector<Part> parts;
+  std::string error;
+  std::string hint;
+};
+
+class Catalogue {
+ public:
+  /// Empty.
+  Catalogue();
+
+  /// Reads folders (or single files) in order. Within one of them a part may stand once; a row of a later one replaces
+  /// the row of the same (manufacturer, part number), others are added. Later folders may hold any subset of the
+  /// families. Everything wrong is reported, and what could be read is returned; no part at all is an error too.
+  static Catalogue load(const std::vector<std::filesystem::path>& places, text::Diagnostics& diagnostics);
+
+  const Table& table(Family family) const { return tables_[static_cast<std::size_t>(family)]; }
+  /// The places as given to load(); Table::layer(row) counts in them.
+  const std::vector<std::filesystem::path>& layers() const { return layers_; }
+  /// Rows of all families.
+  int rows() const;
+
+  /// Looks through all families (a motor is found with the points of its torque curves).
+  FoundParts find(std::string_view part_number, std::string_view manufacturer = {}) const;
+
+ private:
+  std::vector<Table> tables_;
+  std::vector<std::filesystem::path> layers_;
+};
+
+}  // namespace millwright::catalogue

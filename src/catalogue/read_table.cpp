@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "catalogue/read_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "catalogue/column_unit.h"
+#include "catalogue/header.h"
+#include "text/csv.h"
+
+namespace millwright::catalogue {
+namespace {
+
+/// One file on its way into a table.
+class TableFileReader {
+ public:
+  TableFileReader(const text::CsvTable& csv, Family family, const Header& header, text::Diagnostics& diagnostics)
+      : csv_(csv), family_(family), header_(header), diagnostics_(diagnostics), keep_(csv.row_count(), true) {
+    columns_.numbers.resize(column_count(family));
+    columns_.texts.resize(column_count(family));
+  }
+
+  Table read(int layer) {
+    read_numbers();
+    for (std::size_t index = 0; index < column_count(family_); ++index) {
+      const Column each = at(index);
+      if (field(each) < 0) continue;
+      const Kind kind = declaration(each).kind;
+      if (kind == Kind::text) read_texts(each);
+      if (kind == Kind::flag) read_flags(each);
+      if (kind == Kind::number || kind == Kind::money) check_numbers(each);
+      if (declaration(each).need == Need::required) check_required(each);
+    }
+    check_prices();
+    columns_.file.text = csv_.text();
+    columns_.file.layer = layer;
+    columns_.file.separator = csv_.separator();
+    columns_.file.field_of_column = header_.field_of_column;
+    columns_.file.unescaped = unescaped_;
+    columns_.offsets = record_offsets();
+    Table table(family_, std::move(columns_));
+    if (std::find(keep_.begin(), keep_.end(), false) != keep_.end()) table.keep_only(keep_);
+    return table;
+  }
+
+ private:
+  Column at(std::size_t index) const { return Column{family_, static_cast<std::uint8_t>(index)}; }
+  int field(Column column) const { return header_.field_of_column[column.index]; }
+  std::size_t cell_column(Column column) const { return static_cast<std::size_t>(field(column)); }
+
+  void refuse(std::size_t row, Column column, const std::string& message, const std::string& hint) {
+    keep_[row] = false;
+    if (diagnostics_.is_full(csv_.text().get())) {
+      diagnostics_.error(text::whole(csv_.text()), message);  // counted, not kept: no place has to be worked out
+    } else {
+      diagnostics_.error(csv_.cell_span(row, cell_column(column)), message, hint);
+    }
+  }
+
+  void read_numbers() {
+    std::vector<std::size_t> fields;
+    std::vector<Column> wanted;
+    for (std::size_t index = 0; index < column_count(family_); ++index) {
+      const Kind kind = declaration(at(index)).kind;
+      if (field(at(index)) < 0 || (kind != Kind::number && kind != Kind::money)) continue;
+      fields.push_back(cell_column(at(index)));
+      wanted.push_back(at(index));
+    }
+    std::vector<std::vector<double>> values = csv_.number_columns(fields, diagnostics_);
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      const scalar::Unit& unit = *header_.units[wanted[i].index];
+      for (double& value : values[i]) value = unit.to_si(value);
+      columns_.numbers[wanted[i].index] = std::move(values[i]);
+    }
+  }
+
+  /// Refuses what no part can have: negative figures, and zero where zero makes no sense. What was no number was
+  /// reported by the CSV reader; its row goes too.
+  void check_numbers(Column column) {
+    const ColumnDeclaration& declared = declaration(column);
+    const bool signed_scale = display_unit(column).kind() == scalar::UnitKind::temperature;
+    const std::vector<double>& values = columns_.numbers[column.index];
+    for (std::size_t row = 0; row < values.size(); ++row) {
+      const double value = values[row];
+      if (value > 0.0) continue;
+      if (std::isnan(value)) {
+        if (!csv_.is_empty(row, cell_column(column))) keep_[row] = false;
+      } else if (signed_scale || declared.lower < 0.0) {
+        continue;
+      } else if (value < 0.0) {
+        refuse(row, column, fmt::format("{} is negative", declared.name), "leave the cell empty if it is not known");
+      } else if (declared.lower > 0.0) {
+        refuse(row, column, fmt::format("{} is zero", declared.name), "leave the cell empty if it is not known");
+      }
+    }
+  }
+
+  void check_required(Column column) {
+    const ColumnDeclaration& declared = declaration(column);
+    for (std::size_t row = 0; row < csv_.row_count(); ++row) {
+      const bool is_text = declared.kind == Kind::text;
+      if (is_text ? !columns_.texts[column.index][row].empty() : !std::isnan(columns_.numbers[column.index][row]))
+        continue;
+      if (!csv_.is_empty(row, cell_column(column))) continue;
+      refuse(
+          row,
+          column,
+          fmt::format("{} is missing", declared.name),
+          declared.name == "manufacturer" ? "write generic if the maker is not named" : std::string(declared.meaning));
+    }
+  }
+
+  void read_texts(Column column) {
+    std::vector<std::string_view> texts = csv_.text_column(cell_column(column));
+    const std::string_view all = csv_.text()->contents();
+    const std::less<const char*> before;
+    for (std::string_view& each : texts) {
+      if (each.empty()) {
+        each = {};
+      } else if (before(each.data(), all.data()) || !before(each.data(), all.data() + all.size())) {
+        if (!unescaped_) unescaped_ = std::make_shared<std::deque<std::string>>();
+        each = unescaped_->emplace_back(each);
+      }
+    }
+    columns_.texts[column.index] = std::move(texts);
+  }
+
+  void read_flags(Column column) {
+    std::vector<double>& flags = columns_.numbers[column.index];
+    flags.assign(csv_.row_count(), std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t row = 0; row < csv_.row_count(); ++row) {
+      const std::string_view cell = csv_.cell(row, cell_column(column));
+      if (cell.empty()) continue;
+      if (cell == "yes" || cell == "true" || cell == "1") {
+        flags[row] = 1.0;
+      } else if (cell == "no" || cell == "false" || cell == "0") {
+        flags[row] = 0.0;
+      } else {
+        refuse(row,
+               column,
+               fmt::format("{}: {} is neither yes nor no", declaration(column).name, text::quoted(cell)),
+               "write yes or no");
+      }
+    }
+  }
+
+  /// Each price that the family is sold by must be there (a warning: such a row can be checked, but not chosen), with a
+  /// currency.
+  void check_prices() {
+    const FamilyDeclaration& sold = declaration(family_);
+    if (!sold.priced()) return;
+    const Column currency = column(family_, "currency");
+    const auto price_missing = [&](bool wanted, std::string_view name, std::size_t row) {
+      if (!wanted || !std::isnan(columns_.numbers[column(family_, name).index][row])) return;
+      if (!keep_[row] || !csv_.is_empty(row, cell_column(column(family_, name)))) return;
+      if (diagnostics_.is_full(csv_.text().get())) return;
+      diagnostics_.warning(csv_.cell_span(row, cell_column(column(family_, name))),
+                           fmt::format("{} is not known, so this part cannot be chosen", name),
+                           "write a price, 0 if you own it");
+    };
+    for (std::size_t row = 0; row < csv_.row_count(); ++row) {
+      price_missing(sold.priced_per_piece, "price", row);
+      price_missing(sold.priced_per_length, "price_per_length", row);
+      price_missing(sold.priced_per_mass, "price_per_mass", row);
+      const std::string_view code = columns_.texts[currency.index][row];
+      if (code.empty()) {
+        refuse(row, currency, "currency is missing", "for example USD");
+      } else if (code.size() != 3 || code.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ") != code.npos) {
+        refuse(row,
+               currency,
+               fmt::format("{} is not a currency", text::quoted(code)),
+               "three capital letters, for example USD or EUR");
+      }
+    }
+  }
+
+  /// The byte at which each record begins, from where its first cell lies (a quote before it belongs to the record).
+  std::vector<std::uint32_t> record_offsets() const {
+    const std::string_view all = csv_.text()->contents();
+    const std::less_equal<const char*> in_order;
+    std::vector<std::uint32_t> offsets(csv_.row_count());
+    for (std::size_t row = 0; row < offsets.size(); ++row) {
+      const std::string_view first = csv_.cell(row, 0);
+      std::size_t offset = 0;
+      if (first.data() != nullptr && in_order(all.data(), first.data()) &&
+          in_order(first.data(), all.data() + all.size())) {
+        offset = static_cast<std::size_t>(first.data() - all.data());
+        if (offset > 0 && all[offset - 1] == '"') --offset;
+      } else {
+        offset = static_cast<std::size_t>(csv_.text()->line(csv_.row_span(row).line).data() - all.data());
+      }
+      offsets[row] = static_cast<std::uint32_t>(offset);
+    }
+    return offsets;
+  }
+
+  const text::CsvTable& csv_;
+  Family family_;
+  const Header& header_;
+  text::Diagnostics& diagnostics_;
+  std::vector<bool> keep_;
+  TableColumns columns_;
+  std::shared_ptr<std::deque<std::string>> unescaped_;
+};
+
+}  // namespace
+
+Table read_table(const std::shared_ptr<const text::SourceText>& text,
+                 Family family,
+                 int layer,
+                 text::Diagnostics& diagnostics) {
+  const std::size_t errors = diagnostics.error_count();
+  const text::CsvTable csv = text::read_csv(text, diagnostics);
+  if (csv.columns().empty()) {
+    if (diagnostics.error_count() == errors) {
+      diagnostics.error(
+          text::whole(text), "the catalogue is empty: no header and no parts", "see catalogue list for the families");
+    }
+    return Table(family);
+  }
+  const std::optional<Header> header = match_header(csv, family, diagnostics);
+  if (!header) return Table(family);
+  if (csv.row_count() == 0 && diagnostics.error_count() == errors) {
+    diagnostics.error(csv.header_span(), "the catalogue is empty: no parts below the header", "one line a part");
+  }
+  return TableFileReader(csv, family, *header, diagnostics).read(layer);
+}
+
+void drop_duplicates(Table& table, text::Diagnostics& diagnostics) {
+  RowIndex seen(static_cast<std::size_t>(table.rows()));
+  std::vector<bool> keep(static_cast<std::size_t>(table.rows()), true);
+  bool all_kept = true;
+  for (int row = 0; row < table.rows(); ++row) {
+    const auto same = [&](int there) { return table.same_part(row, table, there, Identity::point); };
+    const int first = seen.insert(table.part_hash(row, Identity::point), row, same);
+    if (first == RowIndex::none) continue;
+    keep[static_cast<std::size_t>(row)] = all_kept = false;
+    text::Diagnostic duplicate;
+    duplicate.where = table.where(row);
+    duplicate.message = fmt::format(
+        "duplicate part {} of {}", text::quoted(table.part_number(row)), text::quoted(table.manufacturer(row)));
+    duplicate.hint = "a part stands once in a folder; to replace it use an overlay folder";
+    duplicate.related = table.where(first);
+    duplicate.related_message = "first given here";
+    diagnostics.add(std::move(duplicate));
+  }
+  if (!all_kept) table.keep_only(keep);
+}
+
+}  // namespace millwright::catalogue

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// One family's parts as columns of numbers in SI and texts; every cell knows the file and place it was read from.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "catalogue/family.h"
+#include "catalogue/row_index.h"
+#include "catalogue/standing.h"
+#include "text/source_text.h"
+
+namespace millwright::catalogue {
+
+/// What a row costs, in its own currency (conversion needs the problem file's rates). NaN: not sold that way, or not
+/// known.
+struct Price {
+  double piece = std::numeric_limits<double>::quiet_NaN();   ///< per piece
+  double length = std::numeric_limits<double>::quiet_NaN();  ///< per metre
+  double mass = std::numeric_limits<double>::quiet_NaN();    ///< per kilogram
+  std::string_view currency;
+  bool estimate = false;
+};
+
+/// The rows that answer to a part number, or why there is none.
+struct Found {
+  enum class Problem { none, unknown, other_maker, ambiguous };
+  std::vector<int> rows;  ///< one row; all points of a torque curve
+  Problem problem = Problem::none;
+  std::string error;
+  std::string hint;
+  explicit operator bool() const { return problem == Problem::none; }
+};
+
+/// A file that rows come from.
+struct SourceFile {
+  std::shared_ptr<const text::SourceText> text;
+  int layer = 0;  ///< 0 = the first folder given to Catalogue::load (the shipped one), 1 = its first overlay, ...
+  char separator = ',';
+  std::vector<int>
+      field_of_column;  ///< for each Column.index the field of a record it stands in, -1 = not in this file
+  std::shared_ptr<const std::deque<std::string>>
+      unescaped;  ///< texts that are not verbatim in the file (doubled quotes)
+};
+
+/// What a reader hands over: one vector a column (by Column.index; empty = column not given), all of the same length.
+struct TableColumns {
+  std::vector<std::vector<double>> numbers;          ///< SI; flags 1 and 0; NaN = not known
+  std::vector<std::vector<std::string_view>> texts;  ///< views into SourceFile::text or SourceFile::unescaped
+  std::vector<std::uint32_t> offsets;                ///< byte where each record begins
+  SourceFile file;
+};
+
+class Table {
+ public:
+  explicit Table(Family family);
+  /// Takes over the columns of one file.
+  Table(Family family, TableColumns columns);
+
+  Family family() const { return family_; }
+  int rows() const { return static_cast<int>(offsets_.size()); }
+  bool empty() const { return offsets_.empty(); }
+
+  /// A number, flag (1, 0) or money column, SI, one value a row; NaN = not known. Throws std::logic_error for a column
+  /// of another family or of texts.
+  std::span<const double> numbers(Column column) const;
+  double number(Column column, int row) const { return numbers(column)[static_cast<std::size_t>(row)]; }
+  std::optional<bool> flag(Column column, int row) const;
+  /// A text; empty = not given.
+  std::string_view text(Column column, int row) const;
+  /// The same by name, for tests and listings; throws std::logic_error on an unknown name.
+  double number(std::string_view name, int row) const { return number(column(family_, name), row); }
+  std::string_view text(std::string_view name, int row) const { return text(column(family_, name), row); }
+
+  std::string_view manufacturer(int row) const;
+  std::string_view part_number(int row) const;
+  std::string_view confidence(int row) const;
+  Price price(int row) const;
+
+  /// Where the figure comes from, by the column's own basis column, else unstated.
+  Standing standing(int row, Column column) const;
+  /// Whether the figure must be shown as an estimate, see counts_as_estimate(). False for texts.
+  bool is_estimate(int row, Column column) const;
+  /// Stated relative tolerance of the figure, NaN if none.
+  double tolerance(int row, Column column) const;
+
+  /// The place of the row (its part number) or of one cell; of the whole row if the file has no such column.
+  text::SourceSpan where(int row) const;
+  text::SourceSpan where(int row, Column column) const;
+  /// The files that rows come from, with their layers; for file hashes and lists.
+  const std::vector<SourceFile>& files() const { return files_; }
+  /// The index in files() of the row's file.
+  std::size_t file(int row) const { return file_of_[static_cast<std::size_t>(row)]; }
+  /// The number of the folder that the row comes from, in the order given to Catalogue::load.
+  int layer(int row) const { return files_[file_of_[static_cast<std::size_t>(row)]].layer; }
+
+  /// The rows of a part: exact (manufacturer, part number), or the part number alone if only one maker has it; else by
+  /// an alias (materials). On failure the error names the makers, or the nearest part number.
+  Found find(std::string_view part_number, std::string_view manufacturer = {}) const;
+
+  /// Whether two rows (of this and another table) agree in all columns of that identity or above it.
+  bool same_part(int row, const Table& other, int other_row, Identity level) const;
+  std::uint64_t part_hash(int row, Identity level) const;
+
+  /// Drops the rows with keep[row] == false.
+  void keep_only(const std::vector<bool>& keep);
+  /// Appends the rows of another file of the same layer; duplicates are the caller's business.
+  void append(Table&& other);
+  /// An overlay: rows of `upper` replace those of the same part (group identity), others are added.
+  void overlay(Table&& upper);
+
+ private:
+  void check(Column column, bool wants_text) const;
+  void index_parts();
+  std::vector<int> rows_of(std::string_view part_number) const;
+  std::vector<int> rows_by_alias(std::string_view name) const;
+  std::string_view basis(int row, Column column) const;
+
+  Family family_;
+  std::vector<std::vector<double>> numbers_;
+  std::vector<std::vector<std::string_view>> texts_;
+  std::vector<std::uint32_t> offsets_;
+  std::vector<std::uint32_t> file_of_;
+  std::vector<SourceFile> files_;
+  RowIndex first_of_part_;              // by part number alone: its first row ...
+  std::vector<std::int32_t> next_row_;  // ... and for each row the next of the same part number
+};
+
+}  // namespace millwright::catalogue

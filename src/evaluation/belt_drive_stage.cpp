@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "evaluation/belt_drive_stage.h"
+
+#include <cmath>
+
+namespace millwright::evaluation {
+
+using machine::BeltDrive;
+
+namespace {
+constexpr std::size_t pitch_diameter_field = 9;
+constexpr std::size_t bore_field = 13;
+
+std::vector<double> speed_edges(const machine::Axis& axis, const SlotTable& belts) {
+  double smallest = scalar::rounding::infinity, largest = 0.0;
+  for (std::size_t row = 0; row < belts.rows(); ++row) {
+    smallest = std::min(smallest, 0.5 * belts.reading(row, pitch_diameter_field));
+    largest = std::max(largest, 0.5 * belts.reading(row, pitch_diameter_field));
+  }
+  if (belts.rows() == 0) return {0.0, 1.0};
+  const auto [slow, fast] = constant_speed_range(axis);
+  return log_spaced(0.999 * slow / largest, 1.001 * fast / smallest);
+}
+}  // namespace
+
+BeltDriveStage::BeltDriveStage(const machine::Axis& axis,
+                               AxisPlace place,
+                               const std::vector<double>& voltages,
+                               const catalogue::Catalogue& catalogue,
+                               const PriceBook& prices)
+    : data_{.motion = motion_of(axis),
+            .require = axis.require,
+            .stroke = axis.stroke,
+            .microsteps = axis.motor.microsteps,
+            .brake_torque = axis.motor.brake_torque,
+            .efficiency = axis.mechanism.belt_efficiency,
+            .vertical = gravity_acts(axis)},
+      place_(place),
+      acceleration_time_(axis.acceleration_time) {
+  name_ = axis.name + ".drive";
+  tables_.push_back(belt_table(catalogue, axis, prices));
+  motors_ = std::make_unique<MotorSet>(motor_table(catalogue, axis, voltages, prices),
+                                       axis.require,
+                                       voltages.size(),
+                                       speed_edges(axis, tables_.front()));
+  tables_.push_back(motors_->motors().table);
+  finish_slots();
+  if (!acceleration_time_.fixed())
+    variables_.push_back({"acceleration_time", acceleration_time_.lower, acceleration_time_.upper});
+  machine::belt_drive_constraints([&](const machine::Declaration& d, auto&&, auto&&, auto&&) {
+    constraint_count_ += d.kind != machine::ConstraintKind::soft;
+  });
+}
+
+template <class T>
+BeltDrive<T> BeltDriveStage::design(const Selection<T>& s) const {
+  BeltDrive<T> d;
+  d.data = &data_;
+  std::size_t field = 0;
+  visit_belt_reading(d.belt, [&](T& x) {
+    x = hull_of<T>(s.rows[belt_slot], [&](solver::Row row) { return tables_[belt_slot].reading(row, field); });
+    ++field;
+  });
+  const std::size_t voltage = s.shared.empty() ? 0 : s.shared.front();
+  d.motor = motors_->template reading<T>(s.rows[motor_slot], voltage);
+  d.motor_shaft = hull_of<T>(s.rows[motor_slot], [&](solver::Row row) { return motors_->motors().pairs[row].shaft; });
+  d.available_torque = [this, rows = s.rows[motor_slot], voltage](const T& omega) {
+    return motors_->template torque<T>(rows, voltage, omega);
+  };
+  d.carried_mass = s.inherited[place_.load_state];
+  d.acceleration_time = variables_.empty() ? T(acceleration_time_.lower) : s.variables[0];
+  d.derive();
+  return d;
+}
+
+template <class T>
+void BeltDriveStage::answer(const Selection<T>& s, solver::Answer<T>& out) const {
+  const BeltDrive<T> d = design(s);
+  machine::belt_drive_constraints(UtilisationVisitor<T, BeltDrive<T>>(d, out.utilisation));
+  out.resources[cost_resource] = total<T>(s, [](const Candidate& c) { return c.price; });
+  out.resources[mass_resource] = total<T>(s, [](const Candidate& c) { return c.mass; });
+  out.handed_on[power_state] = s.inherited[power_state] + d.input_power;
+  out.handed_on[place_.load_state] = T(0.0);
+  if (place_.parent_load_state)
+    out.handed_on[*place_.parent_load_state] =
+        s.inherited[*place_.parent_load_state] + d.carried_mass +
+        total<T>(s, [](const Candidate& c) { return c.riding_mass + c.standing_mass; });
+}
+
+bool BeltDriveStage::fits(
+    std::span<const solver::Row>, std::size_t slot_a, solver::Row row_a, std::size_t slot_b, solver::Row row_b) const {
+  if (slot_a > slot_b) return fits({}, slot_b, row_b, slot_a, row_a);
+  return std::abs(tables_[belt_slot].reading(row_a, bore_field) - motors_->motors().pairs[row_b].shaft) < 1e-6;
+}
+
+template BeltDrive<double> BeltDriveStage::design(const Selection<double>&) const;
+
+}  // namespace millwright::evaluation

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// A belt drive as a stage of the solver. Slots: belt (with drive pulley and idler), motor (with driver). One variable,
+// the ramp time.
+#pragma once
+
+#include <memory>
+
+#include "evaluation/screw_drive_stage.h"
+#include "machine/belt_drive_constraints.h"
+
+namespace millwright::evaluation {
+
+class BeltDriveStage final : public ElementStage<BeltDriveStage> {
+ public:
+  BeltDriveStage(const machine::Axis& axis,
+                 AxisPlace place,
+                 const std::vector<double>& voltages,
+                 const catalogue::Catalogue& catalogue,
+                 const PriceBook& prices);
+
+  template <class T>
+  [[nodiscard]] machine::BeltDrive<T> design(const Selection<T>& selection) const;
+  template <class T>
+  void answer(const Selection<T>& selection, solver::Answer<T>& out) const;
+
+  [[nodiscard]] bool fits(std::span<const solver::Row> shared,
+                          std::size_t slot_a,
+                          solver::Row row_a,
+                          std::size_t slot_b,
+                          solver::Row row_b) const override;
+  [[nodiscard]] const MotorSet& motors() const { return *motors_; }
+  [[nodiscard]] const machine::BeltDriveData& data() const { return data_; }
+
+  enum SlotIndex : std::size_t { belt_slot, motor_slot };
+
+ private:
+  machine::BeltDriveData data_;
+  AxisPlace place_;
+  machine::Range acceleration_time_;
+  std::unique_ptr<MotorSet> motors_;
+};
+
+extern template machine::BeltDrive<double> BeltDriveStage::design(const Selection<double>&) const;
+
+}  // namespace millwright::evaluation

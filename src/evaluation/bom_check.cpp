@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// `check`: holds what the bill of materials gives and completes the rest. First by the solver, on the machine
+// restricted to what is held: that gives the cheapest compliant completion. If there is none, by the cheapest parts
+// that fit and the variables that make the largest utilisation smallest, so that the report can say by how much each
+// check fails.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numeric>
+
+#include "evaluation/held_parts.h"
+#include "evaluation/restricted_stage.h"
+#include "evaluation/synthesis.h"
+
+namespace millwright::evaluation {
+
+solver::Options solver_options(const SearchOptions& options);
+
+namespace {
+
+using solver::Row;
+
+struct Restricted {
+  std::vector<std::unique_ptr<RestrictedStage>> stages;
+  solver::Problem problem;
+};
+
+/// The model's problem with only what is held allowed, at one supply voltage.
+Restricted restrict(const MachineModel& model, const HeldParts& held) {
+  Restricted r;
+  r.problem = model.problem();
+  r.problem.stages.clear();
+  for (std::size_t i = 0; i < model.entries().size(); ++i) {
+    r.stages.push_back(std::make_unique<RestrictedStage>(
+        model.entries()[i].as_stage(), held.stages[i].allowed, held.stages[i].variables));
+    r.problem.stages.push_back(r.stages.back().get());
+  }
+  return r;
+}
+
+/// A ramp time that the problem fixes is no variable: there the bill of materials says what it is.
+void take_ramp_times(machine::Problem& problem, const machine::BillOfMaterials& bom, const std::string& only_origin) {
+  for (const machine::BomLine& line : bom.lines)
+    if (line.slot == "acceleration_time" && line.value && (only_origin.empty() || line.origin == only_origin))
+      for (machine::Axis& axis : problem.axes)
+        if (axis.name == line.axis && axis.acceleration_time.fixed())
+          axis.acceleration_time = {*line.value, *line.value};
+}
+
+double worst(const std::vector<double>& utilisations) {
+  return utilisations.empty() ? 0.0 : *std::max_element(utilisations.begin(), utilisations.end());
+}
+
+/// Variables that make the largest utilisation of a stage smallest: coordinate search on a shrinking grid, exact enough
+/// to judge by.
+std::vector<double> least_bad_variables(const solver::Stage& stage, const solver::Point& at) {
+  const auto variables = stage.variables();
+  std::vector<double> best;
+  for (const solver::Variable& v : variables) best.push_back(0.5 * (v.lower + v.upper));
+  solver::Answer<double> answer;
+  const auto value = [&](const std::vector<double>& x) {
+    stage.evaluate({at.shared, at.inherited, at.rows, x}, answer);
+    return worst(answer.utilisation);
+  };
+  if (variables.empty()) return best;
+  double least = value(best);
+  double reach = 0.5;
+  for (int round = 0; round < 40; ++round) {
+    for (std::size_t i = 0; i < variables.size(); ++i) {
+      const double centre = best[i];
+      const double width = variables[i].upper - variables[i].lower;
+      for (int k = -10; k <= 10; ++k) {
+        std::vector<double> x = best;
+        x[i] = std::clamp(centre + reach * width * k / 10.0, variables[i].lower, variables[i].upper);
+        if (const double u = value(x); u < least) {
+          least = u;
+          best = x;
+        }
+      }
+    }
+    reach *= 0.6;
+  }
+  return best;
+}
+
+/// Slot rows of a stage, cheapest first, that fit those already chosen (all slots if none fits).
+Row cheapest_fitting(const StageEntry& entry,
+                     const RestrictedStage& stage,
+                     const HeldStage& held,
+                     std::size_t slot,
+                     const std::vector<std::optional<Row>>& chosen,
+                     std::span<const Row> shared) {
+  const SlotTable& table = entry.tables()[slot];
+  std::vector<Row> order(held.allowed[slot].size());
+  std::iota(order.begin(), order.end(), Row{0});
+  std::stable_sort(order.begin(), order.end(), [&](Row a, Row b) {
+    return table.candidate(held.allowed[slot][a]).price < table.candidate(held.allowed[slot][b]).price;
+  });
+  for (const Row row : order) {
+    bool fits = true;
+    for (std::size_t other = 0; other < chosen.size() && fits; ++other)
+      if (chosen[other] && other != slot) fits = stage.fits(shared, slot, row, other, *chosen[other]);
+    if (fits) return row;
+  }
+  return order.front();
+}
+
+/// The cheapest parts that fit, slot by slot: named slots first.
+solver::Build cheapest_build(const MachineModel& model,
+                             const HeldParts& held,
+                             const Restricted& restricted,
+                             Row voltage) {
+  solver::Build build;
+  build.shared = {voltage};
+  std::vector<double> state = model.problem().first_state;
+  for (std::size_t i = 0; i < model.entries().size(); ++i) {
+    const RestrictedStage& stage = *restricted.stages[i];
+    const std::size_t slots = stage.slots().size();
+    std::vector<std::optional<Row>> chosen(slots);
+    for (const bool named : {true, false})
+      for (std::size_t slot = 0; slot < slots; ++slot)
+        if (held.stages[i].named[slot] == named)
+          chosen[slot] = cheapest_fitting(model.entries()[i], stage, held.stages[i], slot, chosen, build.shared);
+    std::vector<Row> rows;
+    for (const auto& row : chosen) rows.push_back(*row);
+    const std::vector<double> free = least_bad_variables(stage, {build.shared, state, rows, {}});
+    solver::Answer<double> answer;
+    stage.evaluate({build.shared, state, rows, free}, answer);
+    build.stages.push_back({stage.inner_rows(rows), stage.inner_variables(free), state});
+    state = answer.handed_on;
+  }
+  return build;
+}
+
+void report_missing(const MachineModel& model,
+                    const HeldParts& held,
+                    const machine::BillOfMaterials& bom,
+                    std::vector<BomProblem>& problems) {
+  for (std::size_t i = 0; i < model.entries().size(); ++i) {
+    const StageEntry& entry = model.entries()[i];
+    for (std::size_t slot = 0; slot < entry.tables().size(); ++slot) {
+      if (held.stages[i].named[slot] || entry.tables()[slot].rows() == 0) continue;
+      for (const PartUse& part : entry.tables()[slot].candidate(0).parts) {
+        const bool given = std::any_of(bom.lines.begin(), bom.lines.end(), [&](const machine::BomLine& line) {
+          return line.axis == entry.axis && line.slot == part.slot;
+        });
+        if (given) continue;
+        machine::SourceSpan where;
+        if (!bom.lines.empty()) where = bom.lines.back().where;
+        problems.push_back(
+            {where,
+             fmt::format("axis '{}' has no {}", entry.axis, part.slot),
+             fmt::format("add a line '{},{},...' or use --complete to have it chosen", entry.axis, part.slot)});
+      }
+    }
+  }
+}
+
+void mark_origins(Design& design, const machine::BillOfMaterials& bom) {
+  for (PartLine& part : design.parts)
+    for (const machine::BomLine& line : bom.lines)
+      if (line.axis == part.axis && line.slot == part.slot && line.part_number == part.part_number)
+        part.origin = line.origin.empty() ? "given" : line.origin;
+}
+
+solver::Build to_inner(const Restricted& restricted, const solver::Build& build) {
+  solver::Build inner = build;
+  for (std::size_t i = 0; i < inner.stages.size(); ++i) {
+    inner.stages[i].rows = restricted.stages[i]->inner_rows(build.stages[i].rows);
+    inner.stages[i].variables = restricted.stages[i]->inner_variables(build.stages[i].variables);
+  }
+  return inner;
+}
+
+}  // namespace
+
+BomCheck check(const machine::Problem& problem,
+               const catalogue::Catalogue& catalogue,
+               const machine::BillOfMaterials& bom,
+               bool complete,
+               const SearchOptions& options,
+               const std::string& only_origin) {
+  BomCheck result;
+  machine::Problem at_voltage = problem;
+  take_ramp_times(at_voltage, bom, only_origin);
+  GivenSlots given;
+  for (const machine::BomLine& line : bom.lines)
+    if (!line.is_dimension() && (only_origin.empty() || line.origin == only_origin))
+      given.insert({line.axis, line.slot});
+  // A first look, at all voltages, tells which voltage is held and whether the parts exist.
+  {
+    const MachineModel model(at_voltage, catalogue, given);
+    const HeldParts held = hold_parts(model, bom, only_origin);
+    result.problems = held.problems;
+    for (const EmptySlot& slot : model.empty_slots())
+      if (result.problems.empty())
+        result.problems.push_back({machine::SourceSpan{}, slot.reason, "see 'catalogue list'"});
+    if (!complete && only_origin.empty()) report_missing(model, held, bom, result.problems);
+    if (!result.problems.empty()) return result;
+    if (held.voltage) at_voltage.supply_voltages = {problem.supply_voltages[*held.voltage]};
+    result.completed = std::any_of(held.stages.begin(), held.stages.end(), [](const HeldStage& s) {
+      return std::find(s.named.begin(), s.named.end(), false) != s.named.end();
+    });
+  }
+  const MachineModel model(at_voltage, catalogue, given);
+  const HeldParts held = hold_parts(model, bom, only_origin);
+  const Restricted restricted = restrict(model, held);
+  const solver::Summary summary = solver::solve(restricted.problem, solver_options(options));
+  if (!summary.builds.empty()) {
+    result.design = model.design(to_inner(restricted, summary.builds.front()));
+    result.complete_is_optimal = summary.status == solver::Status::optimal;
+  } else {
+    Design best;
+    double least = std::numeric_limits<double>::infinity();
+    for (Row v = 0; v < at_voltage.supply_voltages.size(); ++v) {
+      Design design = model.design(cheapest_build(model, held, restricted, v));
+      double u = 0.0;
+      for (const Check& c : design.checks)
+        if (c.kind != machine::ConstraintKind::soft) u = std::max(u, c.utilisation);
+      if (u < least) {
+        least = u;
+        best = std::move(design);
+      }
+    }
+    result.design = std::move(best);
+  }
+  mark_origins(result.design, bom);
+  return result;
+}
+
+}  // namespace millwright::evaluation

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// From catalogue rows to the candidates of a drive's slots, with everything filtered out that can never be compliant on
+// this axis because it lacks a figure a hard check needs, or because two parts of one candidate do not go together.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "catalogue/catalogue.h"
+#include "evaluation/price_book.h"
+#include "evaluation/slot_table.h"
+#include "machine/motor.h"
+#include "machine/problem.h"
+#include "machine/screw.h"
+#include "mechanics/torque_curve.h"
+
+namespace millwright::evaluation {
+
+struct ScrewTable {
+  SlotTable table;
+  std::vector<machine::ScrewKind> kinds;               ///< per row
+  std::vector<machine::ScrewFigures<double>> figures;  ///< per row, for the calculation sheet
+};
+ScrewTable screw_table(const catalogue::Catalogue& catalogue, const machine::Axis& axis, const PriceBook& prices);
+
+/// A motor with a driver at each supply voltage of the problem.
+struct MotorPair {
+  double shaft = 0.0;                                                 ///< m
+  double frame_size = 0.0;                                            ///< m
+  bool torque_is_estimate = true;                                     ///< no published curve governs at any voltage
+  std::vector<machine::MotorFigures<double>> at_voltage;              ///< per voltage
+  std::vector<std::shared_ptr<const mechanics::PullOutCurve>> curve;  ///< per voltage, null where the model governs
+  std::vector<bool> fits_voltage;                                     ///< driver runs at this voltage
+};
+struct MotorTable {
+  SlotTable table;  ///< no readings of its own: they depend on the voltage
+  std::vector<MotorPair> pairs;
+};
+MotorTable motor_table(const catalogue::Catalogue& catalogue,
+                       const machine::Axis& axis,
+                       const std::vector<double>& voltages,
+                       const PriceBook& prices);
+
+/// Fields of machine::CouplingReading, in order.
+SlotTable coupling_table(const catalogue::Catalogue& catalogue, const PriceBook& prices);
+/// Fields of machine::SupportReading, in order. `fixed`: takes thrust.
+SlotTable support_table(const catalogue::Catalogue& catalogue,
+                        const PriceBook& prices,
+                        const std::string& slot,
+                        bool fixed,
+                        bool stiffness_needed);
+/// Belt, drive pulley and idler that run together.
+SlotTable belt_table(const catalogue::Catalogue& catalogue, const machine::Axis& axis, const PriceBook& prices);
+
+/// Candidate with these parts; `riding` kg of them move with the axis and `cabinet` kg burden no axis.
+Candidate candidate_of(std::vector<PartUse> parts, double riding, double cabinet = 0.0);
+
+/// Whether a text contains one of the words; no words = anything goes.
+bool wanted(const std::vector<std::string>& words, std::string_view text);
+
+}  // namespace millwright::evaluation

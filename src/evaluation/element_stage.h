@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// An element of the machine (a drive, a guide, a member) as a stage of the solver. Derived stages build their element's
+// design on any scalar from a selection of rows, variables and inherited state; the constraints come from the element's
+// one declaration.
+//
+//   evaluate = the design on double, bound = on Interval, slopes = on Dual<Interval>, gradient = on Dual<double>.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "evaluation/slot_table.h"
+#include "machine/constraint.h"
+#include "solver/stage.h"
+
+namespace millwright::evaluation {
+
+/// What is chosen, on a scalar.
+template <class T>
+struct Selection {
+  std::span<const solver::Row> shared;
+  Alive rows;
+  std::vector<T> inherited;
+  std::vector<T> variables;
+};
+
+/// Indices of the resources of every stage.
+enum ResourceIndex : std::size_t { cost_resource = 0, mass_resource = 1, resource_count = 2 };
+
+/// Index of the supply power in the state vector; loads of the axes follow it.
+inline constexpr std::size_t power_state = 0;
+inline constexpr std::size_t first_load_state = 1;
+
+/// demand over capacity; a capacity of nothing is a large finite utilisation.
+inline double utilisation(double demand, double capacity) {
+  if (demand <= 0.0 && capacity >= 0.0) return 0.0;
+  if (!(capacity > 0.0)) return machine::useless_utilisation;
+  const double u = demand / capacity;
+  return u < machine::useless_utilisation ? u : machine::useless_utilisation;
+}
+
+scalar::Interval utilisation(const scalar::Interval& demand, const scalar::Interval& capacity);
+
+/// Derivatives. Where the demand may be below zero the utilisation rests at 0, and so may its slope.
+inline scalar::Dual<double, 1> utilisation(const scalar::Dual<double, 1>& demand,
+                                           const scalar::Dual<double, 1>& capacity) {
+  const double u = utilisation(demand.value, capacity.value);
+  return u == 0.0 || u == machine::useless_utilisation ? scalar::Dual<double, 1>(u) : demand / capacity;
+}
+inline scalar::Dual<scalar::Interval, 1> utilisation(const scalar::Dual<scalar::Interval, 1>& demand,
+                                                     const scalar::Dual<scalar::Interval, 1>& capacity) {
+  scalar::Dual<scalar::Interval, 1> u = demand / capacity;
+  if (demand.value.lower <= 0.0) u.slope[0] = hull(u.slope[0], scalar::Interval(0.0));
+  if (capacity.value.lower <= 0.0) u.slope[0] = scalar::Interval::entire();
+  return u;
+}
+
+/// Takes the constraints of an element one by one and keeps those the search must hold.
+template <class T, class Element>
+class UtilisationVisitor {
+ public:
+  UtilisationVisitor(const Element& element, std::vector<T>& out) : element_(element), out_(out) {}
+  template <class When, class Demand, class Capacity>
+  void operator()(const machine::Declaration& declaration, When when, Demand demand, Capacity capacity) {
+    if (declaration.kind == machine::ConstraintKind::soft) return;
+    switch (when(element_)) {
+      case machine::Applies::no:
+        out_.push_back(T(0.0));
+        return;
+      case machine::Applies::yes:
+        out_.push_back(utilisation(demand(element_), capacity(element_)));
+        return;
+      case machine::Applies::some:
+        out_.push_back(anything());
+        return;
+    }
+  }
+
+ private:
+  static T anything() {
+    if constexpr (std::is_constructible_v<T, scalar::Interval>) {
+      T whole = T(scalar::Interval(0.0, scalar::rounding::infinity));
+      if constexpr (!std::is_same_v<T, scalar::Interval>) whole.slope[0] = scalar::Interval::entire();
+      return whole;
+    } else {
+      return T(0.0);
+    }
+  }
+  const Element& element_;
+  std::vector<T>& out_;
+};
+
+/// CRTP base. Derived has `slot_tables`, `name_`, `variables_`, `constraint_count_` and
+///   template <class T> void answer(const Selection<T>&, solver::Answer<T>&) const.
+template <class Derived>
+class ElementStage : public solver::Stage {
+ public:
+  [[nodiscard]] const std::string& name() const final { return name_; }
+  [[nodiscard]] std::span<const solver::Slot> slots() const final { return slots_; }
+  [[nodiscard]] std::span<const solver::Variable> variables() const final { return variables_; }
+  [[nodiscard]] std::size_t constraints() const final { return constraint_count_; }
+  [[nodiscard]] const std::vector<SlotTable>& tables() const { return tables_; }
+
+  void evaluate(const solver::Point& point, solver::Answer<double>& answer) const final {
+    std::vector<std::span<const solver::Row>> rows;
+    const auto selection = point_selection<double>(point, rows);
+    ask(selection, answer);
+    for (double& u : answer.utilisation)
+      if (std::isnan(u)) u = machine::useless_utilisation;
+  }
+
+  void bound(const solver::Box& box, solver::Answer<scalar::Interval>& answer) const final {
+    ask(box_selection<scalar::Interval>(box), answer);
+  }
+
+  void slopes(const solver::Box& box, solver::Input input, solver::Answer<scalar::Interval>& answer) const final {
+    using T = scalar::Dual<scalar::Interval, 1>;
+    Selection<T> selection = box_selection<T>(box);
+    seed(selection, input);
+    solver::Answer<T> duals;
+    ask(selection, duals);
+    slopes_of(duals, answer);
+  }
+
+  void gradient(const solver::Point& point, solver::Input input, solver::Answer<double>& answer) const final {
+    using T = scalar::Dual<double, 1>;
+    std::vector<std::span<const solver::Row>> rows;
+    Selection<T> selection = point_selection<T>(point, rows);
+    seed(selection, input);
+    solver::Answer<T> duals;
+    ask(selection, duals);
+    slopes_of(duals, answer);
+  }
+
+ protected:
+  std::string name_;
+  std::vector<SlotTable> tables_;
+  std::vector<solver::Slot> slots_;
+  std::vector<solver::Variable> variables_;
+  std::size_t constraint_count_ = 0;
+
+  void finish_slots() {
+    slots_.clear();
+    for (const SlotTable& table : tables_) slots_.push_back({table.name(), static_cast<solver::Row>(table.rows())});
+  }
+
+  /// Price and mass of the candidates chosen.
+  template <class T, class Value>
+  T total(const Selection<T>& selection, Value&& value) const {
+    T sum = T(0.0);
+    for (std::size_t slot = 0; slot < tables_.size(); ++slot)
+      sum =
+          sum + hull_of<T>(selection.rows[slot], [&](solver::Row row) { return value(tables_[slot].candidate(row)); });
+    return sum;
+  }
+
+ private:
+  template <class T>
+  void ask(const Selection<T>& selection, solver::Answer<T>& answer) const {
+    answer.utilisation.clear();
+    answer.resources.assign(resource_count, T(0.0));
+    answer.handed_on.assign(selection.inherited.begin(), selection.inherited.end());
+    static_cast<const Derived&>(*this).template answer<T>(selection, answer);
+  }
+
+  template <class T>
+  static Selection<T> point_selection(const solver::Point& point, std::vector<std::span<const solver::Row>>& rows) {
+    rows.reserve(point.rows.size());
+    for (const solver::Row& row : point.rows) rows.emplace_back(&row, 1);
+    Selection<T> selection{.shared = point.shared, .rows = rows, .inherited = {}, .variables = {}};
+    selection.inherited.assign(point.inherited.begin(), point.inherited.end());
+    selection.variables.assign(point.variables.begin(), point.variables.end());
+    return selection;
+  }
+
+  template <class T>
+  static Selection<T> box_selection(const solver::Box& box) {
+    Selection<T> selection{.shared = box.shared, .rows = box.rows, .inherited = {}, .variables = {}};
+    selection.inherited.assign(box.inherited.begin(), box.inherited.end());
+    selection.variables.assign(box.variables.begin(), box.variables.end());
+    return selection;
+  }
+
+  template <class T>
+  static void seed(Selection<T>& selection, solver::Input input) {
+    T& x = input.kind == solver::Input::Kind::variable ? selection.variables[input.index]
+                                                       : selection.inherited[input.index];
+    x.slope[0] = decltype(x.value)(1.0);
+  }
+
+  template <class B>
+  static void slopes_of(const solver::Answer<scalar::Dual<B, 1>>& duals, solver::Answer<B>& answer) {
+    const auto take = [](const auto& from, auto& to) {
+      to.clear();
+      for (const auto& x : from) to.push_back(x.slope[0]);
+    };
+    take(duals.utilisation, answer.utilisation);
+    take(duals.resources, answer.resources);
+    take(duals.handed_on, answer.handed_on);
+  }
+};
+
+}  // namespace millwright::evaluation

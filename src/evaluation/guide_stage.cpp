@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "evaluation/guide_stage.h"
+
+#include <array>
+#include <cmath>
+
+namespace millwright::evaluation {
+
+using catalogue::column;
+using catalogue::Family;
+using machine::Applies;
+using machine::GuideSystem;
+
+GuideStage::GuideStage(const machine::Axis& axis,
+                       AxisPlace place,
+                       const catalogue::Catalogue& catalogue,
+                       const PriceBook& prices)
+    : data_{.choice = *axis.guide, .motion = motion_of(axis), .require = axis.require},
+      place_(place),
+      acceleration_time_(axis.acceleration_time) {
+  name_ = axis.name + ".guide";
+  SlotTable table("guide", machine::guide_reading_fields);
+  const catalogue::Table& t = catalogue.table(Family::linear_guides);
+  const machine::GuideChoice& choice = *axis.guide;
+  for (int row = 0; row < t.rows(); ++row) {
+    const auto number = [&](catalogue::Column c) { return t.number(c, row); };
+    const std::string_view kind = t.text(column(Family::linear_guides, "kind"), row);
+    if (!wanted(choice.kinds, kind)) continue;
+    const bool bush = kind.find("bush") != std::string_view::npos;
+    // A single bushing cannot take a moment.
+    if (bush && choice.carriages < 2.0) continue;
+    const double rail_length = axis.stroke + 2.0 * axis.require(machine::Requirement::overtravel) +
+                               choice.carriage_spacing + number(column(Family::linear_guides, "block_length"));
+    const double carriages = choice.carriages * number(column(Family::linear_guides, "carriage_mass"));
+    const double rails = choice.rails * rail_length * number(column(Family::linear_guides, "rail_mass_per_length"));
+    double roll = number(column(Family::linear_guides, "roll_moment_rating"));
+    double pitch = number(column(Family::linear_guides, "pitch_moment_rating"));
+    double yaw = number(column(Family::linear_guides, "yaw_moment_rating"));
+    if (choice.carriages > 1.0) roll = pitch = yaw = 0.0;  // not read: pairs of carriages take the moments
+    const std::array<double, machine::guide_reading_fields> readings{
+        number(column(Family::linear_guides, "dynamic_load_rating")),
+        number(column(Family::linear_guides, "static_load_rating")),
+        number(column(Family::linear_guides, "rating_distance")),
+        roll,
+        pitch,
+        yaw,
+        carriages,
+        rails,
+        rail_length,
+        number(column(Family::linear_guides, "maximum_rail_length")),
+        bush ? number(column(Family::linear_guides, "size")) : 0.0};
+    // Carriage and rail are one line: the carriages by piece, each rail cut to length.
+    const double price = prices.line(t, row, choice.carriages, choice.rails * rail_length);
+    Candidate candidate = candidate_of(
+        {{"guide", Family::linear_guides, row, choice.carriages, rail_length, price, carriages + rails}}, carriages);
+    if (std::isnan(price) || std::any_of(readings.begin(), readings.end(), [](double x) { return std::isnan(x); }))
+      continue;
+    table.add(std::move(candidate), readings);
+    unsupported_.push_back(bush);
+  }
+  tables_.push_back(std::move(table));
+  finish_slots();
+  machine::guide_constraints([&](const machine::Declaration& d, auto&&, auto&&, auto&&) {
+    constraint_count_ += d.kind != machine::ConstraintKind::soft;
+  });
+}
+
+template <class T>
+GuideSystem<T> GuideStage::design(const Selection<T>& s) const {
+  GuideSystem<T> d;
+  d.data = &data_;
+  std::size_t field = 0;
+  visit_guide_reading(d.guide, [&](T& x) {
+    x = hull_of<T>(s.rows[0], [&](solver::Row row) { return tables_[0].reading(row, field); });
+    ++field;
+  });
+  const bool first = unsupported_[s.rows[0].front()];
+  d.unsupported_shaft = first ? Applies::yes : Applies::no;
+  for (const solver::Row row : s.rows[0])
+    if (unsupported_[row] != first) d.unsupported_shaft = Applies::some;
+  d.carried_mass = s.inherited[place_.load_state];
+  // Loads on the guides do not hang on the ramp; the mean speed of the cycle does, a little: the shortest ramp is the
+  // safe side.
+  d.acceleration_time = T(acceleration_time_.lower);
+  d.derive();
+  return d;
+}
+
+template <class T>
+void GuideStage::answer(const Selection<T>& s, solver::Answer<T>& out) const {
+  const GuideSystem<T> d = design(s);
+  machine::guide_constraints(UtilisationVisitor<T, GuideSystem<T>>(d, out.utilisation));
+  out.resources[cost_resource] = total<T>(s, [](const Candidate& c) { return c.price; });
+  out.resources[mass_resource] = total<T>(s, [](const Candidate& c) { return c.mass; });
+  out.handed_on[place_.load_state] = d.carried_mass + total<T>(s, [](const Candidate& c) { return c.riding_mass; });
+  if (place_.parent_load_state)
+    out.handed_on[*place_.parent_load_state] =
+        s.inherited[*place_.parent_load_state] + total<T>(s, [](const Candidate& c) { return c.standing_mass; });
+}
+
+template GuideSystem<double> GuideStage::design(const Selection<double>&) const;
+
+}  // namespace millwright::evaluation

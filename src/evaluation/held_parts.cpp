@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "evaluation/held_parts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace millwright::evaluation {
+
+namespace {
+
+using machine::BomLine;
+
+/// Slots of the bill of materials that a candidate of this table fills ("screw" and "nut").
+std::vector<std::string> slots_of(const SlotTable& table) {
+  std::vector<std::string> result;
+  if (table.rows() > 0)
+    for (const PartUse& part : table.candidate(0).parts) result.push_back(part.slot);
+  else if (table.name() == "screw")
+    result = {"screw", "nut"};
+  else if (table.name() == "motor")
+    result = {"motor", "driver"};
+  else if (table.name() == "belt")
+    result = {"belt", "pulley_drive", "pulley_idle"};
+  else
+    result = {table.name()};
+  return result;
+}
+
+bool is_part(const catalogue::Table& table, const PartUse& use, const BomLine& line) {
+  return table.part_number(use.row) == line.part_number &&
+         (line.manufacturer.empty() || table.manufacturer(use.row) == line.manufacturer);
+}
+
+class Holder {
+ public:
+  Holder(const MachineModel& model, const machine::BillOfMaterials& bom, const std::string& only_origin)
+      : model_(model) {
+    for (const BomLine& line : bom.lines)
+      if (only_origin.empty() || line.origin == only_origin) lines_.push_back(&line);
+  }
+
+  HeldParts hold() {
+    for (const StageEntry& entry : model_.entries()) hold_stage(entry);
+    hold_voltage();
+    return std::move(result_);
+  }
+
+ private:
+  const BomLine* line_for(const std::string& axis, const std::string& slot) const {
+    for (const BomLine* line : lines_)
+      if (line->axis == axis && line->slot == slot) return line;
+    return nullptr;
+  }
+
+  void hold_stage(const StageEntry& entry) {
+    HeldStage held;
+    for (const SlotTable& table : entry.tables()) hold_slot(entry, table, held);
+    const auto variables = entry.as_stage().variables();
+    for (const solver::Variable& variable : variables) {
+      const std::string name = entry.element == "drive" ? variable.name : entry.element + "." + variable.name;
+      const BomLine* line = line_for(entry.axis, name);
+      held.variables.push_back(line != nullptr ? line->value : std::nullopt);
+    }
+    result_.stages.push_back(std::move(held));
+  }
+
+  void hold_slot(const StageEntry& entry, const SlotTable& table, HeldStage& held) {
+    std::vector<const BomLine*> given;
+    bool all = true;
+    for (const std::string& slot : slots_of(table)) {
+      given.push_back(line_for(entry.axis, slot));
+      all = all && given.back() != nullptr;
+    }
+    std::vector<solver::Row> rows;
+    for (solver::Row row = 0; row < table.rows(); ++row) {
+      const auto& parts = table.candidate(row).parts;
+      bool matches = true;
+      for (std::size_t i = 0; i < parts.size() && matches; ++i)
+        matches = given[i] == nullptr || is_part(model_.catalogue().table(parts[i].family), parts[i], *given[i]);
+      if (matches) rows.push_back(row);
+    }
+    if (rows.empty()) report_no_candidate(entry, table, given);
+    held.allowed.push_back(std::move(rows));
+    held.named.push_back(all);
+  }
+
+  void report_no_candidate(const StageEntry& entry, const SlotTable& table, const std::vector<const BomLine*>& given) {
+    if (std::all_of(given.begin(), given.end(), [](const BomLine* line) { return line == nullptr; })) {
+      result_.problems.push_back({lines_.empty() ? machine::SourceSpan{} : lines_.back()->where,
+                                  fmt::format("no catalogue row can be the {} of axis '{}'", table.name(), entry.axis),
+                                  "add a catalogue that has one, or ask less of it"});
+      return;
+    }
+    for (const BomLine* line : given) {
+      if (line == nullptr) continue;
+      const catalogue::FoundParts found = model_.catalogue().find(line->part_number, line->manufacturer);
+      if (found.parts.empty()) {
+        result_.problems.push_back(
+            {line->where,
+             found.error.empty() ? fmt::format("no part '{}' in the catalogues", line->part_number) : found.error,
+             found.hint});
+        return;
+      }
+    }
+    for (const BomLine* line : given) {
+      if (line == nullptr) continue;
+      result_.problems.push_back(
+          {line->where,
+           fmt::format("'{}' cannot be the {} of axis '{}'", line->part_number, line->slot, entry.axis),
+           "it belongs to another family, lacks a figure that a check needs (see 'catalogue show'), or does not go "
+           "with the other part of its pair"});
+      return;
+    }
+  }
+
+  void hold_voltage() {
+    const auto& voltages = model_.machine().supply_voltages;
+    if (const BomLine* line = line_for("machine", "supply_voltage"); line != nullptr && line->value) {
+      for (std::size_t i = 0; i < voltages.size(); ++i)
+        if (std::abs(voltages[i] - *line->value) < 1e-6) result_.voltage = static_cast<solver::Row>(i);
+      if (!result_.voltage)
+        result_.problems.push_back({line->where,
+                                    fmt::format("supply voltage {} V is not among those of the problem", *line->value),
+                                    "add it to [supply] voltage"});
+      return;
+    }
+    const BomLine* supply = line_for("machine", "supply");
+    if (supply == nullptr) return;
+    const catalogue::Table& table = model_.catalogue().table(catalogue::Family::power_supplies);
+    const catalogue::Found found = table.find(supply->part_number, supply->manufacturer);
+    if (!found || found.rows.empty()) return;
+    const double volts =
+        table.number(catalogue::column(catalogue::Family::power_supplies, "output_voltage"), found.rows.front());
+    for (std::size_t i = 0; i < voltages.size(); ++i)
+      if (std::abs(voltages[i] - volts) < 1e-6) result_.voltage = static_cast<solver::Row>(i);
+    if (!result_.voltage)
+      result_.problems.push_back(
+          {supply->where,
+           fmt::format("the supply gives {} V, which is not among the problem's supply voltages", volts),
+           "add it to [supply] voltage"});
+  }
+
+  const MachineModel& model_;
+  std::vector<const BomLine*> lines_;
+  HeldParts result_;
+};
+
+}  // namespace
+
+HeldParts hold_parts(const MachineModel& model, const machine::BillOfMaterials& bom, const std::string& only_origin) {
+  return Holder(model, bom, only_origin).hold();
+}
+
+}  // namespace millwright::evaluation

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// A bill of materials against a machine's stages: which rows of each slot are still possible and which variables are
+// held.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "evaluation/synthesis.h"
+
+namespace millwright::evaluation {
+
+struct HeldStage {
+  std::vector<std::vector<solver::Row>> allowed;  ///< per slot
+  std::vector<bool> named;                        ///< per slot: every part of it is given
+  std::vector<std::optional<double>> variables;
+};
+
+struct HeldParts {
+  std::vector<HeldStage> stages;       ///< as the model's entries
+  std::optional<solver::Row> voltage;  ///< of the supply, if given or implied by the supply
+  std::vector<BomProblem> problems;
+};
+
+/// `only_origin`: hold only lines of that origin (empty = all).
+HeldParts hold_parts(const MachineModel& model, const machine::BillOfMaterials& bom, const std::string& only_origin);
+
+}  // namespace millwright::evaluation

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "evaluation/ledger.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "evaluation/machine_model.h"
+#include "scalar/unit.h"
+
+namespace millwright::evaluation {
+
+using machine::Applies;
+using machine::ConstraintKind;
+using machine::WorstPhase;
+
+bool Design::satisfied() const {
+  return std::none_of(checks.begin(), checks.end(), [](const Check& c) {
+    return c.kind != ConstraintKind::soft && c.verdict == Verdict::violated;
+  });
+}
+
+const Check* Design::governing(const std::string& axis) const {
+  const Check* worst = nullptr;
+  for (const Check& check : checks)
+    if (check.axis == axis && check.kind == ConstraintKind::hard &&
+        (worst == nullptr || check.utilisation > worst->utilisation))
+      worst = &check;
+  return worst;
+}
+
+namespace {
+
+template <class Element>
+concept HasPhases = requires(const Element& e) {
+  e.torque_ratios;
+};
+
+/// The phase in which the quantity of a constraint is largest.
+template <class Element>
+std::string worst_phase(const Element& element, WorstPhase worst) {
+  if constexpr (HasPhases<Element>) {
+    const auto names = machine::phase_names(element.data->motion);
+    const auto place = [&](const std::vector<double>& values) -> std::string {
+      const auto best =
+          std::max_element(values.begin(), values.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+      return best == values.end() ? std::string() : names[static_cast<std::size_t>(best - values.begin())];
+    };
+    switch (worst) {
+      case WorstPhase::force:
+        return place(element.axial_forces);
+      case WorstPhase::torque:
+        return place(element.motor_torques);
+      case WorstPhase::torque_ratio:
+        return place(element.torque_ratios);
+      case WorstPhase::speed:
+        return place(element.angular_speeds);
+      case WorstPhase::none:
+        break;
+    }
+  }
+  return {};
+}
+
+template <class Element>
+class CheckVisitor {
+ public:
+  CheckVisitor(const Element& element, const StageEntry& entry, std::vector<Check>& out)
+      : element_(element), entry_(entry), out_(out) {}
+
+  template <class When, class Demand, class Capacity>
+  void operator()(const machine::Declaration& declaration, When when, Demand demand, Capacity capacity) {
+    if (when(element_) != Applies::yes) return;
+    Check check;
+    check.axis = entry_.axis;
+    check.element = entry_.element;
+    check.id = declaration.id;
+    check.title = declaration.title;
+    check.symbol = declaration.symbol;
+    check.kind = declaration.kind;
+    check.unit = declaration.unit;
+    check.source = declaration.source;
+    check.requirement = declaration.requirement;
+    const double value = demand(element_);
+    const double limit = capacity(element_);
+    std::string reason;
+    const auto unit = scalar::Unit::parse(declaration.unit, reason);
+    check.value = unit ? unit->from_si(value) : value;
+    check.limit = unit ? unit->from_si(limit) : limit;
+    check.utilisation = utilisation(value, limit);
+    check.verdict = std::isnan(value) || std::isnan(limit) ? Verdict::not_evaluated
+                    : check.utilisation <= 1.0             ? Verdict::satisfied
+                                                           : Verdict::violated;
+    check.phase = worst_phase(element_, declaration.worst);
+    out_.push_back(std::move(check));
+  }
+
+ private:
+  const Element& element_;
+  const StageEntry& entry_;
+  std::vector<Check>& out_;
+};
+
+template <class Stage>
+constexpr auto constraints_of() {
+  return [](auto& visit) {
+    if constexpr (std::is_same_v<Stage, ScrewDriveStage>) machine::screw_drive_constraints(visit);
+    if constexpr (std::is_same_v<Stage, BeltDriveStage>) machine::belt_drive_constraints(visit);
+    if constexpr (std::is_same_v<Stage, GuideStage>) machine::guide_constraints(visit);
+    if constexpr (std::is_same_v<Stage, MemberStage>) machine::member_constraints(visit);
+    if constexpr (std::is_same_v<Stage, SupplyStage>) supply_constraints(visit);
+  };
+}
+
+PartLine part_line(const catalogue::Table& table, const PartUse& use, const std::string& axis, const Design& design) {
+  PartLine line;
+  line.axis = axis;
+  line.slot = use.slot;
+  line.family = catalogue::declaration(use.family).name;
+  line.manufacturer = table.manufacturer(use.row);
+  line.part_number = table.part_number(use.row);
+  line.quantity = use.quantity;
+  line.length = use.length;
+  line.price = use.price;
+  line.unit_price = use.price / use.quantity;
+  line.currency = design.currency;
+  line.mass = use.mass;
+  const auto where = table.where(use.row);
+  line.where = where.text ? where.text->path() + ":" + std::to_string(where.line) : std::string();
+  line.price_basis = table.text(catalogue::column(use.family, "price_basis"), use.row);
+  line.confidence = table.confidence(use.row);
+  line.estimate = table.price(use.row).estimate || line.confidence == "low";
+  return line;
+}
+
+void add_parts(const MachineModel& model,
+               const StageEntry& entry,
+               const std::vector<solver::Row>& rows,
+               Design& design) {
+  const auto& tables = entry.tables();
+  for (std::size_t slot = 0; slot < tables.size(); ++slot) {
+    const Candidate& candidate = tables[slot].candidate(rows[slot]);
+    for (const PartUse& use : candidate.parts)
+      design.parts.push_back(part_line(model.catalogue().table(use.family), use, entry.axis, design));
+    design.cost += candidate.price;
+    design.mass += candidate.mass;
+  }
+}
+
+/// A member made to measure is bar or shaft stock of its material, sold by mass.
+void add_custom_member(const MachineModel& model,
+                       const StageEntry& entry,
+                       const machine::StructureMember<double>& member,
+                       Design& design) {
+  const catalogue::Table& materials = model.catalogue().table(catalogue::Family::materials);
+  const catalogue::Found found = materials.find(member.data->member.material);
+  const double price = member.mass * member.data->price_per_mass;
+  design.mass += member.mass;
+  design.cost += price;
+  if (!found || found.rows.empty()) return;
+  design.parts.push_back(part_line(materials,
+                                   {.slot = member.data->member.name,
+                                    .family = catalogue::Family::materials,
+                                    .row = found.rows.front(),
+                                    .quantity = member.data->member.count,
+                                    .length = member.data->member.length,
+                                    .price = price,
+                                    .mass = member.mass},
+                                   entry.axis,
+                                   design));
+}
+
+/// Marks a motor, and the torque checks, whose torque at speed is the winding model's and not a published curve's.
+template <class DriveStage>
+void mark_estimated_torque(const DriveStage& stage,
+                           const solver::StageChoice& choice,
+                           solver::Row voltage,
+                           Design& design) {
+  if (stage.motors().motors().pairs[choice.rows[DriveStage::motor_slot]].curve[voltage] != nullptr) return;
+  const std::string axis = stage.name().substr(0, stage.name().find('.'));
+  for (PartLine& part : design.parts)
+    if (part.axis == axis && part.slot == "motor") part.estimate = true;
+  for (Check& check : design.checks)
+    if (check.axis == axis && check.id == "C-ST-TORQUE")
+      check.note = "torque at speed is an estimate from the winding: no published curve at this voltage and current";
+}
+
+std::string unit_of_variable(const std::string& name) { return name == "acceleration_time" ? "s" : "m"; }
+
+}  // namespace
+
+Design MachineModel::design(const solver::Build& build) const {
+  Design design;
+  design.currency = problem_.currency;
+  design.supply_voltage = problem_.supply_voltages[build.shared.empty() ? 0 : build.shared.front()];
+  design.dimensions.push_back({"machine", "supply_voltage", design.supply_voltage, "V"});
+  std::vector<double> state = solver_problem_.first_state;
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    const StageEntry& entry = entries_[i];
+    const solver::StageChoice& choice = build.stages[i];
+    std::vector<std::span<const solver::Row>> rows;
+    for (const solver::Row& row : choice.rows) rows.emplace_back(&row, 1);
+    const Selection<double> selection{
+        .shared = build.shared, .rows = rows, .inherited = state, .variables = choice.variables};
+    std::visit(
+        [&](const auto& stage) {
+          const auto element = stage->template design<double>(selection);
+          CheckVisitor visitor(element, entry, design.checks);
+          constraints_of<std::remove_cvref_t<decltype(*stage)>>()(visitor);
+          using Kind = std::remove_cvref_t<decltype(*stage)>;
+          if constexpr (std::is_same_v<Kind, MemberStage>) {
+            if (stage->tables().empty()) add_custom_member(*this, entry, element, design);
+          }
+        },
+        entry.stage);
+    add_parts(*this, entry, choice.rows, design);
+    const solver::Row voltage = build.shared.empty() ? 0 : build.shared.front();
+    if (const auto* drive = std::get_if<std::unique_ptr<ScrewDriveStage>>(&entry.stage))
+      mark_estimated_torque(**drive, choice, voltage, design);
+    if (const auto* drive = std::get_if<std::unique_ptr<BeltDriveStage>>(&entry.stage))
+      mark_estimated_torque(**drive, choice, voltage, design);
+    const auto variables = entry.as_stage().variables();
+    for (std::size_t v = 0; v < variables.size(); ++v) {
+      const std::string prefix = entry.element == "drive" ? std::string() : entry.element + ".";
+      design.dimensions.push_back(
+          {entry.axis, prefix + variables[v].name, choice.variables[v], unit_of_variable(variables[v].name)});
+    }
+    solver::Answer<double> answer;
+    entry.as_stage().evaluate({build.shared, state, choice.rows, choice.variables}, answer);
+    state = answer.handed_on;
+  }
+  return design;
+}
+
+}  // namespace millwright::evaluation

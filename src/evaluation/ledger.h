@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The outcome for one design: what it is made of and every check with value, limit and verdict, evaluated from scratch
+// in double.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "machine/constraint.h"
+
+namespace millwright::evaluation {
+
+enum class Verdict { satisfied, violated, not_evaluated };
+
+struct Check {
+  std::string axis;     ///< "machine" for what no single axis owns
+  std::string element;  ///< "drive", "guide", a member's name, "supply"
+  std::string id, title, symbol;
+  machine::ConstraintKind kind = machine::ConstraintKind::hard;
+  double value = 0.0;  ///< demand, in `unit`
+  double limit = 0.0;  ///< capacity, in `unit`
+  std::string unit;
+  double utilisation = 0.0;  ///< demand/capacity, 1 is the limit
+  Verdict verdict = Verdict::satisfied;
+  std::string phase;  ///< of the duty cycle, where the worst case occurs; empty if it has none
+  std::string source;
+  std::string requirement;  ///< key of the factor or limit, empty if none
+  std::string note;         ///< "torque is an estimate: no published curve", ...
+};
+
+struct PartLine {
+  std::string axis, slot, family, manufacturer, part_number;
+  double quantity = 1.0;
+  double length = 0.0;      ///< m, 0 for whole pieces
+  double unit_price = 0.0;  ///< price / quantity, in `currency`
+  double price = 0.0;       ///< of the line, in `currency`
+  std::string currency;
+  double mass = 0.0;  ///< kg, of the line
+  std::string where;  ///< catalogue file and line
+  std::string price_basis, confidence;
+  bool estimate = false;  ///< price or a figure of the part is an estimate
+  std::string origin;     ///< "paper", "ours" from a BOM; empty otherwise
+};
+
+struct DimensionLine {
+  std::string axis, name;
+  double value = 0.0;  ///< SI
+  std::string unit;    ///< SI unit
+};
+
+/// A machine fully decided.
+struct Design {
+  std::vector<PartLine> parts;
+  std::vector<DimensionLine> dimensions;
+  std::vector<Check> checks;
+  double cost = 0.0;
+  double mass = 0.0;  ///< kg, of everything chosen
+  std::string currency;
+  double supply_voltage = 0.0;
+  [[nodiscard]] bool satisfied() const;
+  /// The hard check with the largest utilisation of an axis, null if the axis has none.
+  [[nodiscard]] const Check* governing(const std::string& axis) const;
+};
+
+}  // namespace millwright::evaluation

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "evaluation/machine_model.h"
+
+#include <fmt/format.h>
+
+namespace millwright::evaluation {
+
+const solver::Stage& StageEntry::as_stage() const {
+  return std::visit([](const auto& s) -> const solver::Stage& { return *s; }, stage);
+}
+
+const std::vector<SlotTable>& StageEntry::tables() const {
+  return std::visit([](const auto& s) -> const std::vector<SlotTable>& { return s->tables(); }, stage);
+}
+
+namespace {
+
+/// The problem without its wishes about the kinds of parts that are given.
+machine::Problem without_wishes(machine::Problem problem, const GivenSlots& given) {
+  for (machine::Axis& axis : problem.axes) {
+    const auto has = [&](const std::string& slot) { return given.count({axis.name, slot}) > 0; };
+    if (has("screw") || has("nut")) {
+      axis.mechanism.ball_screws = axis.mechanism.lead_screws = true;
+      axis.mechanism.thread_forms.clear();
+      axis.mechanism.nut_materials.clear();
+    }
+    if (has("belt") || has("pulley_drive") || has("pulley_idle")) axis.mechanism.profiles.clear();
+    if (has("motor")) axis.motor.frames.clear();
+    axis.keep_every_candidate = has("driver");
+    if (axis.guide && has("guide")) axis.guide->kinds.clear();
+    for (machine::Member& member : axis.members)
+      if (has(member.name)) member.section_kinds.clear();
+  }
+  return problem;
+}
+
+}  // namespace
+
+MachineModel::MachineModel(const machine::Problem& given,
+                           const catalogue::Catalogue& catalogue,
+                           const GivenSlots& given_slots)
+    : problem_(without_wishes(given, given_slots)), catalogue_(catalogue) {
+  const machine::Problem& problem = problem_;
+  const PriceBook prices(problem);
+  solver_problem_.shared.push_back({"supply_voltage", static_cast<solver::Row>(problem.supply_voltages.size())});
+  solver_problem_.first_state.assign(first_load_state + problem.axes.size(), 0.0);
+  for (std::size_t i = 0; i < problem.axes.size(); ++i)
+    solver_problem_.first_state[first_load_state + i] = problem.axes[i].structure_mass + problem.axes[i].payload_mass;
+  for (const std::size_t index : problem.order) add_axis(index, prices);
+  double reserve = 1.0;
+  for (const machine::Axis& axis : problem.axes)
+    reserve = std::max(reserve, axis.require(machine::Requirement::supply_reserve));
+  entries_.push_back(
+      {"machine", "supply", std::make_unique<SupplyStage>(problem.supply_voltages, reserve, catalogue, prices)});
+  for (const StageEntry& entry : entries_) solver_problem_.stages.push_back(&entry.as_stage());
+  solver_problem_.resources = {{"cost"}, {"mass"}};
+}
+
+void MachineModel::add_axis(std::size_t index, const PriceBook& prices) {
+  const machine::Axis& axis = problem_.axes[index];
+  AxisPlace place{.load_state = first_load_state + index, .parent_load_state = std::nullopt};
+  if (axis.carried_by) place.parent_load_state = first_load_state + *axis.carried_by;
+  const auto add_members = [&](bool riding) {
+    for (const machine::Member& member : axis.members)
+      if (member.rides == riding)
+        entries_.push_back(
+            {axis.name, member.name, std::make_unique<MemberStage>(axis, member, place, catalogue_, prices)});
+  };
+  // What rides burdens the guide; what stands carries the carriages too.
+  add_members(true);
+  if (axis.guide)
+    entries_.push_back({axis.name, "guide", std::make_unique<GuideStage>(axis, place, catalogue_, prices)});
+  add_members(false);
+  if (axis.mechanism.kind == machine::MechanismKind::screw)
+    entries_.push_back({axis.name,
+                        "drive",
+                        std::make_unique<ScrewDriveStage>(axis, place, problem_.supply_voltages, catalogue_, prices)});
+  else
+    entries_.push_back({axis.name,
+                        "drive",
+                        std::make_unique<BeltDriveStage>(axis, place, problem_.supply_voltages, catalogue_, prices)});
+}
+
+std::vector<EmptySlot> MachineModel::empty_slots() const {
+  std::vector<EmptySlot> result;
+  for (const StageEntry& entry : entries_)
+    for (const SlotTable& table : entry.tables())
+      if (table.rows() == 0)
+        result.push_back(
+            {entry.axis,
+             table.name(),
+             fmt::format("no catalogue row fits what axis '{}' asks of its {}", entry.axis, table.name())});
+  for (const StageEntry& entry : entries_)
+    if (const auto* member = std::get_if<std::unique_ptr<MemberStage>>(&entry.stage);
+        member != nullptr && !(*member)->missing().empty())
+      result.push_back({entry.axis, entry.element, (*member)->missing()});
+  return result;
+}
+
+}  // namespace millwright::evaluation

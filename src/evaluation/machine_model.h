@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// A machine as the solver's problem: the elements of all axes as stages, from the tools to the base, then the power
+// supply. The state they hand on is the supply power and, for each axis, the load it has to carry so far; the supply
+// voltage is a choice shared by all.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "evaluation/belt_drive_stage.h"
+#include "evaluation/guide_stage.h"
+#include "evaluation/ledger.h"
+#include "evaluation/member_stage.h"
+#include "evaluation/screw_drive_stage.h"
+#include "evaluation/supply_stage.h"
+#include "solver/solver.h"
+
+namespace millwright::evaluation {
+
+/// One stage with what it stands for.
+struct StageEntry {
+  std::string axis;     ///< "machine" for the supply
+  std::string element;  ///< "guide", "drive", "supply", a member's name
+  std::variant<std::unique_ptr<ScrewDriveStage>,
+               std::unique_ptr<BeltDriveStage>,
+               std::unique_ptr<GuideStage>,
+               std::unique_ptr<MemberStage>,
+               std::unique_ptr<SupplyStage>>
+      stage;
+  [[nodiscard]] const solver::Stage& as_stage() const;
+  [[nodiscard]] const std::vector<SlotTable>& tables() const;
+};
+
+/// A slot without a single candidate: the problem cannot be solved, and this says why.
+struct EmptySlot {
+  std::string axis, slot, reason;
+};
+
+/// (axis, slot) pairs.
+using GivenSlots = std::set<std::pair<std::string, std::string>>;
+
+class MachineModel {
+ public:
+  /// `given_slots`: slots that a bill of materials fills; there the problem's wishes (frames, thread forms, ...) do not
+  /// count and drivers that another one beats stay, because what is given is judged as it is.
+  MachineModel(const machine::Problem& problem,
+               const catalogue::Catalogue& catalogue,
+               const GivenSlots& given_slots = {});
+  MachineModel(const MachineModel&) = delete;
+  MachineModel& operator=(const MachineModel&) = delete;
+
+  [[nodiscard]] const solver::Problem& problem() const { return solver_problem_; }
+  [[nodiscard]] const machine::Problem& machine() const { return problem_; }
+  [[nodiscard]] const catalogue::Catalogue& catalogue() const { return catalogue_; }
+  [[nodiscard]] const std::vector<StageEntry>& entries() const { return entries_; }
+  [[nodiscard]] std::vector<EmptySlot> empty_slots() const;
+
+  /// Evaluates a build from scratch, stage after stage, and writes the ledger. Nothing of what the search computed is
+  /// reused.
+  [[nodiscard]] Design design(const solver::Build& build) const;
+
+ private:
+  void add_axis(std::size_t index, const PriceBook& prices);
+
+  machine::Problem problem_;
+  const catalogue::Catalogue& catalogue_;
+  std::vector<StageEntry> entries_;
+  solver::Problem solver_problem_;
+};
+
+}  // namespace millwright::evaluation

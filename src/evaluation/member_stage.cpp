@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "evaluation/member_stage.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+namespace millwright::evaluation {
+
+using catalogue::column;
+using catalogue::Family;
+using machine::MemberKind;
+using machine::StructureMember;
+
+MemberStage::MemberStage(const machine::Axis& axis,
+                         const machine::Member& member,
+                         AxisPlace place,
+                         const catalogue::Catalogue& catalogue,
+                         const PriceBook& prices)
+    : data_{.member = member, .require = axis.require}, place_(place) {
+  name_ = axis.name + "." + member.name;
+  take_material(catalogue.table(Family::materials), prices);
+  if (!member.sections.empty()) {
+    take_sections(catalogue, prices);
+  } else {
+    const auto variable = [&](const char* name, const machine::Range& range) {
+      variables_.push_back({name, range.lower, range.upper});
+    };
+    if (member.kind == MemberKind::round_shaft) variable("diameter", member.diameter);
+    if (member.kind == MemberKind::rectangular_bar) {
+      variable("width", member.width);
+      variable("height", member.height);
+    }
+    if (member.kind == MemberKind::weld) variable("leg", member.leg);
+  }
+  finish_slots();
+  machine::member_constraints([&](const machine::Declaration& d, auto&&, auto&&, auto&&) {
+    constraint_count_ += d.kind != machine::ConstraintKind::soft;
+  });
+}
+
+void MemberStage::take_material(const catalogue::Table& materials, const PriceBook& prices) {
+  const std::string& name = data_.member.material;
+  const auto found = materials.find(name);
+  if (!found || found.rows.empty()) {
+    missing_ = fmt::format("there is no material '{}' in the catalogues", name);
+    return;
+  }
+  const int row = found.rows.front();
+  data_.elastic_modulus = materials.number(column(Family::materials, "elastic_modulus"), row);
+  data_.yield_strength = materials.number(column(Family::materials, "yield_strength"), row);
+  data_.density = materials.number(column(Family::materials, "density"), row);
+  const catalogue::Price price = materials.price(row);
+  data_.price_per_mass = price.mass * prices.rate(price.currency);
+  if (std::isnan(data_.elastic_modulus + data_.yield_strength + data_.density))
+    missing_ = fmt::format("material '{}' lacks its elastic modulus, yield strength or density", name);
+  else if (data_.member.sections.empty() && std::isnan(data_.price_per_mass))
+    missing_ = fmt::format("material '{}' has no price per mass in a currency of the problem", name);
+}
+
+void MemberStage::take_sections(const catalogue::Catalogue& catalogue, const PriceBook& prices) {
+  const machine::Member& m = data_.member;
+  SlotTable table(m.name, machine::section_reading_fields);
+  const auto take = [&](Family family,
+                        catalogue::Column area,
+                        catalogue::Column x,
+                        catalogue::Column y,
+                        catalogue::Column height,
+                        catalogue::Column width,
+                        catalogue::Column mass) {
+    const catalogue::Table& t = catalogue.table(family);
+    for (int row = 0; row < t.rows(); ++row) {
+      if (family == Family::steel_sections &&
+          !wanted(m.section_kinds, t.text(column(Family::steel_sections, "kind"), row)))
+        continue;
+      const std::array<double, machine::section_reading_fields> readings{t.number(area, row),
+                                                                         t.number(x, row),
+                                                                         t.number(y, row),
+                                                                         t.number(height, row),
+                                                                         t.number(width, row),
+                                                                         t.number(mass, row)};
+      const double length = m.count * m.length;
+      Candidate candidate = candidate_of(
+          {{m.name, family, row, m.count, m.length, prices.line(t, row, 0.0, length), readings[5] * length}}, 0.0);
+      if (std::isnan(candidate.price) ||
+          std::any_of(readings.begin(), readings.end(), [](double v) { return std::isnan(v); }))
+        continue;
+      table.add(std::move(candidate), readings);
+    }
+  };
+  for (const std::string& family : m.sections) {
+    if (family == "steel_sections")
+      take(Family::steel_sections,
+           column(Family::steel_sections, "area"),
+           column(Family::steel_sections, "second_moment_x"),
+           column(Family::steel_sections, "second_moment_y"),
+           column(Family::steel_sections, "height"),
+           column(Family::steel_sections, "width"),
+           column(Family::steel_sections, "mass_per_length"));
+    if (family == "extrusions")
+      take(Family::extrusions,
+           column(Family::extrusions, "area"),
+           column(Family::extrusions, "second_moment_x"),
+           column(Family::extrusions, "second_moment_y"),
+           column(Family::extrusions, "height"),
+           column(Family::extrusions, "width"),
+           column(Family::extrusions, "mass_per_length"));
+  }
+  tables_.push_back(std::move(table));
+}
+
+template <class T>
+StructureMember<T> MemberStage::design(const Selection<T>& s) const {
+  StructureMember<T> d;
+  d.data = &data_;
+  if (!tables_.empty()) {
+    std::size_t field = 0;
+    visit_section_reading(d.section, [&](T& x) {
+      x = hull_of<T>(s.rows[0], [&](solver::Row row) { return tables_[0].reading(row, field); });
+      ++field;
+    });
+  } else if (data_.member.kind == MemberKind::round_shaft) {
+    d.diameter = s.variables[0];
+  } else if (data_.member.kind == MemberKind::rectangular_bar) {
+    d.width = s.variables[0];
+    d.height = s.variables[1];
+  } else if (data_.member.kind == MemberKind::weld) {
+    d.leg = s.variables[0];
+  }
+  d.carried_mass = s.inherited[place_.load_state];
+  d.derive();
+  return d;
+}
+
+template <class T>
+void MemberStage::answer(const Selection<T>& s, solver::Answer<T>& out) const {
+  const StructureMember<T> d = design(s);
+  machine::member_constraints(UtilisationVisitor<T, StructureMember<T>>(d, out.utilisation));
+  T mass = d.mass;
+  if (!tables_.empty()) {
+    out.resources[cost_resource] = total<T>(s, [](const Candidate& c) { return c.price; });
+    mass = total<T>(s, [](const Candidate& c) { return c.mass; });
+  } else {
+    out.resources[cost_resource] = d.mass * data_.price_per_mass;
+  }
+  out.resources[mass_resource] = mass;
+  if (data_.member.rides)
+    out.handed_on[place_.load_state] = d.carried_mass + mass;
+  else if (place_.parent_load_state)
+    out.handed_on[*place_.parent_load_state] = s.inherited[*place_.parent_load_state] + mass;
+}
+
+template StructureMember<double> MemberStage::design(const Selection<double>&) const;
+
+}  // namespace millwright::evaluation

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "evaluation/motor_set.h"
+
+#include <algorithm>
+
+namespace millwright::evaluation {
+
+using machine::Requirement;
+using scalar::Interval;
+
+MotorSet::MotorSet(MotorTable motors,
+                   const machine::Requirements& require,
+                   std::size_t voltages,
+                   std::vector<double> speeds)
+    : motors_(std::move(motors)), speeds_(std::move(speeds)) {
+  readings_.resize(voltages);
+  torque_table_.resize(voltages);
+  const std::size_t ranges = speeds_.size() - 1;
+  for (std::size_t v = 0; v < voltages; ++v) {
+    for (const MotorPair& pair : motors_.pairs) {
+      // A margin that the problem states holds for curve and model alike; else the model, an estimate, gets the smaller
+      // share.
+      const bool estimate = pair.curve[v] == nullptr;
+      const double margin =
+          require(estimate && !require.given(Requirement::torque_margin) ? Requirement::torque_margin_estimate
+                                                                         : Requirement::torque_margin);
+      machine::MotorReading<double> reading = machine::motor_reading(pair.at_voltage[v], margin);
+      visit_motor_reading(reading, [&](const double& x) { readings_[v].push_back(x); });
+      for (std::size_t r = 0; r < ranges; ++r)
+        torque_table_[v].push_back(available_torque<Interval>(pair, v, Interval(speeds_[r], speeds_[r + 1])));
+    }
+  }
+}
+
+Interval MotorSet::torque_bounds(std::span<const solver::Row> alive, std::size_t voltage, const Interval& speed) const {
+  const std::size_t ranges = speeds_.size() - 1;
+  if (speed.lower < speeds_.front() || speed.upper > speeds_.back()) {
+    Interval hull_all = available_torque<Interval>(motors_.pairs[alive.front()], voltage, speed);
+    for (const solver::Row row : alive.subspan(1))
+      hull_all = hull(hull_all, available_torque<Interval>(motors_.pairs[row], voltage, speed));
+    return hull_all;
+  }
+  const auto range_of = [&](double x) {
+    const auto above = std::upper_bound(speeds_.begin(), speeds_.end(), x);
+    return std::min(static_cast<std::size_t>(std::max<std::ptrdiff_t>(above - speeds_.begin() - 1, 0)), ranges - 1);
+  };
+  const std::size_t first = range_of(speed.lower);
+  const std::size_t last = range_of(speed.upper);
+  Interval result = torque_table_[voltage][alive.front() * ranges + first];
+  for (const solver::Row row : alive)
+    for (std::size_t r = first; r <= last; ++r) {
+      const Interval& x = torque_table_[voltage][row * ranges + r];
+      result.lower = std::min(result.lower, x.lower);
+      result.upper = std::max(result.upper, x.upper);
+    }
+  return result;
+}
+
+}  // namespace millwright::evaluation

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// A set of motors (each with its driver) at one supply voltage, on any scalar: hulls of their readings, and their
+// available torque at a speed. Bounds of the torque over many motors come from a table made once: for each motor and
+// each of a few speed ranges the interval of its torque there, so that the hull over a set is a few comparisons.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "evaluation/drive_tables.h"
+#include "machine/motor.h"
+#include "machine/requirement.h"
+#include "scalar/scalars.h"
+
+namespace millwright::evaluation {
+
+/// Available torque of one motor: its published curve where that governs, else (and above the curve) the winding model.
+template <class T>
+T available_torque(const MotorPair& pair, std::size_t voltage, const T& angular_speed) {
+  using namespace scalar;
+  const machine::MotorFigures<double>& figures = pair.at_voltage[voltage];
+  const auto model = [&] {
+    machine::MotorFigures<T> f;
+    f.holding_torque = in_unit<T>(figures.holding_torque, dimension::torque);
+    f.rated_current = in_unit<T>(figures.rated_current, dimension::current);
+    f.resistance = in_unit<T>(figures.resistance, dimension::resistance);
+    f.inductance = in_unit<T>(figures.inductance, dimension::inductance);
+    f.rotor_teeth = T(figures.rotor_teeth);
+    f.voltage = in_unit<T>(figures.voltage, dimension::voltage);
+    const double current = std::min(figures.driver_peak_current, figures.current_factor * figures.rated_current);
+    return machine::modelled_torque(f, in_unit<T>(current, dimension::current), angular_speed);
+  };
+  const mechanics::PullOutCurve* curve = pair.curve[voltage].get();
+  if (curve == nullptr) return model();
+  const T last = in_unit<T>(curve->points().back().torque, dimension::torque);
+  // The curve may end above the model: there the torque jumps down.
+  return step_below(
+      angular_speed,
+      in_unit<T>(curve->last_speed(), dimension::angular_speed),
+      [&] { return (*curve)(angular_speed); },
+      [&] { return smaller(model(), last); });
+}
+
+class MotorSet {
+ public:
+  /// `speeds`: the angular speeds [rad/s] that can occur on the axis, ascending edges of the ranges of the torque
+  /// table.
+  MotorSet(MotorTable motors, const machine::Requirements& require, std::size_t voltages, std::vector<double> speeds);
+
+  [[nodiscard]] const MotorTable& motors() const { return motors_; }
+  [[nodiscard]] std::size_t voltages() const { return readings_.size(); }
+
+  template <class T>
+  [[nodiscard]] machine::MotorReading<T> reading(std::span<const solver::Row> alive, std::size_t voltage) const {
+    machine::MotorReading<T> result;
+    std::size_t field = 0;
+    visit_motor_reading(result, [&](T& x) {
+      x = hull_of<T>(alive,
+                     [&](solver::Row row) { return readings_[voltage][row * machine::motor_reading_fields + field]; });
+      ++field;
+    });
+    return result;
+  }
+
+  template <class T>
+  [[nodiscard]] T torque(std::span<const solver::Row> alive, std::size_t voltage, const T& angular_speed) const {
+    if (alive.size() == 1) return available_torque<T>(motors_.pairs[alive.front()], voltage, angular_speed);
+    if constexpr (std::is_same_v<T, scalar::Interval>) {
+      return torque_bounds(alive, voltage, angular_speed);
+    } else if constexpr (std::is_same_v<T, scalar::Dual<scalar::Interval, 1>>) {
+      // Torque never rises with speed; by how much it falls differs from motor to motor.
+      T result(torque_bounds(alive, voltage, angular_speed.value));
+      const scalar::Interval& slope = angular_speed.slope[0];
+      if (slope.lower != 0.0 || slope.upper != 0.0) result.slope[0] = scalar::Interval::entire();
+      return result;
+    } else {
+      return available_torque<T>(motors_.pairs[alive.front()], voltage, angular_speed);
+    }
+  }
+
+ private:
+  [[nodiscard]] scalar::Interval torque_bounds(std::span<const solver::Row> alive,
+                                               std::size_t voltage,
+                                               const scalar::Interval& speed) const;
+
+  MotorTable motors_;
+  std::vector<std::vector<double>> readings_;  ///< per voltage
+  std::vector<double> speeds_;
+  std::vector<std::vector<scalar::Interval>> torque_table_;  ///< per voltage: row * ranges + range
+};
+
+}  // namespace millwright::evaluation

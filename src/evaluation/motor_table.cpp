@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Motors with the drivers that can run them. Drivers that give a motor the same current differ only in price, mass and
+// the voltages they bear: for one motor those that are dearer or heavier than another that bears at least the same
+// voltages are left out.
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "evaluation/drive_tables.h"
+
+namespace millwright::evaluation {
+
+using catalogue::column;
+using catalogue::Family;
+using catalogue::Table;
+
+bool wanted(const std::vector<std::string>& words, std::string_view text) {
+  return words.empty() || std::any_of(words.begin(), words.end(), [&](const std::string& w) {
+           return text.find(w) != std::string_view::npos;
+         });
+}
+
+Candidate candidate_of(std::vector<PartUse> parts, double riding, double cabinet) {
+  Candidate candidate;
+  candidate.parts = std::move(parts);
+  for (const PartUse& part : candidate.parts) {
+    candidate.price += part.price;
+    candidate.mass += part.mass;
+  }
+  candidate.riding_mass = riding;
+  candidate.standing_mass = candidate.mass - riding - cabinet;
+  return candidate;
+}
+
+namespace {
+
+/// Detent torque where the data sheet gives none: the lower end of the usual 3 to 5 % of the holding torque.
+constexpr double detent_share = 0.03;
+
+struct Curves {
+  struct Key {
+    double voltage, current;
+    friend bool operator<(const Key& a, const Key& b) {
+      return std::tie(a.voltage, a.current) < std::tie(b.voltage, b.current);
+    }
+  };
+  std::map<std::pair<std::string, std::string>, std::map<Key, std::vector<std::pair<double, double>>>> of_motor;
+};
+
+/// Peak amplitude of a current stated as `kind`.
+double amplitude(double current, std::string_view kind) {
+  return kind.find("rms") != std::string_view::npos ? current * std::sqrt(2.0) : current;
+}
+
+Curves read_curves(const Table& t) {
+  Curves curves;
+  for (int row = 0; row < t.rows(); ++row) {
+    const Curves::Key key{t.number(column(Family::stepper_curves, "drive_voltage"), row),
+                          amplitude(t.number(column(Family::stepper_curves, "phase_current"), row),
+                                    t.text(column(Family::stepper_curves, "current_kind"), row))};
+    curves.of_motor[{std::string(t.manufacturer(row)), std::string(t.part_number(row))}][key].emplace_back(
+        t.number(column(Family::stepper_curves, "speed"), row),
+        t.number(column(Family::stepper_curves, "torque"), row));
+  }
+  return curves;
+}
+
+/// The curve that governs: published at no more than this voltage and current; of several the one at the highest
+/// voltage, then current.
+std::shared_ptr<const mechanics::PullOutCurve> governing_curve(
+    const Curves& curves, const std::string& maker, const std::string& part, double voltage, double current) {
+  const auto motor = curves.of_motor.find({maker, part});
+  if (motor == curves.of_motor.end()) return nullptr;
+  for (auto curve = motor->second.rbegin(); curve != motor->second.rend(); ++curve) {
+    if (curve->first.voltage > voltage * (1.0 + 1e-9) || curve->first.current > current * (1.0 + 1e-9)) continue;
+    if (curve->second.size() < 2) continue;  // a single point is not a curve
+    std::vector<mechanics::PullOutCurve::Point> points;
+    for (const auto& [speed, torque] : curve->second) points.push_back({speed, torque});
+    return std::make_shared<const mechanics::PullOutCurve>(std::move(points));
+  }
+  return nullptr;
+}
+
+struct Driver {
+  int row;
+  double peak_current, largest_voltage, least_voltage, price, mass;
+};
+
+std::vector<Driver> eligible_drivers(const Table& t, const machine::Axis& axis, const PriceBook& prices) {
+  std::vector<Driver> drivers;
+  for (int row = 0; row < t.rows(); ++row) {
+    if (t.flag(column(Family::drivers, "closed_loop"), row).value_or(false)) continue;  // needs a motor with an encoder
+    if (!(t.number(column(Family::drivers, "maximum_microsteps"), row) >= axis.motor.microsteps)) continue;
+    Driver d{row,
+             t.number(column(Family::drivers, "peak_current"), row),
+             t.number(column(Family::drivers, "maximum_voltage"), row),
+             t.number(column(Family::drivers, "minimum_voltage"), row),
+             prices.line(t, row, 1.0, 0.0),
+             t.number(column(Family::drivers, "mass"), row)};
+    if (std::isnan(d.peak_current + d.largest_voltage + d.least_voltage + d.price + d.mass)) continue;
+    drivers.push_back(d);
+  }
+  return drivers;
+}
+
+bool runs_at(const Driver& d, double voltage, double voltage_factor) {
+  return d.least_voltage <= voltage && voltage <= voltage_factor * d.largest_voltage;
+}
+
+/// b is never better than a for this motor: same current, and at least as dear, as heavy and as fussy about the
+/// voltage.
+bool covers(
+    const Driver& a, const Driver& b, double rated, const std::vector<double>& voltages, double voltage_factor) {
+  if (std::min(a.peak_current, rated) != std::min(b.peak_current, rated)) return false;
+  if (a.price > b.price || a.mass > b.mass) return false;
+  for (const double v : voltages)
+    if (runs_at(b, v, voltage_factor) && !runs_at(a, v, voltage_factor)) return false;
+  return a.price < b.price || a.mass < b.mass || a.row < b.row;
+}
+
+}  // namespace
+
+MotorTable motor_table(const catalogue::Catalogue& catalogue,
+                       const machine::Axis& axis,
+                       const std::vector<double>& voltages,
+                       const PriceBook& prices) {
+  const Table& motors = catalogue.table(Family::steppers);
+  const std::vector<Driver> drivers = eligible_drivers(catalogue.table(Family::drivers), axis, prices);
+  const Curves curves = read_curves(catalogue.table(Family::stepper_curves));
+  const double voltage_factor = axis.require(machine::Requirement::driver_voltage_factor);
+  const double current_factor = axis.require(machine::Requirement::current_factor);
+  MotorTable result{SlotTable("motor", 0), {}};
+  for (int row = 0; row < motors.rows(); ++row) {
+    const auto number = [&](catalogue::Column c) { return motors.number(c, row); };
+    const std::string_view frame = motors.text(column(Family::steppers, "frame"), row);
+    if (!axis.motor.frames.empty() &&
+        std::find(axis.motor.frames.begin(), axis.motor.frames.end(), frame) == axis.motor.frames.end())
+      continue;
+    machine::MotorFigures<double> f;
+    f.holding_torque = number(column(Family::steppers, "holding_torque"));
+    f.detent_torque = number(column(Family::steppers, "detent_torque"));
+    if (std::isnan(f.detent_torque)) f.detent_torque = detent_share * f.holding_torque;
+    f.rated_current = number(column(Family::steppers, "rated_current"));
+    f.resistance = number(column(Family::steppers, "phase_resistance"));
+    f.inductance = number(column(Family::steppers, "phase_inductance"));
+    f.rotor_inertia = number(column(Family::steppers, "rotor_inertia"));
+    f.rotor_teeth = std::round(2.0 * 3.14159265358979323846 / number(column(Family::steppers, "step_angle")) / 4.0);
+    f.current_factor = current_factor;
+    const double shaft = number(column(Family::steppers, "shaft_diameter"));
+    const double mass = number(column(Family::steppers, "mass"));
+    const double price = prices.line(motors, row, 1.0, 0.0);
+    if (std::isnan(f.holding_torque + f.rated_current + f.resistance + f.inductance + f.rotor_inertia + f.rotor_teeth +
+                   shaft + mass + price))
+      continue;
+    for (const Driver& d : drivers) {
+      if (std::none_of(voltages.begin(), voltages.end(), [&](double v) { return runs_at(d, v, voltage_factor); }))
+        continue;
+      if (!axis.keep_every_candidate && std::any_of(drivers.begin(), drivers.end(), [&](const Driver& a) {
+            return a.row != d.row && covers(a, d, current_factor * f.rated_current, voltages, voltage_factor);
+          }))
+        continue;
+      MotorPair pair;
+      pair.shaft = shaft;
+      f.driver_peak_current = d.peak_current;
+      f.driver_largest_voltage = d.largest_voltage;
+      f.driver_least_voltage = d.least_voltage;
+      const double current = std::min(d.peak_current, current_factor * f.rated_current);
+      for (const double v : voltages) {
+        f.voltage = v;
+        pair.at_voltage.push_back(f);
+        pair.fits_voltage.push_back(runs_at(d, v, voltage_factor));
+        pair.curve.push_back(governing_curve(
+            curves, std::string(motors.manufacturer(row)), std::string(motors.part_number(row)), v, current));
+        if (pair.curve.back() != nullptr) pair.torque_is_estimate = false;
+      }
+      result.table.add(candidate_of({{"motor", Family::steppers, row, 1.0, 0.0, price, mass},
+                                     {"driver", Family::drivers, d.row, 1.0, 0.0, d.price, d.mass}},
+                                    0.0,
+                                    d.mass),
+                       {});
+      result.pairs.push_back(std::move(pair));
+    }
+  }
+  return result;
+}
+
+}  // namespace millwright::evaluation

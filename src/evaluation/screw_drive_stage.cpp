@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "evaluation/screw_drive_stage.h"
+
+#include <cmath>
+
+namespace millwright::evaluation {
+
+using machine::ScrewDrive;
+using machine::ScrewKind;
+
+machine::MotionData motion_of(const machine::Axis& axis) {
+  return {axis.moves,
+          axis.inclination,
+          axis.guide_friction,
+          axis.guide_drag,
+          axis.counterbalance_force,
+          axis.acceleration_time};
+}
+
+bool gravity_acts(const machine::Axis& axis) { return std::sin(axis.inclination) > 1e-9; }
+
+std::pair<double, double> constant_speed_range(const machine::Axis& axis) {
+  double slow = scalar::rounding::infinity, fast = 0.0;
+  for (const machine::Move& move : axis.moves) {
+    const auto speed = [&](double ramp) {
+      return move.speed ? *move.speed : move.distance / std::max(*move.time - ramp, 1e-3 * *move.time);
+    };
+    slow = std::min(slow, speed(move.acceleration_time.value_or(axis.acceleration_time.lower)));
+    fast = std::max(fast, speed(move.acceleration_time.value_or(axis.acceleration_time.upper)));
+  }
+  return {slow, fast};
+}
+
+std::vector<double> log_spaced(double from, double to) {
+  constexpr int ranges = 24;
+  std::vector<double> edges;
+  for (int i = 0; i <= ranges; ++i) edges.push_back(from * std::pow(to / from, i / static_cast<double>(ranges)));
+  return edges;
+}
+
+namespace {
+
+/// Edges of the ranges of the torque table, from the slowest move on the longest lead to the fastest on the shortest.
+std::vector<double> speed_edges(const machine::Axis& axis, const ScrewTable& screws) {
+  double longest = 0.0, shortest = scalar::rounding::infinity;
+  for (const auto& f : screws.figures) {
+    longest = std::max(longest, f.lead);
+    shortest = std::min(shortest, f.lead);
+  }
+  if (screws.figures.empty()) return {0.0, 1.0};
+  const auto [slow, fast] = constant_speed_range(axis);
+  constexpr double turn = 2.0 * 3.14159265358979323846;
+  return log_spaced(0.999 * slow * turn / longest, 1.001 * fast * turn / shortest);
+}
+
+}  // namespace
+
+ScrewDriveStage::ScrewDriveStage(const machine::Axis& axis,
+                                 AxisPlace place,
+                                 const std::vector<double>& voltages,
+                                 const catalogue::Catalogue& catalogue,
+                                 const PriceBook& prices)
+    : data_{.motion = motion_of(axis),
+            .require = axis.require,
+            .stroke = axis.stroke,
+            .microsteps = axis.motor.microsteps,
+            .brake_torque = axis.motor.brake_torque,
+            .vertical = gravity_acts(axis),
+            .free_end = axis.mechanism.ends == machine::Ends::fixed_free,
+            .preloaded = axis.mechanism.preload_fraction > 0.0},
+      place_(place),
+      acceleration_time_(axis.acceleration_time),
+      screws_(screw_table(catalogue, axis, prices)),
+      has_free_support_(axis.mechanism.ends != machine::Ends::fixed_free) {
+  name_ = axis.name + ".drive";
+  const bool stiffness =
+      axis.require.known(machine::Requirement::position_error) || axis.require.known(machine::Requirement::lost_motion);
+  motors_ = std::make_unique<MotorSet>(
+      motor_table(catalogue, axis, voltages, prices), axis.require, voltages.size(), speed_edges(axis, screws_));
+  tables_.push_back(screws_.table);
+  tables_.push_back(motors_->motors().table);
+  tables_.push_back(coupling_table(catalogue, prices));
+  const bool thrust = axis.mechanism.ends != machine::Ends::supported_supported;
+  tables_.push_back(support_table(catalogue, prices, "support_fixed", thrust, stiffness));
+  if (has_free_support_)
+    tables_.push_back(
+        support_table(catalogue, prices, "support_free", axis.mechanism.ends == machine::Ends::fixed_fixed, stiffness));
+  finish_slots();
+  if (!acceleration_time_.fixed())
+    variables_.push_back({"acceleration_time", acceleration_time_.lower, acceleration_time_.upper});
+  machine::screw_drive_constraints([&](const machine::Declaration& d, auto&&, auto&&, auto&&) {
+    constraint_count_ += d.kind != machine::ConstraintKind::soft;
+  });
+}
+
+template <class T>
+ScrewDrive<T> ScrewDriveStage::design(const Selection<T>& s) const {
+  ScrewDrive<T> d;
+  d.data = &data_;
+  const auto kind_of = [&](solver::Row row) { return screws_.kinds[row]; };
+  d.kind = kind_of(s.rows[screw_slot].front());
+  for (const solver::Row row : s.rows[screw_slot])
+    if (kind_of(row) != d.kind) d.kind = ScrewKind::mixed;
+  const auto read = [&](std::size_t slot, std::size_t field) {
+    return hull_of<T>(s.rows[slot], [&](solver::Row row) { return tables_[slot].reading(row, field); });
+  };
+  std::size_t field = 0;
+  visit_screw_reading(d.screw, [&](T& x) { x = read(screw_slot, field++); });
+  const std::size_t voltage = s.shared.empty() ? 0 : s.shared.front();
+  d.motor = motors_->template reading<T>(s.rows[motor_slot], voltage);
+  d.motor_shaft = hull_of<T>(s.rows[motor_slot], [&](solver::Row row) { return motors_->motors().pairs[row].shaft; });
+  d.available_torque = [this, rows = s.rows[motor_slot], voltage](const T& omega) {
+    return motors_->template torque<T>(rows, voltage, omega);
+  };
+  d.coupling = {read(coupling_slot, 0),
+                read(coupling_slot, 1),
+                read(coupling_slot, 2),
+                read(coupling_slot, 3),
+                read(coupling_slot, 4),
+                read(coupling_slot, 5)};
+  d.support_fixed = {
+      read(fixed_slot, 0), read(fixed_slot, 1), read(fixed_slot, 2), read(fixed_slot, 3), read(fixed_slot, 4)};
+  d.support_free = has_free_support_
+                       ? machine::SupportReading<T>{read(free_slot, 0),
+                                                    read(free_slot, 1),
+                                                    read(free_slot, 2),
+                                                    read(free_slot, 3),
+                                                    read(free_slot, 4)}
+                       : machine::SupportReading<T>{T(0.0), T(0.0), T(0.0), d.support_fixed.largest_speed, T(0.0)};
+  d.carried_mass = s.inherited[place_.load_state];
+  d.acceleration_time = variables_.empty() ? T(acceleration_time_.lower) : s.variables[0];
+  d.derive();
+  return d;
+}
+
+template <class T>
+void ScrewDriveStage::answer(const Selection<T>& s, solver::Answer<T>& out) const {
+  const ScrewDrive<T> d = design(s);
+  machine::screw_drive_constraints(UtilisationVisitor<T, ScrewDrive<T>>(d, out.utilisation));
+  out.resources[cost_resource] = total<T>(s, [](const Candidate& c) { return c.price; });
+  out.resources[mass_resource] = total<T>(s, [](const Candidate& c) { return c.mass; });
+  out.handed_on[power_state] = s.inherited[power_state] + d.input_power;
+  out.handed_on[place_.load_state] = T(0.0);
+  if (place_.parent_load_state)
+    out.handed_on[*place_.parent_load_state] =
+        s.inherited[*place_.parent_load_state] + d.carried_mass +
+        total<T>(s, [](const Candidate& c) { return c.riding_mass + c.standing_mass; });
+}
+
+bool ScrewDriveStage::fits(
+    std::span<const solver::Row>, std::size_t slot_a, solver::Row row_a, std::size_t slot_b, solver::Row row_b) const {
+  if (slot_a > slot_b) return fits({}, slot_b, row_b, slot_a, row_a);
+  const double margin = 1.0 + 1e-12;  // the constraint itself decides on the last bit
+  const auto screw = [&](solver::Row row) -> const machine::ScrewFigures<double>& { return screws_.figures[row]; };
+  if (slot_a == screw_slot && slot_b == fixed_slot)
+    return tables_[fixed_slot].reading(row_b, 0) <= screw(row_a).root_diameter * margin;
+  if (slot_a == screw_slot && slot_b == free_slot) {
+    const double bore = tables_[free_slot].reading(row_b, 0);
+    const bool clamps = tables_[free_slot].reading(row_b, 4) > 0.0 && bore / screw(row_a).nominal_diameter <= margin &&
+                        screw(row_a).nominal_diameter / bore <= margin;
+    return clamps || bore <= screw(row_a).root_diameter * margin;
+  }
+  if (slot_a == motor_slot && slot_b == coupling_slot) {
+    const double shaft = motors_->motors().pairs[row_a].shaft;
+    return shaft <= tables_[coupling_slot].reading(row_b, 5) * margin &&
+           tables_[coupling_slot].reading(row_b, 4) <= shaft * margin;
+  }
+  if (slot_a == coupling_slot && slot_b == fixed_slot)
+    return tables_[coupling_slot].reading(row_a, 4) <= tables_[fixed_slot].reading(row_b, 0) * margin;
+  return true;
+}
+
+template ScrewDrive<double> ScrewDriveStage::design(const Selection<double>&) const;
+
+}  // namespace millwright::evaluation

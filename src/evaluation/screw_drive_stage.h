@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// A screw drive as a stage of the solver. Slots: screw (with its nut), motor (with its driver), coupling, support_fixed
+// and, unless the far end is free, support_free. One variable, the ramp time, if it is not fixed.
+#pragma once
+
+#include <memory>
+
+#include "evaluation/element_stage.h"
+#include "evaluation/motor_set.h"
+#include "evaluation/price_book.h"
+#include "machine/screw_drive_constraints.h"
+
+namespace millwright::evaluation {
+
+/// Where an axis stands in the machine: its load and its parent's in the state vector.
+struct AxisPlace {
+  std::size_t load_state = 0;
+  std::optional<std::size_t> parent_load_state;
+};
+
+machine::MotionData motion_of(const machine::Axis& axis);
+bool gravity_acts(const machine::Axis& axis);
+/// Slowest and fastest constant speed of the axis's moves over its ramp times [m/s].
+std::pair<double, double> constant_speed_range(const machine::Axis& axis);
+/// Edges of equal ratio between two positive numbers.
+std::vector<double> log_spaced(double from, double to);
+
+class ScrewDriveStage final : public ElementStage<ScrewDriveStage> {
+ public:
+  ScrewDriveStage(const machine::Axis& axis,
+                  AxisPlace place,
+                  const std::vector<double>& voltages,
+                  const catalogue::Catalogue& catalogue,
+                  const PriceBook& prices);
+
+  template <class T>
+  [[nodiscard]] machine::ScrewDrive<T> design(const Selection<T>& selection) const;
+  template <class T>
+  void answer(const Selection<T>& selection, solver::Answer<T>& out) const;
+
+  [[nodiscard]] bool fits(std::span<const solver::Row> shared,
+                          std::size_t slot_a,
+                          solver::Row row_a,
+                          std::size_t slot_b,
+                          solver::Row row_b) const override;
+  [[nodiscard]] const MotorSet& motors() const { return *motors_; }
+  [[nodiscard]] const machine::ScrewDriveData& data() const { return data_; }
+
+  enum SlotIndex : std::size_t { screw_slot, motor_slot, coupling_slot, fixed_slot, free_slot };
+
+ private:
+  machine::ScrewDriveData data_;
+  AxisPlace place_;
+  machine::Range acceleration_time_;
+  ScrewTable screws_;
+  std::unique_ptr<MotorSet> motors_;
+  bool has_free_support_ = true;
+};
+
+extern template machine::ScrewDrive<double> ScrewDriveStage::design(const Selection<double>&) const;
+
+}  // namespace millwright::evaluation

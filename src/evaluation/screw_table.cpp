@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Which screws, each with a nut that runs on it, an axis may use. Screw and nut are one candidate: a ball nut comes
+// with its screw, and a lead nut fits one thread.
+#include <cmath>
+
+#include "evaluation/drive_tables.h"
+#include "machine/screw.h"
+
+namespace millwright::evaluation {
+namespace {
+
+using catalogue::column;
+using catalogue::Family;
+using catalogue::Table;
+using machine::ScrewFigures;
+using machine::ScrewKind;
+
+constexpr double steel_modulus = 206e9;  // materials, C45
+constexpr double steel_shear_modulus = 79.2e9;
+constexpr double steel_density = 7850.0;
+constexpr double ball_screw_yield = 345e6;  // C45 core of an induction-hardened shaft; makers give no figure
+
+bool all_known(std::span<const double> values) {
+  return std::none_of(values.begin(), values.end(), [](double x) { return std::isnan(x); });
+}
+
+std::vector<double> flat(const machine::ScrewReading<double>& reading) {
+  std::vector<double> values;
+  visit_screw_reading(reading, [&](const double& field) { values.push_back(field); });
+  return values;
+}
+
+machine::ScrewSite site_of(const machine::Axis& axis, ScrewKind kind) {
+  return {.kind = kind,
+          .stroke = axis.stroke,
+          .overtravel = axis.require(machine::Requirement::overtravel),
+          .end_allowance = axis.mechanism.end_allowance,
+          .length = axis.mechanism.length.value_or(0.0),
+          .ends = axis.mechanism.ends,
+          .preload_fraction = axis.mechanism.preload_fraction,
+          .permissible_axial_stress = axis.require(machine::Requirement::permissible_axial_stress)};
+}
+
+void finish(ScrewTable& result,
+            ScrewKind kind,
+            const ScrewFigures<double>& figures,
+            Candidate candidate,
+            const machine::Axis& axis) {
+  const machine::ScrewReading<double> reading = screw_reading(figures, site_of(axis, kind));
+  const std::vector<double> values = flat(reading);
+  if (!all_known(values) || std::isnan(candidate.price) || std::isnan(candidate.mass)) return;
+  for (PartUse& part : candidate.parts)
+    if (part.slot == "screw") part.length = reading.cut_length;
+  result.table.add(std::move(candidate), values);
+  result.kinds.push_back(kind);
+  result.figures.push_back(figures);
+}
+
+double supported_length(const machine::Axis& axis, double nut_length) {
+  return axis.mechanism.length.value_or(axis.stroke + 2.0 * axis.require(machine::Requirement::overtravel) +
+                                        nut_length);
+}
+
+void add_ball_screws(const catalogue::Catalogue& catalogue,
+                     const machine::Axis& axis,
+                     const PriceBook& prices,
+                     ScrewTable& result) {
+  const Table& t = catalogue.table(Family::ball_screws);
+  for (int row = 0; row < t.rows(); ++row) {
+    const auto number = [&](catalogue::Column c) { return t.number(c, row); };
+    ScrewFigures<double> f;
+    f.nominal_diameter = number(column(Family::ball_screws, "nominal_diameter"));
+    f.root_diameter = number(column(Family::ball_screws, "root_diameter"));
+    f.mean_diameter = 0.5 * (number(column(Family::ball_screws, "outside_diameter")) + f.root_diameter);
+    f.lead = number(column(Family::ball_screws, "lead"));
+    f.pitch = f.lead;
+    f.friction = axis.mechanism.ball_friction;
+    f.yield_strength = ball_screw_yield;
+    f.mass_per_length = number(column(Family::ball_screws, "screw_mass_per_length"));
+    f.nut_mass = number(column(Family::ball_screws, "nut_mass"));
+    f.nut_length = number(column(Family::ball_screws, "nut_length"));
+    f.lead_error_300 = number(column(Family::ball_screws, "lead_error_per_300mm"));
+    // A nut without preload has play; makers of the rolled class state up to 0.05 mm.
+    f.backlash =
+        t.flag(column(Family::ball_screws, "preloaded"), row).value_or(false) || axis.mechanism.preload_fraction > 0.0
+            ? 0.0
+            : 5e-5;
+    f.dynamic_rating = number(column(Family::ball_screws, "dynamic_load_rating"));
+    f.static_rating = number(column(Family::ball_screws, "static_load_rating"));
+    const bool stiffness_matters = axis.require.known(machine::Requirement::position_error) ||
+                                   axis.require.known(machine::Requirement::lost_motion);
+    f.nut_stiffness = number(column(Family::ball_screws, "nut_stiffness"));
+    if (!stiffness_matters && std::isnan(f.nut_stiffness)) f.nut_stiffness = 0.0;
+    f.speed_value_limit = number(column(Family::ball_screws, "dn_limit"));
+    f.largest_length = number(column(Family::ball_screws, "maximum_length"));
+    f.elastic_modulus = steel_modulus;
+    f.shear_modulus = steel_shear_modulus;
+    f.density = steel_density;
+    const double cut = supported_length(axis, f.nut_length) + axis.mechanism.end_allowance;
+    const double shaft_price = prices.line(t, row, 0.0, cut);
+    const double nut_price = prices.line(t, row, 1.0, 0.0);
+    finish(result,
+           ScrewKind::ball,
+           f,
+           candidate_of({{"screw", Family::ball_screws, row, 1.0, cut, shaft_price, f.mass_per_length * cut},
+                         {"nut", Family::ball_screws, row, 1.0, 0.0, nut_price, f.nut_mass}},
+                        f.nut_mass),
+           axis);
+  }
+}
+
+/// Yield strength of the material a text names ("bronze CuSn8/CuSn12"): the lowest of all materials that share a
+/// designation with it.
+double yield_of(const Table& materials, std::string_view text) {
+  double yield = std::numeric_limits<double>::quiet_NaN();
+  const auto names = [&](std::string_view word) {
+    return word.size() >= 4 && word.find_first_of("0123456789-") != std::string_view::npos &&
+           text.find(word) != std::string_view::npos;
+  };
+  for (int row = 0; row < materials.rows(); ++row) {
+    std::string_view rest = materials.part_number(row);
+    while (!rest.empty()) {
+      const std::size_t end = std::min(rest.find(' '), rest.size());
+      const double candidate = materials.number(column(Family::materials, "yield_strength"), row);
+      if (names(rest.substr(0, end)) && !(candidate >= yield)) yield = candidate;
+      rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+  }
+  return yield;
+}
+
+ScrewFigures<double> lead_screw_figures(const Table& screws, int row) {
+  const auto number = [&](catalogue::Column c) { return screws.number(c, row); };
+  ScrewFigures<double> f;
+  f.nominal_diameter = number(column(Family::lead_screws, "major_diameter"));
+  f.mean_diameter = number(column(Family::lead_screws, "pitch_diameter"));
+  f.root_diameter = number(column(Family::lead_screws, "minor_diameter"));
+  f.nut_thread_diameter = f.nominal_diameter;
+  f.pitch = number(column(Family::lead_screws, "pitch"));
+  f.lead = number(column(Family::lead_screws, "lead"));
+  f.flank_angle = number(column(Family::lead_screws, "flank_half_angle"));
+  const std::string_view form = screws.text(column(Family::lead_screws, "thread_form"), row);
+  // Engaged depth: half the pitch, or 0.5413 pitch for the metric 60 degree thread (ISO 724).
+  f.thread_depth = form.find("metric") != std::string_view::npos ? 0.541266 * f.pitch : 0.5 * f.pitch;
+  f.yield_strength = number(column(Family::lead_screws, "yield_strength"));
+  f.mass_per_length = number(column(Family::lead_screws, "screw_mass_per_length"));
+  f.lead_error_300 = number(column(Family::lead_screws, "lead_error_per_300mm"));
+  f.largest_length = number(column(Family::lead_screws, "maximum_length"));
+  f.elastic_modulus = steel_modulus;
+  f.shear_modulus = steel_shear_modulus;
+  f.density = steel_density;
+  return f;
+}
+
+void add_lead_screws(const catalogue::Catalogue& catalogue,
+                     const machine::Axis& axis,
+                     const PriceBook& prices,
+                     ScrewTable& result) {
+  const Table& screws = catalogue.table(Family::lead_screws);
+  const Table& nuts = catalogue.table(Family::lead_nuts);
+  for (int row = 0; row < screws.rows(); ++row) {
+    if (!wanted(axis.mechanism.thread_forms, screws.text(column(Family::lead_screws, "thread_form"), row))) continue;
+    const ScrewFigures<double> base = lead_screw_figures(screws, row);
+    for (int nut = 0; nut < nuts.rows(); ++nut) {
+      const std::string_view runs_on = nuts.text(column(Family::lead_nuts, "for_screw"), nut);
+      if (runs_on != screws.part_number(row) && runs_on != screws.text(column(Family::lead_screws, "designation"), row))
+        continue;
+      const std::string_view material = nuts.text(column(Family::lead_nuts, "material"), nut);
+      if (!wanted(axis.mechanism.nut_materials, material)) continue;
+      const auto number = [&](catalogue::Column c) { return nuts.number(c, nut); };
+      ScrewFigures<double> f = base;
+      f.friction = axis.mechanism.thread_friction.value_or(number(axis.mechanism.greased
+                                                                      ? column(Family::lead_nuts, "friction_greased")
+                                                                      : column(Family::lead_nuts, "friction_dry")));
+      f.nut_yield_strength = yield_of(catalogue.table(Family::materials), material);
+      f.nut_mass = number(column(Family::lead_nuts, "mass"));
+      f.nut_length = number(column(Family::lead_nuts, "length"));
+      f.backlash = number(column(Family::lead_nuts, "backlash"));
+      f.drag_torque = number(column(Family::lead_nuts, "preload_drag_torque"));
+      f.allowable_pressure = number(column(Family::lead_nuts, "allowable_pressure"));
+      f.pv_limit = number(column(Family::lead_nuts, "maximum_pv"));
+      f.sliding_speed_limit = number(column(Family::lead_nuts, "maximum_sliding_speed"));
+      const double cut = supported_length(axis, f.nut_length) + axis.mechanism.end_allowance;
+      finish(result,
+             ScrewKind::sliding,
+             f,
+             candidate_of({{"screw",
+                            Family::lead_screws,
+                            row,
+                            1.0,
+                            cut,
+                            prices.line(screws, row, 0.0, cut),
+                            f.mass_per_length * cut},
+                           {"nut", Family::lead_nuts, nut, 1.0, 0.0, prices.line(nuts, nut, 1.0, 0.0), f.nut_mass}},
+                          f.nut_mass),
+             axis);
+    }
+  }
+}
+
+}  // namespace
+
+ScrewTable screw_table(const catalogue::Catalogue& catalogue, const machine::Axis& axis, const PriceBook& prices) {
+  ScrewTable result{SlotTable("screw", machine::screw_reading_fields), {}, {}};
+  if (axis.mechanism.ball_screws) add_ball_screws(catalogue, axis, prices, result);
+  if (axis.mechanism.lead_screws) add_lead_screws(catalogue, axis, prices, result);
+  return result;
+}
+
+}  // namespace millwright::evaluation

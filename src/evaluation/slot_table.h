@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The candidates of one slot: what each would put on the bill of materials, what it costs and weighs, and the readings
+// that constraints take of it. Readings are computed per row once; a set of rows is bounded by the hull of its
+// readings.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "catalogue/family.h"
+#include "scalar/scalars.h"
+#include "solver/stage.h"
+
+namespace millwright::evaluation {
+
+/// One line that a candidate puts on the bill of materials.
+struct PartUse {
+  std::string slot;  ///< "screw", "nut", ...
+  catalogue::Family family{};
+  int row = 0;  ///< in the catalogue's table
+  double quantity = 1.0;
+  double length = 0.0;  ///< m to cut, 0 for whole pieces
+  double price = 0.0;   ///< of the line, in the problem's currency
+  double mass = 0.0;    ///< kg, of the line
+};
+
+struct Candidate {
+  std::vector<PartUse> parts;
+  double price = 0.0;
+  double mass = 0.0;           ///< kg, of all its parts
+  double riding_mass = 0.0;    ///< kg that moves with the axis
+  double standing_mass = 0.0;  ///< kg on the axis's parent; the rest (a driver in its cabinet) burdens nobody
+};
+
+class SlotTable {
+ public:
+  explicit SlotTable(std::string name = {}, std::size_t fields = 0) : name_(std::move(name)), fields_(fields) {}
+
+  /// Adds a candidate with its readings, as many as fields.
+  void add(Candidate candidate, std::span<const double> readings) {
+    candidates_.push_back(std::move(candidate));
+    readings_.insert(readings_.end(), readings.begin(), readings.end());
+  }
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] std::size_t rows() const { return candidates_.size(); }
+  [[nodiscard]] const Candidate& candidate(std::size_t row) const { return candidates_[row]; }
+  [[nodiscard]] double reading(std::size_t row, std::size_t field) const { return readings_[row * fields_ + field]; }
+  [[nodiscard]] std::size_t fields() const { return fields_; }
+
+  /// Keeps only the candidates for which keep(row) holds.
+  template <class Keep>
+  void filter(Keep&& keep) {
+    std::size_t to = 0;
+    for (std::size_t row = 0; row < candidates_.size(); ++row) {
+      if (!keep(row)) continue;
+      if (to != row) {
+        candidates_[to] = std::move(candidates_[row]);
+        std::copy_n(readings_.begin() + static_cast<std::ptrdiff_t>(row * fields_),
+                    fields_,
+                    readings_.begin() + static_cast<std::ptrdiff_t>(to * fields_));
+      }
+      ++to;
+    }
+    candidates_.resize(to);
+    readings_.resize(to * fields_);
+  }
+
+ private:
+  std::string name_;
+  std::size_t fields_ = 0;
+  std::vector<Candidate> candidates_;
+  std::vector<double> readings_;
+};
+
+/// Rows alive of every slot; a single design has one each.
+using Alive = std::span<const std::span<const solver::Row>>;
+
+namespace detail {
+template <class T>
+struct FromBounds {
+  static T make(double lower, double upper) { return T(scalar::Interval(lower, upper)); }
+};
+template <>
+struct FromBounds<double> {
+  static double make(double lower, double) { return lower; }
+};
+template <int N>
+struct FromBounds<scalar::Dual<double, N>> {
+  static scalar::Dual<double, N> make(double lower, double) { return scalar::Dual<double, N>(lower); }
+};
+}  // namespace detail
+
+/// The hull of one quantity over the rows alive; for point scalars the only row's value.
+template <class T, class Value>
+T hull_of(std::span<const solver::Row> alive, Value&& value) {
+  double lower = value(alive.front());
+  double upper = lower;
+  if constexpr (!std::is_same_v<T, double>) {
+    for (const solver::Row row : alive.subspan(1)) {
+      const double x = value(row);
+      lower = std::min(lower, x);
+      upper = std::max(upper, x);
+    }
+  }
+  return detail::FromBounds<T>::make(lower, upper);
+}
+
+}  // namespace millwright::evaluation

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "evaluation/supply_stage.h"
+
+#include <array>
+#include <cmath>
+
+#include "evaluation/drive_tables.h"
+
+namespace millwright::evaluation {
+
+using catalogue::column;
+using catalogue::Family;
+
+SupplyStage::SupplyStage(const std::vector<double>& voltages,
+                         double reserve,
+                         const catalogue::Catalogue& catalogue,
+                         const PriceBook& prices)
+    : voltages_(voltages), reserve_(reserve) {
+  name_ = "machine.supply";
+  SlotTable table("supply", 2);
+  const catalogue::Table& t = catalogue.table(Family::power_supplies);
+  for (int row = 0; row < t.rows(); ++row) {
+    const std::array<double, 2> readings{t.number(column(Family::power_supplies, "power"), row),
+                                         t.number(column(Family::power_supplies, "output_voltage"), row)};
+    const double mass = t.number(column(Family::power_supplies, "mass"), row);
+    Candidate candidate =
+        candidate_of({{"supply", Family::power_supplies, row, 1.0, 0.0, prices.line(t, row, 1.0, 0.0), mass}}, 0.0);
+    if (std::isnan(candidate.price + mass + readings[0] + readings[1])) continue;
+    table.add(std::move(candidate), readings);
+  }
+  tables_.push_back(std::move(table));
+  finish_slots();
+  supply_constraints([&](const machine::Declaration& d, auto&&, auto&&, auto&&) {
+    constraint_count_ += d.kind != machine::ConstraintKind::soft;
+  });
+}
+
+template <class T>
+Supply<T> SupplyStage::design(const Selection<T>& s) const {
+  const auto read = [&](std::size_t field) {
+    return hull_of<T>(s.rows[0], [&](solver::Row row) { return tables_[0].reading(row, field); });
+  };
+  return {
+      T(reserve_) * s.inherited[power_state], read(0), read(1), T(voltages_[s.shared.empty() ? 0 : s.shared.front()])};
+}
+
+template <class T>
+void SupplyStage::answer(const Selection<T>& s, solver::Answer<T>& out) const {
+  const Supply<T> d = design(s);
+  supply_constraints(UtilisationVisitor<T, Supply<T>>(d, out.utilisation));
+  out.resources[cost_resource] = total<T>(s, [](const Candidate& c) { return c.price; });
+  out.resources[mass_resource] = total<T>(s, [](const Candidate& c) { return c.mass; });
+}
+
+template Supply<double> SupplyStage::design(const Selection<double>&) const;
+
+}  // namespace millwright::evaluation

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The machine's power supply: the last stage. It must have the voltage that all drives were computed with and power for
+// all of them.
+#pragma once
+
+#include "evaluation/element_stage.h"
+#include "evaluation/price_book.h"
+#include "machine/motor_constraints.h"
+
+namespace millwright::evaluation {
+
+template <class T>
+struct Supply {
+  T demanded_power{};  ///< W, with reserve
+  T rated_power{};
+  T voltage{}, required_voltage{};
+};
+
+template <class Visit>
+void supply_constraints(Visit&& visit) {
+  using machine::always;
+  using machine::Declaration;
+  visit(
+      Declaration{.id = "C-PSU-POWER",
+                  .title = "Supply power",
+                  .symbol = "P",
+                  .unit = "W",
+                  .source = "millwright_derivations, sum of the drive input powers",
+                  .requirement = "supply_reserve"},
+      always,
+      [](const auto& d) { return d.demanded_power; },
+      [](const auto& d) { return d.rated_power; });
+  visit(
+      Declaration{.id = "F-SUPPLY-VOLTAGE",
+                  .title = "Supply gives the voltage of the drives",
+                  .symbol = "V",
+                  .unit = "V",
+                  .kind = machine::ConstraintKind::fit,
+                  .source = "millwright_derivations, fits of parts"},
+      always,
+      [](const auto& d) { return d.required_voltage; },
+      [](const auto& d) { return d.voltage; });
+  visit(
+      Declaration{.id = "F-SUPPLY-VOLTAGE-MAX",
+                  .title = "Supply does not exceed the voltage of the drives",
+                  .symbol = "V",
+                  .unit = "V",
+                  .kind = machine::ConstraintKind::fit,
+                  .source = "millwright_derivations, fits of parts"},
+      always,
+      [](const auto& d) { return d.voltage; },
+      [](const auto& d) { return d.required_voltage; });
+}
+
+class SupplyStage final : public ElementStage<SupplyStage> {
+ public:
+  SupplyStage(const std::vector<double>& voltages,
+              double reserve,
+              const catalogue::Catalogue& catalogue,
+              const PriceBook& prices);
+
+  template <class T>
+  [[nodiscard]] Supply<T> design(const Selection<T>& selection) const;
+  template <class T>
+  void answer(const Selection<T>& selection, solver::Answer<T>& out) const;
+
+ private:
+  std::vector<double> voltages_;
+  double reserve_;
+};
+
+extern template Supply<double> SupplyStage::design(const Selection<double>&) const;
+
+}  // namespace millwright::evaluation

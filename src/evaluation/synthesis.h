@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The questions a user asks of a machine: the best compliant build (solve), the front of builds (pareto), and whether a
+// given bill of materials works (check). Each answer is re-evaluated from scratch before it is returned.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "evaluation/machine_model.h"
+#include "machine/bill_of_materials.h"
+
+namespace millwright::evaluation {
+
+struct SearchOptions {
+  std::vector<std::string> objectives{"cost"};  ///< "cost", "mass"; one to solve, two for a front
+  double gap = 1e-6;
+  double time_limit_seconds = std::numeric_limits<double>::infinity();
+  unsigned threads = 1;
+  const std::atomic<bool>* stop = nullptr;
+  std::function<void(const solver::Progress&)> progress;
+};
+
+struct Synthesis {
+  solver::Status status = solver::Status::infeasible;
+  std::vector<Design> designs;          ///< one, or the front ascending in the first objective
+  std::vector<EmptySlot> empty_slots;   ///< why nothing can be built at all
+  double lower_bound = 0.0, gap = 0.0;  ///< of a single objective
+  double combinations = 0.0;
+  std::uint64_t nodes = 0, evaluations = 0;
+  std::string method;
+  double seconds = 0.0;
+};
+
+/// The cheapest (or lightest) compliant build, or the exact front.
+/// The solver's options for these.
+solver::Options solver_options(const SearchOptions& options);
+
+Synthesis synthesise(const MachineModel& model, const SearchOptions& options);
+
+/// A part or setting of a bill of materials that cannot be used as it stands.
+struct BomProblem {
+  machine::SourceSpan where;
+  std::string message, hint;
+};
+
+/// What a bill of materials amounts to.
+struct BomCheck {
+  std::vector<BomProblem>
+      problems;   ///< unknown parts, parts that do not go together, missing slots: nothing was evaluated if any
+  Design design;  ///< with every check, satisfied or not
+  bool completed = false;  ///< something was chosen by us
+  bool complete_is_optimal =
+      false;  ///< the completion is the cheapest compliant one (else the cheapest that fits, not compliant)
+};
+
+/// Evaluates a bill of materials. What it holds is held; an acceleration time or free dimension it leaves open is
+/// chosen so that the largest utilisation is smallest. With `complete`, missing slots are filled with the cheapest
+/// compliant choice, or where there is none with the cheapest parts that fit; without it they are problems.
+/// `only_origin`: hold only the lines of that origin (empty = all).
+BomCheck check(const machine::Problem& problem,
+               const catalogue::Catalogue& catalogue,
+               const machine::BillOfMaterials& bom,
+               bool complete,
+               const SearchOptions& options,
+               const std::string& only_origin = {});
+
+}  // namespace millwright::evaluation

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// One axis of a problem file. Its mechanism, motor and guide are read by mechanism_file.cpp, its moves by
+// move_file.cpp, its structure by member_file.cpp.
+#include "machine/axis_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "machine/name_reader.h"
+#include "machine/quantity_reader.h"
+#include "scalar/unit.h"
+#include "text/table_reader.h"
+
+namespace millwright::machine {
+
+using text::Diagnostics;
+using text::Node;
+using text::Presence;
+using text::TableReader;
+
+namespace {
+
+constexpr double right_angle = 1.57079632679489662;
+constexpr double long_stroke = 10.0;  // m
+
+SourceSpan place(const TableReader& table, std::string_view key) {
+  const Node* node = table.node().find(key);
+  return node == nullptr ? table.node().span() : node->span();
+}
+
+void read_direction(TableReader& table, QuantityReader& q, Axis& axis, Diagnostics& diagnostics) {
+  const auto word = table.word("direction", {"horizontal", "vertical", "inclined"});
+  const bool wrong = !word && table.has("direction");
+  const std::string direction = word.value_or("horizontal");
+  const auto inclination = q.quantity("inclination", "deg", Sign::positive);
+  axis.direction = direction == "vertical"   ? Direction::vertical
+                   : direction == "inclined" ? Direction::inclined
+                                             : Direction::horizontal;
+  axis.inclination = axis.direction == Direction::vertical   ? right_angle
+                     : axis.direction == Direction::inclined ? inclination.value_or(0.0)
+                                                             : 0.0;
+  if (wrong) return;
+  const bool inclined = axis.direction == Direction::inclined;
+  if (inclined && !table.has("inclination"))
+    diagnostics.error(place(table, "direction"), "direction: inclined by how much?", "add inclination = \"30 deg\"");
+  if (!inclined && table.has("inclination"))
+    diagnostics.error(place(table, "inclination"),
+                      fmt::format("inclination: the axis is {}", direction),
+                      "write direction = \"inclined\", or leave the inclination out");
+  if (inclined && axis.inclination > right_angle * (1.0 + 1e-12))
+    diagnostics.error(
+        place(table, "inclination"), "inclination: more than upright", "from 0 deg, horizontal, to 90 deg, vertical");
+}
+
+void read_loads(TableReader& table, QuantityReader& q, Axis& axis, Diagnostics& diagnostics) {
+  const std::size_t before = diagnostics.error_count();
+  axis.structure_mass = q.quantity_or("structure_mass", "kg", 0.0);
+  axis.payload_mass = q.quantity_or("payload_mass", "kg", 0.0);
+  const bool masses = diagnostics.error_count() == before;
+  axis.guide_friction = q.quantity_or("guide_friction", "1", 0.0);
+  axis.guide_drag = q.quantity_or("guide_drag", "N", 0.0);
+  axis.counterbalance_force = q.quantity_or("counterbalance_force", "N", 0.0);
+  warn_above(table.node(),
+             "guide_friction",
+             axis.guide_friction,
+             0.5,
+             "rails have 0.003 to 0.01, plain slides 0.05 to 0.2",
+             diagnostics);
+  if (masses && axis.structure_mass + axis.payload_mass == 0.0)
+    diagnostics.warning(place(table, "structure_mass"),
+                        fmt::format("structure_mass: nothing of axis '{}' has a mass but its chosen parts", axis.name),
+                        "give the mass of the slide or table: structure_mass = \"5 kg\"");
+  if (axis.direction == Direction::horizontal && axis.counterbalance_force > 0.0)
+    diagnostics.warning(place(table, "counterbalance_force"),
+                        "counterbalance_force: a horizontal axis has no weight to balance",
+                        "leave it out, or write direction = \"vertical\"");
+}
+
+/// Slots and settings that every axis or the machine has; a member of that name would hide them.
+bool is_reserved(const std::string& name) {
+  constexpr std::string_view reserved[] = {"screw",
+                                           "nut",
+                                           "motor",
+                                           "driver",
+                                           "coupling",
+                                           "support_fixed",
+                                           "support_free",
+                                           "guide",
+                                           "belt",
+                                           "pulley_drive",
+                                           "pulley_idle",
+                                           "reduction",
+                                           "supply",
+                                           "supply_voltage",
+                                           "acceleration_time",
+                                           "machine"};
+  return std::find(std::begin(reserved), std::end(reserved), name) != std::end(reserved);
+}
+
+void read_members(const Node& members, Axis& axis, Diagnostics& diagnostics) {
+  std::map<std::string, SourceSpan> names;
+  for (const Node& node : members.items()) {
+    axis.members.push_back(read_member(node, axis.name, diagnostics));
+    const Node* name = node.find("name");
+    if (name == nullptr || !check_name(*name, "a member", diagnostics)) continue;
+    const std::string& word = axis.members.back().name;
+    if (is_reserved(word)) {
+      diagnostics.error(name->span(),
+                        fmt::format("name: a member cannot be called '{}'", word),
+                        "a slot of the axis has that name; call it after what it is: beam, column, shaft, weld");
+      continue;
+    }
+    const auto [first, added] = names.try_emplace(word, name->span());
+    if (added) continue;
+    text::Diagnostic twice;
+    twice.where = name->span();
+    twice.message = fmt::format("name: axis '{}' has two members '{}'", axis.name, word);
+    twice.hint = "give each member its own name";
+    twice.related = first->second;
+    twice.related_message = "first here";
+    diagnostics.add(std::move(twice));
+  }
+}
+
+void read_parts(TableReader& table, QuantityReader& q, Axis& axis, Diagnostics& diagnostics) {
+  const std::string of = fmt::format(" of axis '{}'", axis.name);
+  if (q.required("mechanism", "mechanism = { kind = \"screw\", screw = [\"lead_screws\"] }") != nullptr)
+    if (const Node* mechanism = table.table("mechanism"); mechanism != nullptr)
+      axis.mechanism = read_mechanism(*mechanism, "mechanism" + of, diagnostics);
+  if (const Node* motor = table.table("motor"); motor != nullptr)
+    axis.motor = read_motor(*motor, "motor" + of, diagnostics);
+  if (const Node* guide = table.table("guide"); guide != nullptr)
+    axis.guide = read_guide(*guide, "guide" + of, diagnostics);
+  if (const Node* members = table.array("members"); members != nullptr) read_members(*members, axis, diagnostics);
+  if (const Node* require = table.table("require"); require != nullptr)
+    read_requirements(*require, "[axis.require]" + of, axis.require, diagnostics);
+}
+
+void check_stroke(TableReader& table, const Axis& axis, Diagnostics& diagnostics) {
+  if (axis.stroke > long_stroke)
+    diagnostics.warning(
+        place(table, "stroke"),
+        fmt::format("stroke: {} is a long way for a machine tool", scalar::format(axis.stroke, scalar::Unit::of("m"))),
+        "is it meant in mm?");
+  if (axis.mechanism.length && *axis.mechanism.length < axis.stroke)
+    diagnostics.error(table.find("mechanism")->find("length")->span(),
+                      fmt::format("length: the screw is shorter than the stroke of axis '{}'", axis.name),
+                      "the supported length is stroke, nut and overtravel; leave it out to have it worked out");
+}
+
+}  // namespace
+
+Axis read_axis(const Node& node, const Requirements& shared, Diagnostics& diagnostics) {
+  Axis axis;
+  axis.where = node.span();
+  axis.require = shared;
+  const Node* name = node.find("name");
+  const std::string known_as = name == nullptr ? "" : name->as_string().value_or("");
+  TableReader table(node, known_as.empty() ? "axis" : fmt::format("axis '{}'", known_as), diagnostics);
+  QuantityReader q(table, diagnostics);
+  axis.name = q.required_text("name", "name = \"x\"");
+  if (name != nullptr) (void)check_name(*name, "an axis", diagnostics);
+  axis.carries = table.strings("carries");
+  read_direction(table, q, axis, diagnostics);
+  const auto stroke = q.quantity("stroke", "mm", Sign::positive, Presence::required);
+  axis.stroke = stroke.value_or(0.1);
+  read_loads(table, q, axis, diagnostics);
+  const auto ramps = q.range("acceleration_time", "s");
+  axis.acceleration_time = ramps.value_or(axis.acceleration_time);
+  read_parts(table, q, axis, diagnostics);
+  if (stroke) check_stroke(table, axis, diagnostics);
+  const Node* given = table.find("acceleration_time");
+  if (q.required("moves", "an [[axis.moves]] with distance and time") != nullptr)
+    if (const Node* moves = table.array("moves"); moves != nullptr)
+      read_moves(*moves, {stroke.has_value(), given == nullptr || ramps.has_value(), given}, axis, diagnostics);
+  table.finish();
+  return axis;
+}
+
+}  // namespace millwright::machine

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "machine/problem.h"
+#include "text/diagnostic.h"
+#include "text/node.h"
+
+namespace millwright::machine {
+
+/// One [[axis]] of a problem file. `shared`: requirements of the whole machine, which the axis's own override.
+Axis read_axis(const text::Node& node, const Requirements& shared, text::Diagnostics& diagnostics);
+
+/// A table of requirements, by their declared keys and units.
+void read_requirements(const text::Node& node,
+                       const std::string& title,
+                       Requirements& require,
+                       text::Diagnostics& diagnostics);
+
+/// The parts of an axis: what drives it, its motor, what it slides on. `title` in messages: "mechanism of axis 'x'".
+Mechanism read_mechanism(const text::Node& node, const std::string& title, text::Diagnostics& diagnostics);
+MotorChoice read_motor(const text::Node& node, const std::string& title, text::Diagnostics& diagnostics);
+GuideChoice read_guide(const text::Node& node, const std::string& title, text::Diagnostics& diagnostics);
+
+/// The moves of an axis, checked against its stroke and its ramps as far as those could be read themselves. `axis` has
+/// everything but its moves and gets them here.
+struct MoveLimits {
+  bool stroke = false;                      ///< whether the axis's stroke is known
+  bool ramps = false;                       ///< whether its range of acceleration times is known (or the default)
+  const text::Node* ramps_given = nullptr;  ///< the range in the file, if any
+};
+void read_moves(const text::Node& moves, const MoveLimits& limits, Axis& axis, text::Diagnostics& diagnostics);
+
+/// A structure member of an axis.
+Member read_member(const text::Node& node, const std::string& axis, text::Diagnostics& diagnostics);
+
+/// Warns at the value if a coefficient that could be read is above what is usual.
+void warn_above(const text::Node& table,
+                std::string_view key,
+                double value,
+                double usual,
+                const std::string& hint,
+                text::Diagnostics& diagnostics);
+
+}  // namespace millwright::machine

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The constraints of a belt drive, each declared once (see constraint.h); those of motor, driver and accuracy are
+// shared.
+#pragma once
+
+#include "machine/belt_drive.h"
+#include "machine/motor_constraints.h"
+
+namespace millwright::machine {
+
+template <class Visit>
+void belt_constraints(Visit&& visit) {
+  using namespace scalar;
+  using enum Requirement;
+  namespace bt = mechanics::belt;
+  visit(
+      Declaration{.id = "C-SYS-TIME",
+                  .title = "Ramps and cruise fit into the move",
+                  .symbol = "t/t_allowed",
+                  .unit = "1",
+                  .source = "millwright_derivations, kinematics of equal ramps"},
+      always,
+      [](const auto& d) { return d.cycle.time_ratio; },
+      [](const auto& d) { return decltype(d.cycle.time_ratio)(1.0); });
+  visit(
+      Declaration{.id = "C-BT-TENSION",
+                  .title = "Belt working tension",
+                  .symbol = "F_1",
+                  .unit = "N",
+                  .source = "sularso_suga, chapter 5; iso5295",
+                  .requirement = "belt_service_factor",
+                  .worst = WorstPhase::force},
+      always,
+      [](const auto& d) {
+        return d.require(belt_service_factor) * bt::largest_span_tension(d.pretension, d.largest_force);
+      },
+      [](const auto& d) { return bt::tooth_factor(d.teeth_in_mesh) * d.belt.allowable_tension; });
+  visit(
+      Declaration{.id = "C-BT-POWER",
+                  .title = "Belt power",
+                  .symbol = "P_d",
+                  .unit = "W",
+                  .source = "fdm_printer, eq. 19 and 20; iso5295",
+                  .requirement = "belt_service_factor",
+                  .worst = WorstPhase::force},
+      always,
+      [](const auto& d) {
+        return bt::design_power(d.require(belt_service_factor), d.largest_force * d.cycle.peak_speed);
+      },
+      [](const auto& d) {
+        return bt::power_capacity(
+            bt::tooth_factor(d.teeth_in_mesh), d.belt.allowable_tension, d.belt.mass_per_length, d.cycle.peak_speed);
+      });
+  visit(
+      Declaration{.id = "C-BT-TEETH",
+                  .title = "Teeth in mesh",
+                  .symbol = "z",
+                  .unit = "1",
+                  .kind = ConstraintKind::soft,
+                  .source = "sularso_suga, chapter 5",
+                  .requirement = "belt_teeth_in_mesh"},
+      always,
+      [](const auto& d) { return d.require(belt_teeth_in_mesh); },
+      [](const auto& d) { return d.teeth_in_mesh; });
+  visit(
+      Declaration{.id = "C-BT-PRET",
+                  .title = "Belt pretension",
+                  .symbol = "F_0",
+                  .unit = "N",
+                  .source = "gates_light_power",
+                  .requirement = "belt_preload_fraction",
+                  .worst = WorstPhase::force},
+      always,
+      [](const auto& d) {
+        return bt::required_pretension(d.largest_force,
+                                       0.5 * d.largest_force,
+                                       bt::centrifugal_tension(d.belt.mass_per_length, d.cycle.peak_speed));
+      },
+      [](const auto& d) { return d.pretension; });
+  visit(
+      Declaration{.id = "C-BT-MINZ",
+                  .title = "Teeth of the drive pulley",
+                  .symbol = "z",
+                  .unit = "1",
+                  .source = "gates_light_power"},
+      always,
+      [](const auto& d) { return d.belt.least_teeth; },
+      [](const auto& d) { return d.belt.teeth; });
+  visit(
+      Declaration{.id = "F-PULLEY-BORE",
+                  .title = "Motor shaft fits the pulley bore",
+                  .symbol = "d",
+                  .unit = "mm",
+                  .kind = ConstraintKind::fit,
+                  .source = "millwright_derivations, fits of parts"},
+      always,
+      [](const auto& d) { return d.motor_shaft; },
+      [](const auto& d) { return d.belt.bore; });
+  visit(
+      Declaration{.id = "F-PULLEY-BORE-MIN",
+                  .title = "Pulley bore is not larger than the motor shaft",
+                  .symbol = "d",
+                  .unit = "mm",
+                  .kind = ConstraintKind::fit,
+                  .source = "millwright_derivations, fits of parts"},
+      always,
+      [](const auto& d) { return d.belt.bore; },
+      [](const auto& d) { return d.motor_shaft; });
+}
+
+template <class Visit>
+void belt_drive_constraints(Visit&& visit) {
+  belt_constraints(visit);
+  motor_constraints(visit);
+  accuracy_constraints(visit);
+}
+
+}  // namespace millwright::machine

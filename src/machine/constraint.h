@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// How a constraint is declared: once, in the element that owns it, as a pair of generic functions of the element's
+// design.
+//
+//     visit({.id = "C-SCR-VM", .title = "Core stress, von Mises", .symbol = "σ_v", .unit = "MPa",
+//            .source = "shigley, section 5-5"},
+//           [](const auto& d) { return power_screw::von_mises_stress(d.axial_load, d.torque, d.screw.root_diameter); },
+//           // demand
+//           [](const auto& d) { return d.screw.yield_strength / d.require(Requirement::screw_safety_factor); }); //
+//           capacity
+//
+// Each element has one function template `<element>_constraints(visit)` that calls `visit` once per constraint. Whoever
+// needs them (evaluation on a scalar, bounds over a box, slopes, the calculation sheet, dimension tests) passes its own
+// visitor; the functions are instantiated for its scalar and inlined. utilisation = demand / capacity, satisfied when
+// <= 1.
+#pragma once
+
+#include <string_view>
+
+namespace millwright::machine {
+
+/// hard: must hold for a compliant build. soft: reported, not enforced. fit: two parts that must go together; hard.
+enum class ConstraintKind { hard, soft, fit };
+
+/// In which phase of the duty cycle a constraint is worst: where this quantity is largest.
+enum class WorstPhase { none, force, torque, torque_ratio, speed };
+
+/// What is said about a constraint besides its two functions. All strings are literals.
+struct Declaration {
+  std::string_view id = {};      ///< stable id, as printed in reports ("C-SCR-VM", "F-COUPLING-BORE")
+  std::string_view title = {};   ///< in words
+  std::string_view symbol = {};  ///< of the demand
+  std::string_view unit = {};    ///< in which demand and capacity are shown
+  ConstraintKind kind = ConstraintKind::hard;
+  std::string_view source = {};       ///< bibliography key, with section
+  std::string_view requirement = {};  ///< key of the requirement that sets its factor or limit, empty if none
+  WorstPhase worst = WorstPhase::none;
+  std::string_view file = __builtin_FILE();
+  int line = __builtin_LINE();
+};
+
+/// Whether a constraint concerns a design, or some, all or none of a set of designs.
+enum class Applies { no, yes, some };
+
+/// Acceleration of free fall [m/s^2], ISO 80000-3.
+inline constexpr double standard_gravity = 9.80665;
+
+/// The capacity is limited from below, so that a useless capacity gives a large finite utilisation and not infinity.
+inline constexpr double useless_utilisation = 1e9;
+
+}  // namespace millwright::machine

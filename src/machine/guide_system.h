@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What an axis slides on: carriages on profile rails, or ball bushings on round shafts. Four carriages share the load
+// by the rigid-table formulas; a single carriage takes the moments itself.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "machine/axis_motion.h"
+#include "machine/constraint.h"
+#include "machine/motor_constraints.h"
+#include "mechanics/guide.h"
+
+namespace millwright::machine {
+
+template <class T>
+struct GuideReading {
+  T dynamic_rating{}, static_rating{}, rating_distance{};
+  T roll_moment_rating{}, pitch_moment_rating{}, yaw_moment_rating{};
+  T carriage_mass{}, rail_mass{}, rail_length{}, largest_rail_length{};
+  T shaft_diameter{};  ///< unsupported round shaft, else 0
+};
+
+template <class Reading, class Visit>
+void visit_guide_reading(Reading& r, Visit&& visit) {
+  for (auto* field : {&r.dynamic_rating,
+                      &r.static_rating,
+                      &r.rating_distance,
+                      &r.roll_moment_rating,
+                      &r.pitch_moment_rating,
+                      &r.yaw_moment_rating,
+                      &r.carriage_mass,
+                      &r.rail_mass,
+                      &r.rail_length,
+                      &r.largest_rail_length,
+                      &r.shaft_diameter})
+    visit(*field);
+}
+inline constexpr std::size_t guide_reading_fields = 11;
+
+struct GuideData {
+  GuideChoice choice;
+  MotionData motion;
+  Requirements require;
+};
+
+/// Round guide shafts are hardened bearing steel; E as in the materials table, and the core's yield as of the C45 it is
+/// drawn from.
+inline constexpr double guide_shaft_modulus = 206e9;
+inline constexpr double guide_shaft_yield = 345e6;
+
+template <class T>
+struct GuideSystem {
+  const GuideData* data = nullptr;
+  GuideReading<T> guide;
+  Applies unsupported_shaft = Applies::no;
+  T carried_mass{}, acceleration_time{};
+
+  T moved_mass{};
+  Cycle<T> cycle;
+  T largest_load{}, life_load{}, shaft_force{};
+
+  [[nodiscard]] T require(Requirement requirement, const scalar::Dimension& dimension = scalar::dimension::none) const {
+    return scalar::in_unit<T>(data->require(requirement), dimension);
+  }
+  void derive();
+};
+
+template <class T>
+void GuideSystem<T>::derive() {
+  using namespace scalar;
+  namespace gd = mechanics::guide;
+  const auto length = [](double metres) { return in_unit<T>(metres, dimension::length); };
+  const GuideChoice& c = data->choice;
+  moved_mass = named("m", carried_mass + guide.carriage_mass);
+  cycle = duty_cycle(data->motion, moved_mass, acceleration_time);
+  const T weight = named("G", moved_mass * in_unit<T>(standard_gravity, dimension::acceleration));
+  const T none = in_unit<T>(0.0, dimension::force);
+  // On a slope one part of the weight presses on the guides and the other pulls along them. An offset along x counts
+  // with all of it, because on a steep axis it is the distance from the rails.
+  const double steep = std::sin(data->motion.inclination);
+  const double level = std::abs(std::cos(data->motion.inclination));
+  const T pressing = level < 1e-9 ? none : level * weight;
+  const T pulling = steep < 1e-9 ? none : steep * weight;
+  const T pitch =
+      named("M_y", weight * length(std::abs(c.load_offset_x)) + cycle.process_force * length(std::abs(c.force_height)));
+  const T roll = named("M_x", pressing * length(std::abs(c.load_offset_y)));
+  const T yaw = named("M_z", pulling * length(std::abs(c.load_offset_y)));
+  if (c.carriages > 1.0) {
+    largest_load = named("P",
+                         gd::largest_carriage_load(
+                             pressing, roll, pitch, none, yaw, length(c.carriage_spacing), length(c.rail_spacing)));
+  } else {
+    const std::array<T, 3> moments{roll, pitch, yaw};
+    const std::array<T, 3> ratings{guide.roll_moment_rating, guide.pitch_moment_rating, guide.yaw_moment_rating};
+    largest_load =
+        named("P",
+              gd::equivalent_load_with_moments(
+                  pressing, none, std::span<const T>(moments), std::span<const T>(ratings), guide.static_rating));
+  }
+  // A carriage that carries nothing lives for ever: one newton keeps the life finite and harmless.
+  life_load = larger(largest_load, in_unit<T>(1.0, dimension::force));
+  // Beside what presses on the shafts, the pitching moment loads them with the couple of its two bushings; one force at
+  // midspan is safe.
+  T pushing = pressing + cycle.process_force;
+  if (c.carriages > 1.0) pushing = pushing + pitch / length(c.carriage_spacing);
+  shaft_force = named("F_s", pushing / c.rails);
+}
+
+template <class Visit>
+void guide_constraints(Visit&& visit) {
+  using namespace scalar;
+  using enum Requirement;
+  namespace gd = mechanics::guide;
+  constexpr auto on_shaft = [](const auto& d) { return d.unsupported_shaft; };
+  visit(
+      Declaration{.id = "C-GD-LIFE",
+                  .title = "Guide life",
+                  .symbol = "L_h",
+                  .unit = "h",
+                  .source = "hiwin_linear_guideway, service life; iso14728_1",
+                  .requirement = "life"},
+      always,
+      [](const auto& d) { return d.require(life, dimension::time); },
+      [](const auto& d) {
+        const auto distance = gd::ball_life_distance(d.guide.dynamic_rating,
+                                                     d.life_load,
+                                                     d.require(guide_load_factor),
+                                                     decltype(d.life_load)(1.0),
+                                                     d.guide.rating_distance);
+        return gd::life_time(distance, d.cycle.travelled / d.cycle.total_time);
+      });
+  visit(
+      Declaration{.id = "C-GD-STATIC",
+                  .title = "Guide static safety",
+                  .symbol = "f_s P",
+                  .unit = "N",
+                  .source = "thk_lm_guide, static safety factor",
+                  .requirement = "guide_static_safety"},
+      always,
+      [](const auto& d) { return d.require(guide_static_safety) * d.life_load; },
+      [](const auto& d) { return d.guide.static_rating; });
+  visit(
+      Declaration{.id = "C-GD-DEFL",
+                  .title = "Guide shaft deflection",
+                  .symbol = "δ",
+                  .unit = "mm",
+                  .source = "shigley, Table A-9",
+                  .requirement = "guide_shaft_deflection_ratio"},
+      on_shaft,
+      [](const auto& d) {
+        return gd::shaft_deflection(d.shaft_force,
+                                    d.guide.rail_length,
+                                    in_unit_like(d.life_load, d.data->choice.carriage_spacing, dimension::length),
+                                    in_unit_like(d.life_load, guide_shaft_modulus, dimension::pressure),
+                                    d.guide.shaft_diameter);
+      },
+      [](const auto& d) { return d.require(guide_shaft_deflection_ratio) * d.guide.rail_length; });
+  visit(
+      Declaration{.id = "C-GD-STRESS",
+                  .title = "Guide shaft bending stress",
+                  .symbol = "σ",
+                  .unit = "MPa",
+                  .source = "torch_table, eq. 13 and 14; khurmi_gupta2005, chapter 14",
+                  .requirement = "guide_shaft_safety_factor"},
+      on_shaft,
+      [](const auto& d) {
+        return gd::shaft_stress(d.shaft_force,
+                                d.guide.rail_length,
+                                in_unit_like(d.life_load, d.data->choice.carriage_spacing, dimension::length),
+                                d.guide.shaft_diameter);
+      },
+      [](const auto& d) {
+        return in_unit_like(d.life_load, guide_shaft_yield, dimension::pressure) / d.require(guide_shaft_safety_factor);
+      });
+  visit(
+      Declaration{.id = "C-SYS-RAIL",
+                  .title = "Rail is sold in this length",
+                  .symbol = "L",
+                  .unit = "mm",
+                  .source = "millwright_derivations, usable travel"},
+      always,
+      [](const auto& d) { return d.guide.rail_length; },
+      [](const auto& d) { return d.guide.largest_rail_length; });
+}
+
+}  // namespace millwright::machine

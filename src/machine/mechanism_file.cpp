@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The parts of an axis in a problem file: mechanism, motor, guide.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "machine/axis_file.h"
+#include "machine/quantity_reader.h"
+#include "text/nearest.h"
+#include "text/table_reader.h"
+
+namespace millwright::machine {
+
+using text::Diagnostics;
+using text::Node;
+using text::TableReader;
+
+namespace {
+
+void read_screw_families(TableReader& table, QuantityReader& q, Mechanism& mechanism, Diagnostics& diagnostics) {
+  const Node* given = q.required("screw", "screw = [\"ball_screws\", \"lead_screws\"]");
+  if (given == nullptr) return;
+  (void)q.words("screw");
+  for (const Node* word : table.list("screw")) {
+    const std::string family = word->as_string().value_or("");
+    if (family == "ball_screws")
+      mechanism.ball_screws = true;
+    else if (family == "lead_screws")
+      mechanism.lead_screws = true;
+    else if (!family.empty())
+      diagnostics.error(
+          word->span(),
+          fmt::format("screw: {} is no kind of screw", text::quoted(family)),
+          text::did_you_mean(
+              family, std::vector<std::string_view>{"ball_screws", "lead_screws"}, "ball_screws or lead_screws"));
+  }
+}
+
+void read_screw(TableReader& table, QuantityReader& q, Mechanism& mechanism, Diagnostics& diagnostics) {
+  q.refuse({"profiles", "efficiency", "idler_distance"}, "a screw has none", "this key goes with kind = \"belt\"");
+  read_screw_families(table, q, mechanism, diagnostics);
+  mechanism.thread_forms = q.words("thread_forms");
+  mechanism.nut_materials = q.words("nut_materials");
+  const std::string ends = table.word("ends", {"fixed-free", "supported-supported", "fixed-supported", "fixed-fixed"})
+                               .value_or("fixed-supported");
+  mechanism.ends = ends == "fixed-free"            ? Ends::fixed_free
+                   : ends == "supported-supported" ? Ends::supported_supported
+                   : ends == "fixed-fixed"         ? Ends::fixed_fixed
+                                                   : Ends::fixed_supported;
+  mechanism.end_allowance = q.quantity_or("end_allowance", "mm", mechanism.end_allowance);
+  mechanism.greased = table.boolean("greased").value_or(true);
+  mechanism.thread_friction = q.quantity("thread_friction", "1", Sign::positive);
+  mechanism.ball_friction = q.quantity_or("ball_friction", "1", mechanism.ball_friction, Sign::positive);
+  mechanism.preload_fraction = q.share_or("preload", 0.0, true);
+  mechanism.length = q.quantity("length", "mm", Sign::positive);
+  const Node& node = table.node();
+  warn_above(node,
+             "thread_friction",
+             mechanism.thread_friction.value_or(0.0),
+             0.5,
+             "metal on metal has 0.1 to 0.2, dry plastic up to 0.4",
+             diagnostics);
+  warn_above(node, "ball_friction", mechanism.ball_friction, 0.05, "rolling balls have 0.003 to 0.01", diagnostics);
+  warn_above(node,
+             "preload",
+             mechanism.preload_fraction,
+             0.2,
+             "a share of the dynamic load rating, usually up to 0.1",
+             diagnostics);
+}
+
+/// Without a readable kind, what else is there tells which one was meant.
+std::string guessed_kind(const Node& node) {
+  const bool belt =
+      node.find("profiles") != nullptr || node.find("efficiency") != nullptr || node.find("idler_distance") != nullptr;
+  if (belt && node.find("screw") == nullptr) return "belt";
+  return node.find("screw") != nullptr ? "screw" : "";
+}
+
+}  // namespace
+
+void warn_above(const Node& table,
+                std::string_view key,
+                double value,
+                double usual,
+                const std::string& hint,
+                Diagnostics& diagnostics) {
+  const Node* node = table.find(key);
+  if (node == nullptr || value <= usual) return;
+  diagnostics.warning(node->span(), fmt::format("{}: {:.6g} is unusually high", key, value), hint);
+}
+
+Mechanism read_mechanism(const Node& node, const std::string& title, Diagnostics& diagnostics) {
+  Mechanism mechanism;
+  mechanism.where = node.span();
+  TableReader table(node, title, diagnostics);
+  QuantityReader q(table, diagnostics);
+  if (!node.is_table()) return mechanism;
+  const bool has_kind = q.required("kind", "kind = \"screw\" or kind = \"belt\"") != nullptr;
+  const auto said = has_kind ? table.word("kind", {"screw", "belt"}) : std::nullopt;
+  const std::string kind = said.value_or(guessed_kind(node));
+  if (kind.empty()) return mechanism;  // nothing to judge the other keys by
+  if (kind == "screw") {
+    read_screw(table, q, mechanism, diagnostics);
+  } else {
+    mechanism.kind = MechanismKind::belt;
+    q.refuse({"screw",
+              "ends",
+              "thread_forms",
+              "nut_materials",
+              "end_allowance",
+              "greased",
+              "thread_friction",
+              "ball_friction",
+              "preload",
+              "length"},
+             "a belt has none",
+             "this key goes with kind = \"screw\"");
+    mechanism.profiles = q.words("profiles");
+    mechanism.belt_efficiency = q.share_or("efficiency", mechanism.belt_efficiency);
+    mechanism.idler_distance = q.quantity_or("idler_distance", "mm", 0.0);
+  }
+  table.finish();
+  return mechanism;
+}
+
+MotorChoice read_motor(const Node& node, const std::string& title, Diagnostics& diagnostics) {
+  MotorChoice motor;
+  motor.where = node.span();
+  TableReader table(node, title, diagnostics);
+  QuantityReader q(table, diagnostics);
+  (void)table.word("from", {"steppers"});
+  motor.frames = q.words("frame");
+  for (const Node* frame : table.list("frame")) {
+    const std::string word = frame->as_string().value_or("NEMA17");
+    const auto digit = [](unsigned char c) { return std::isdigit(c) != 0; };
+    if (word.empty() ||
+        (word.starts_with("NEMA") && word.size() > 4 && std::all_of(word.begin() + 4, word.end(), digit)))
+      continue;
+    std::string size;
+    std::copy_if(word.begin(), word.end(), std::back_inserter(size), digit);
+    diagnostics.error(frame->span(),
+                      fmt::format("frame: {} is no motor frame", text::quoted(word)),
+                      fmt::format("write \"NEMA{}\", without blank", size.empty() ? "23" : size));
+  }
+  motor.microsteps = q.count_or("microsteps", motor.microsteps, 1, 256);
+  const auto steps = static_cast<unsigned>(motor.microsteps);
+  if ((steps & (steps - 1)) != 0)
+    diagnostics.error(table.find("microsteps")->span(),
+                      fmt::format("microsteps: {} is no power of two", steps),
+                      "drivers divide a full step by 1, 2, 4, 8, 16, 32, 64, 128 or 256");
+  motor.brake_torque = q.quantity_or("brake_torque", "N.m", 0.0);
+  table.finish();
+  return motor;
+}
+
+GuideChoice read_guide(const Node& node, const std::string& title, Diagnostics& diagnostics) {
+  GuideChoice guide;
+  guide.where = node.span();
+  TableReader table(node, title, diagnostics);
+  QuantityReader q(table, diagnostics);
+  (void)table.word("from", {"linear_guides"});
+  guide.kinds = q.words("kinds");
+  const std::size_t before = diagnostics.error_count();
+  guide.carriages = q.count_or("carriages", guide.carriages, 1, 4);
+  guide.rails = q.count_or("rails", guide.carriages == 1.0 ? 1.0 : guide.rails, 1, 2);
+  const bool counted = diagnostics.error_count() == before;
+  const auto spacing = [&](const char* key) { return q.quantity_or(key, "mm", 0.0); };
+  guide.carriage_spacing = spacing("carriage_spacing");
+  guide.rail_spacing = spacing("rail_spacing");
+  const bool spaced = diagnostics.error_count() == before;
+  guide.load_offset_x = q.quantity_or("load_offset_x", "mm", 0.0, Sign::any);
+  guide.load_offset_y = q.quantity_or("load_offset_y", "mm", 0.0, Sign::any);
+  guide.force_height = q.quantity_or("force_height", "mm", 0.0, Sign::any);
+  const auto place = [&](const char* key) {
+    const Node* value = table.find(key);
+    return value == nullptr ? node.span() : value->span();
+  };
+  const bool four = guide.carriages == 4.0;
+  if (counted && !four && guide.carriages != 1.0)
+    diagnostics.error(place("carriages"),
+                      fmt::format("carriages: a guide has 4 or 1, not {}", guide.carriages),
+                      "four carriages on two rails, or a single one that takes the moments itself");
+  else if (counted && guide.rails != (four ? 2.0 : 1.0))
+    diagnostics.error(place("rails"),
+                      fmt::format("rails: {} with {} carriage{}", guide.rails, guide.carriages, four ? "s" : ""),
+                      "four carriages run on two rails, a single one on one");
+  for (const char* key : {"carriage_spacing", "rail_spacing"})
+    if (spaced && four && (key[0] == 'c' ? guide.carriage_spacing : guide.rail_spacing) <= 0.0)
+      diagnostics.error(place(key),
+                        fmt::format("{}: four carriages need it", key),
+                        fmt::format("add {} = \"200 mm\", the distance {} the travel",
+                                    key,
+                                    key[0] == 'c' ? "between carriages along" : "between rails across"));
+  table.finish();
+  return guide;
+}
+
+}  // namespace millwright::machine

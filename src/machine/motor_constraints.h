@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Constraints of motor, driver and accuracy that every drive has. They are generic over the drive's design, which
+// offers motor, cycle, torque_ratios, load_torque, load_inertia, rms_torque, peak_speed and the functions
+// back_driving_torque, power_off_torque, speed_limit, resolution, reversal_error and position_error_budget.
+#pragma once
+
+#include "machine/axis_motion.h"
+#include "machine/constraint.h"
+#include "machine/motor.h"
+#include "machine/requirement.h"
+#include "mechanics/stepper.h"
+#include "scalar/scalars.h"
+
+namespace millwright::machine {
+
+inline constexpr auto always = [](const auto&) { return Applies::yes; };
+
+/// A constant of the same scalar as `like`.
+template <class T>
+T in_unit_like(const T& /*like*/, double value, const scalar::Dimension& dimension) {
+  return scalar::in_unit<T>(value, dimension);
+}
+
+/// Motor and driver.
+template <class Visit>
+void motor_constraints(Visit&& visit) {
+  using namespace scalar;
+  using enum Requirement;
+  namespace st = mechanics::stepper;
+  visit(
+      Declaration{.id = "C-ST-TORQUE",
+                  .title = "Torque at speed, worst phase",
+                  .symbol = "T/T_av",
+                  .unit = "1",
+                  .source = "oriental_motor_sizing, safety factor",
+                  .requirement = "torque_margin",
+                  .worst = WorstPhase::torque_ratio},
+      always,
+      [](const auto& d) { return largest(d.torque_ratios); },
+      [](const auto& d) { return d.motor.torque_margin; });
+  visit(
+      Declaration{.id = "C-ST-80",
+                  .title = "Load torque, 80 % rule",
+                  .symbol = "T_L",
+                  .unit = "N.m",
+                  .source = "sander, eq. 22",
+                  .requirement = "load_torque_factor"},
+      always,
+      [](const auto& d) { return d.load_torque; },
+      [](const auto& d) { return d.require(load_torque_factor) * d.motor.holding_torque; });
+  visit(
+      Declaration{.id = "C-ST-INERTIA",
+                  .title = "Load inertia over rotor inertia",
+                  .symbol = "J_L",
+                  .unit = "kg.cm2",
+                  .source = "parker_sizing, inertia ratio; sander, eq. 21",
+                  .requirement = "inertia_ratio"},
+      always,
+      [](const auto& d) { return d.load_inertia; },
+      [](const auto& d) { return d.require(inertia_ratio) * d.motor.rotor_inertia; });
+  visit(
+      Declaration{.id = "C-ST-RMS",
+                  .title = "RMS torque",
+                  .symbol = "T_rms",
+                  .unit = "N.m",
+                  .kind = ConstraintKind::soft,
+                  .source = "sander, eq. 25",
+                  .requirement = "rms_torque_factor"},
+      always,
+      [](const auto& d) { return d.rms_torque; },
+      [](const auto& d) { return d.require(rms_torque_factor) * d.motor.holding_torque; });
+  visit(
+      Declaration{.id = "C-ST-STEPRATE",
+                  .title = "Step pulse rate",
+                  .symbol = "f",
+                  .unit = "kHz",
+                  .source = "acarnley2002, chapter 5",
+                  .requirement = "step_rate",
+                  .worst = WorstPhase::speed},
+      always,
+      [](const auto& d) {
+        return st::pulse_rate(d.motor.rotor_teeth, decltype(d.peak_speed)(d.data->microsteps), d.peak_speed);
+      },
+      [](const auto& d) {
+        return d.require(step_rate_factor) * d.require(step_rate, dimension::none / dimension::time);
+      });
+  visit(
+      Declaration{.id = "C-ST-HOLD",
+                  .title = "Holding at standstill",
+                  .symbol = "T_h",
+                  .unit = "N.m",
+                  .source = "acarnley2002, chapter 5",
+                  .requirement = "holding_factor"},
+      always,
+      [](const auto& d) { return back_driving_torque(d, d.holding_force); },
+      [](const auto& d) { return d.require(holding_factor) * d.motor.static_torque; });
+  visit(
+      Declaration{.id = "C-ST-BACK",
+                  .title = "Back-driving with power off",
+                  .symbol = "T_b",
+                  .unit = "N.m",
+                  .source = "thk_catalogue, rotational torque; sander, 4.2",
+                  .requirement = "detent_factor"},
+      [](const auto& d) { return d.data->vertical ? Applies::yes : Applies::no; },
+      [](const auto& d) { return power_off_torque(d); },
+      [](const auto& d) {
+        const double brake = d.data->brake_torque / d.data->require(brake_factor);
+        return larger(d.require(detent_factor) * d.motor.detent_torque,
+                      in_unit_like(d.peak_speed, brake, dimension::torque));
+      });
+  visit(
+      Declaration{.id = "C-DR-CURRENT",
+                  .title = "Driver current",
+                  .symbol = "I_p",
+                  .unit = "A",
+                  .source = "millwright_derivations, current that a driver gives",
+                  .requirement = "current_factor"},
+      always,
+      [](const auto& d) { return d.motor.current; },
+      [](const auto& d) { return d.motor.driver_peak_current; });
+  visit(
+      Declaration{.id = "C-DR-VOLT",
+                  .title = "Driver voltage",
+                  .symbol = "V",
+                  .unit = "V",
+                  .source = "millwright_derivations, braking raises the bus voltage",
+                  .requirement = "driver_voltage_factor"},
+      always,
+      [](const auto& d) { return d.motor.voltage; },
+      [](const auto& d) { return d.require(driver_voltage_factor) * d.motor.driver_largest_voltage; });
+  visit(
+      Declaration{.id = "F-DRIVER-VOLTAGE-MIN",
+                  .title = "Driver runs at the supply voltage",
+                  .symbol = "V",
+                  .unit = "V",
+                  .kind = ConstraintKind::fit,
+                  .source = "millwright_derivations, fits of parts"},
+      always,
+      [](const auto& d) { return d.motor.driver_least_voltage; },
+      [](const auto& d) { return d.motor.voltage; });
+  visit(
+      Declaration{.id = "C-SYS-SPEED",
+                  .title = "Rapid speed against every speed limit",
+                  .symbol = "v",
+                  .unit = "mm/s",
+                  .source = "millwright_derivations, smallest of the speed limits",
+                  .worst = WorstPhase::speed},
+      always,
+      [](const auto& d) { return d.cycle.peak_speed; },
+      [](const auto& d) { return speed_limit(d); });
+}
+
+/// Resolution, lost motion and the error budget: checked where the problem states what is required.
+template <class Visit>
+void accuracy_constraints(Visit&& visit) {
+  using namespace scalar;
+  using enum Requirement;
+  visit(
+      Declaration{.id = "C-ACC-RES",
+                  .title = "Resolution",
+                  .symbol = "Δx",
+                  .unit = "um",
+                  .source = "sander, travel of one step",
+                  .requirement = "resolution_fraction"},
+      [](const auto& d) { return d.data->require.known(position_error) ? Applies::yes : Applies::no; },
+      [](const auto& d) { return resolution(d); },
+      [](const auto& d) { return d.require(resolution_fraction) * d.require(position_error, dimension::length); });
+  visit(
+      Declaration{.id = "C-ACC-TOTAL",
+                  .title = "Position error budget",
+                  .symbol = "e",
+                  .unit = "um",
+                  .source = "slocum1992, chapter 2",
+                  .requirement = "position_error"},
+      [](const auto& d) { return d.data->require.known(position_error) ? Applies::yes : Applies::no; },
+      [](const auto& d) { return position_error_budget(d); },
+      [](const auto& d) { return d.require(position_error, dimension::length); });
+  visit(
+      Declaration{.id = "C-ACC-LOST",
+                  .title = "Lost motion on reversal",
+                  .symbol = "Δ",
+                  .unit = "um",
+                  .source = "millwright_derivations, lost motion",
+                  .requirement = "lost_motion"},
+      [](const auto& d) { return d.data->require.known(lost_motion) ? Applies::yes : Applies::no; },
+      [](const auto& d) { return reversal_error(d); },
+      [](const auto& d) { return d.require(lost_motion, dimension::length); });
+}
+
+}  // namespace millwright::machine

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The moves of an axis in a problem file, and whether its stroke and its ramps allow them.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+#include "machine/axis_file.h"
+#include "machine/quantity_reader.h"
+#include "scalar/unit.h"
+#include "text/table_reader.h"
+
+namespace millwright::machine {
+
+using text::Diagnostics;
+using text::Node;
+using text::Presence;
+using text::TableReader;
+
+namespace {
+
+constexpr double rounding = 1.0 + 1e-12;  // quantities that were written in different units
+
+std::string seconds(double time) { return scalar::format(time, scalar::Unit::of("s")); }
+
+Move read_move(const Node& node, const std::string& title, Diagnostics& diagnostics) {
+  Move move;
+  move.where = node.span();
+  TableReader table(node, title, diagnostics);
+  QuantityReader q(table, diagnostics);
+  move.name = table.string("name").value_or("");
+  move.distance = q.quantity("distance", "mm", Sign::positive, Presence::required).value_or(1.0);
+  move.time = q.quantity("time", "s", Sign::positive);
+  move.speed = q.quantity("speed", "mm/s", Sign::positive);
+  move.acceleration_time = q.quantity("acceleration_time", "s", Sign::positive);
+  move.force = q.quantity_or("force", "N", 0.0);
+  move.dwell = q.quantity_or("dwell", "s", 0.0);
+  if (node.is_table() && !table.has("time") && !table.has("speed"))
+    diagnostics.error(
+        node.span(), fmt::format("{} needs a time or a speed", title), "add time = \"1 s\" or speed = \"20 mm/s\"");
+  table.finish();
+  return move;
+}
+
+/// The longest ramp with which the move can be done as its time and speed want it.
+double longest_ramp(const Move& move) {
+  if (!move.speed) return *move.time / 2.0;
+  const double cruising = move.distance / *move.speed;
+  return move.time ? std::min(cruising, *move.time - cruising) : cruising;
+}
+
+class MoveCheck {
+ public:
+  MoveCheck(const Node& node, const Move& move, const MoveLimits& limits, Diagnostics& diagnostics)
+      : node_(node), move_(move), limits_(limits), diagnostics_(diagnostics) {}
+
+  /// The shortest ramp that the axis's range or the move's own ramp allows must fit.
+  void ramps(const Range& range) {
+    const double ramp = move_.acceleration_time.value_or(range.lower);
+    if (longest_ramp(move_) * rounding >= ramp) return;
+    if (move_.speed && move_.time && move_.distance / *move_.speed + ramp > *move_.time * rounding) {
+      complain("time",
+               fmt::format("the move cannot be done in {}: at {} and with ramps of {} it takes {}",
+                           seconds(*move_.time),
+                           scalar::format(*move_.speed, scalar::Unit::of("mm/s")),
+                           seconds(ramp),
+                           seconds(move_.distance / *move_.speed + ramp)),
+               "allow more time, more speed or shorter ramps");
+    } else if (move_.speed) {
+      complain("speed",
+               fmt::format("{} is never reached: ramps of {} take longer than the distance allows",
+                           scalar::format(*move_.speed, scalar::Unit::of("mm/s")),
+                           seconds(ramp)),
+               fmt::format("make acceleration_time {} or less, or lower the speed", seconds(longest_ramp(move_))));
+    } else {
+      complain(
+          "time",
+          fmt::format(
+              "the move is faster than its ramps allow: two ramps of {} in {}", seconds(ramp), seconds(*move_.time)),
+          fmt::format("make acceleration_time {} or less, or allow more time", seconds(longest_ramp(move_))));
+    }
+  }
+
+  void stroke(const Axis& axis) {
+    if (move_.distance <= axis.stroke * rounding) return;
+    const scalar::Unit mm = scalar::Unit::of("mm");
+    diagnostics_.error(node_.find("distance")->span(),
+                       fmt::format("distance: {} is longer than the stroke of axis '{}', {}",
+                                   scalar::format(move_.distance, mm, 6),
+                                   axis.name,
+                                   scalar::format(axis.stroke, mm, 6)),
+                       "lengthen the stroke or shorten the move");
+  }
+
+ private:
+  void complain(const char* key, const std::string& message, const std::string& hint) {
+    text::Diagnostic diagnostic;
+    diagnostic.where = node_.find(key)->span();
+    diagnostic.message = fmt::format("{}: {}", key, message);
+    diagnostic.hint = hint;
+    const Node* own = node_.find("acceleration_time");
+    const Node* ramps = own != nullptr ? own : limits_.ramps_given;
+    if (ramps != nullptr) {
+      diagnostic.related = ramps->span();
+      diagnostic.related_message = "ramps given here";
+    } else {
+      diagnostic.hint += "; without acceleration_time ramps of 0.05 s to 0.5 s are assumed";
+    }
+    diagnostics_.add(std::move(diagnostic));
+  }
+
+  const Node& node_;
+  const Move& move_;
+  const MoveLimits& limits_;
+  Diagnostics& diagnostics_;
+};
+
+/// A range of ramps of which a part is of no use, because a move has no time for it.
+void warn_of_idle_ramps(const std::vector<const Move*>& moves,
+                        const Axis& axis,
+                        const Node* given,
+                        Diagnostics& diagnostics) {
+  if (given == nullptr || axis.acceleration_time.fixed() || !given->is_array()) return;
+  const Move* tightest = nullptr;
+  double limit = axis.acceleration_time.upper;
+  for (const Move* move : moves) {
+    if (move->acceleration_time || longest_ramp(*move) * rounding >= limit) continue;
+    limit = longest_ramp(*move);
+    tightest = move;
+  }
+  if (tightest == nullptr || limit * rounding < axis.acceleration_time.lower) return;
+  text::Diagnostic diagnostic;
+  diagnostic.severity = text::Severity::warning;
+  diagnostic.where = given->at(1).span();
+  diagnostic.message =
+      fmt::format("acceleration_time: a move of axis '{}' has no time for ramps above {}", axis.name, seconds(limit));
+  diagnostic.hint = fmt::format("end the range at \"{}\"", seconds(limit));
+  diagnostic.related = tightest->where;
+  diagnostic.related_message = "this move";
+  diagnostics.add(std::move(diagnostic));
+}
+
+}  // namespace
+
+void read_moves(const Node& moves, const MoveLimits& limits, Axis& axis, Diagnostics& diagnostics) {
+  if (moves.size() == 0)
+    diagnostics.error(moves.span(), fmt::format("axis '{}' has no moves", axis.name), "add an [[axis.moves]]");
+  std::map<std::string, SourceSpan> names;
+  std::vector<bool> sound;
+  for (const Node& node : moves.items()) {
+    const std::size_t before = diagnostics.error_count();
+    axis.moves.push_back(read_move(node, fmt::format("move of axis '{}'", axis.name), diagnostics));
+    const Move& move = axis.moves.back();
+    sound.push_back(diagnostics.error_count() == before);
+    if (sound.back() && limits.ramps) MoveCheck(node, move, limits, diagnostics).ramps(axis.acceleration_time);
+    if (sound.back() && limits.stroke) MoveCheck(node, move, limits, diagnostics).stroke(axis);
+    const Node* name = node.find("name");
+    if (name == nullptr || move.name.empty()) continue;
+    const auto [first, added] = names.try_emplace(move.name, name->span());
+    if (added) continue;
+    text::Diagnostic twice;
+    twice.where = name->span();
+    twice.message = fmt::format("name: axis '{}' has two moves {}", axis.name, text::quoted(move.name));
+    twice.hint = "give each move its own name, or none";
+    twice.related = first->second;
+    twice.related_message = "first here";
+    diagnostics.add(std::move(twice));
+  }
+  std::vector<const Move*> readable;
+  for (std::size_t i = 0; i < axis.moves.size(); ++i)
+    if (sound[i]) readable.push_back(&axis.moves[i]);
+  if (limits.ramps) warn_of_idle_ramps(readable, axis, limits.ramps_given, diagnostics);
+}
+
+}  // namespace millwright::machine

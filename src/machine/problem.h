@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a person wants: a machine of axes, what each must do, and from which catalogues its parts may be chosen. Plain
+// data in SI; `where` fields point into the problem file, so that whatever is said later about an axis can name its
+// line.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "machine/requirement.h"
+#include "text/source_text.h"
+
+namespace millwright::machine {
+
+using text::SourceSpan;
+
+/// A value that may be fixed (lower == upper) or left to the optimiser.
+struct Range {
+  double lower = 0.0;
+  double upper = 0.0;
+  [[nodiscard]] bool fixed() const { return lower == upper; }
+};
+
+enum class Direction { horizontal, vertical, inclined };
+
+/// End conditions of a screw: motor end first.
+enum class Ends { fixed_free, supported_supported, fixed_supported, fixed_fixed };
+
+/// One rest-to-rest move. Trapezoidal profile with equal ramps; time fixes the speed, or the speed is given.
+struct Move {
+  std::string name;
+  double distance = 0.0;                    ///< m
+  std::optional<double> time;               ///< s, of the move; a limit if `speed` is given too
+  std::optional<double> speed;              ///< m/s, of the constant part
+  std::optional<double> acceleration_time;  ///< s; else the axis's
+  double force = 0.0;                       ///< N, process force against the motion
+  double dwell = 0.0;                       ///< s after the move
+  SourceSpan where;
+};
+
+enum class MechanismKind { screw, belt };
+
+struct Mechanism {
+  MechanismKind kind = MechanismKind::screw;
+  // screw
+  bool ball_screws = false;
+  bool lead_screws = false;
+  std::vector<std::string> thread_forms;   ///< of lead screws; empty = all
+  std::vector<std::string> nut_materials;  ///< words that must occur in the nut's material; empty = all
+  Ends ends = Ends::fixed_supported;
+  double end_allowance = 0.080;           ///< m, both journals and the coupling side together
+  bool greased = true;                    ///< friction of sliding nuts: greased or dry
+  std::optional<double> thread_friction;  ///< overrides the nut's catalogue friction
+  double ball_friction = 0.005;           ///< of the balls, DIN/THK range 0.003 to 0.01
+  double preload_fraction = 0.0;          ///< of the dynamic load rating
+  std::optional<double> length;           ///< m, supported length if it is given
+  // belt
+  std::vector<std::string> profiles;  ///< belt profiles; empty = all
+  double belt_efficiency = 0.95;
+  double idler_distance = 0.0;  ///< m, added to stroke + carriage for the pulley centre distance
+  SourceSpan where;
+};
+
+struct MotorChoice {
+  std::vector<std::string> frames;  ///< NEMA frames that may be mounted; empty = all
+  double microsteps = 16.0;
+  double brake_torque = 0.0;  ///< N.m; 0 = no brake
+  SourceSpan where;
+};
+
+/// Profile rails or round shafts that carry the axis.
+struct GuideChoice {
+  std::vector<std::string> kinds;  ///< words in the catalogue's kind; empty = all
+  double rails = 2.0;
+  double carriages = 4.0;         ///< in all
+  double carriage_spacing = 0.0;  ///< m along the travel
+  double rail_spacing = 0.0;      ///< m
+  double load_offset_x = 0.0;     ///< m, of the moved weight from the centre of the carriages
+  double load_offset_y = 0.0;
+  double force_height = 0.0;  ///< m, process force above the carriages
+  SourceSpan where;
+};
+
+enum class MemberKind { round_shaft, rectangular_bar, section_beam, column, weld };
+enum class BeamSupport { supported, fixed, cantilever };
+
+/// A piece of structure: its size is chosen (a catalogue section, or free dimensions) so that it carries the axis.
+struct Member {
+  std::string name;  ///< slot name: beam, column, shaft, weld
+  MemberKind kind = MemberKind::section_beam;
+  BeamSupport support = BeamSupport::supported;
+  double length = 0.0;                          ///< m, span
+  double count = 1.0;                           ///< members sharing the load equally
+  double extra_force = 0.0;                     ///< N, beside the weight of what the axis carries
+  double lateral_force = 0.0;                   ///< N, horizontal, across the member
+  double load_share = 1.0;                      ///< of the carried weight that this group of members takes
+  bool is_guide = false;                        ///< a guide shaft: C-GD-*, else a frame member: C-FR-*
+  bool rides = false;                           ///< moves with the axis instead of standing on its parent
+  std::vector<std::string> sections;            ///< families a section may come from
+  std::vector<std::string> section_kinds;       ///< words in the catalogue's kind (channel, angle, ...); empty = all
+  std::string material;                         ///< part number in materials
+  Range diameter;                               ///< round_shaft
+  Range width, height;                          ///< rectangular_bar
+  double lever_arm = 0.0;                       ///< m, weld: of the force about the joint
+  double joint_width = 0.0, joint_depth = 0.0;  ///< m, weld all around a rectangle
+  Range leg;                                    ///< m, weld leg
+  double end_fixity = 1.0;                      ///< column
+  SourceSpan where;
+};
+
+struct Axis {
+  std::string name;
+  std::vector<std::string> carries;
+  Direction direction = Direction::horizontal;
+  double inclination = 0.0;           ///< rad; 0 horizontal, pi/2 vertical
+  double stroke = 0.0;                ///< m
+  double structure_mass = 0.0;        ///< kg, moves with the axis and is not chosen here
+  double payload_mass = 0.0;          ///< kg, tool or workpiece
+  double guide_friction = 0.0;        ///< coefficient on the weight normal to the travel
+  double guide_drag = 0.0;            ///< N, constant
+  double counterbalance_force = 0.0;  ///< N
+  Mechanism mechanism;
+  MotorChoice motor;
+  std::optional<GuideChoice> guide;
+  std::vector<Member> members;
+  std::vector<Move> moves;
+  Range acceleration_time{0.05, 0.5};
+  Requirements require;
+  bool keep_every_candidate = false;  ///< also candidates that another one beats in every respect
+  SourceSpan where;
+
+  // filled by the reader
+  std::optional<std::size_t> carried_by;  ///< index of the parent axis
+};
+
+struct CurrencyRate {
+  double rate = 1.0;  ///< of one unit, in the problem's currency
+  std::string date;
+};
+
+struct Problem {
+  std::string title;
+  std::string source;
+  std::string file;
+  std::string objective = "cost";
+  std::string currency = "USD";
+  std::map<std::string, CurrencyRate, std::less<>> currencies;
+  std::vector<double> supply_voltages;  ///< V
+  std::vector<std::string> catalogues;  ///< overlay folders beside the problem file
+  std::vector<Axis> axes;               ///< as in the file
+  std::vector<std::size_t> order;       ///< axes from the tools to the bases: an axis comes after all it carries
+};
+
+}  // namespace millwright::machine

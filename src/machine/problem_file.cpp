@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The problem file as a whole: title, objective, supply, the axes. One axis is read by axis_file.cpp, how the axes
+// carry each other is worked out in carrying.cpp, rates of exchange are read by currency_file.cpp.
+#include "machine/problem_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "machine/axis_file.h"
+#include "machine/carrying.h"
+#include "machine/currency_file.h"
+#include "machine/quantity_reader.h"
+#include "text/table_reader.h"
+
+namespace millwright::machine {
+
+using text::Diagnostics;
+using text::Node;
+using text::TableReader;
+
+namespace {
+
+void read_supply(const Node& node, Problem& problem, Diagnostics& diagnostics) {
+  TableReader table(node, "[supply]", diagnostics);
+  QuantityReader q(table, diagnostics);
+  const Node* given = q.required("voltage", "voltage = [\"24 V\", \"36 V\"]");
+  if (given != nullptr && given->is_array() && given->size() == 0)
+    diagnostics.error(given->span(), "voltage: the list is empty", "write voltage = [\"24 V\", \"36 V\"]");
+  std::vector<const Node*> nodes;
+  for (const Node* node_of_value : table.list("voltage")) {
+    const auto volts = q.of_node(*node_of_value, "voltage", "V", Sign::positive);
+    if (!volts) continue;
+    const auto same = std::find_if(problem.supply_voltages.begin(), problem.supply_voltages.end(), [&](double other) {
+      return std::abs(other - *volts) < 1e-6;
+    });
+    if (same == problem.supply_voltages.end()) {
+      problem.supply_voltages.push_back(*volts);
+      nodes.push_back(node_of_value);
+      continue;
+    }
+    text::Diagnostic twice;
+    twice.where = node_of_value->span();
+    twice.message = fmt::format("voltage: {} V is there twice", *volts);
+    twice.hint = "leave one out";
+    twice.related = nodes[static_cast<std::size_t>(same - problem.supply_voltages.begin())]->span();
+    twice.related_message = "first here";
+    diagnostics.add(std::move(twice));
+  }
+  table.finish();
+}
+
+void read_axes(const Node& axes, const Requirements& shared, Problem& problem, Diagnostics& diagnostics) {
+  if (axes.size() == 0) diagnostics.error(axes.span(), "axis: a machine needs at least one", "add an [[axis]]");
+  std::map<std::string, SourceSpan> names;
+  for (const Node& node : axes.items()) {
+    Axis axis = read_axis(node, shared, diagnostics);
+    const Node* name = node.find("name");
+    if (!axis.name.empty()) {
+      const auto [first, added] = names.try_emplace(axis.name, name->span());
+      if (!added) {
+        text::Diagnostic twice;
+        twice.where = name->span();
+        twice.message = fmt::format("name: axis '{}' is there twice", axis.name);
+        twice.hint = "give each axis its own name";
+        twice.related = first->second;
+        twice.related_message = "first here";
+        diagnostics.add(std::move(twice));
+      }
+    }
+    if (axis.name == "machine")
+      diagnostics.error(name->span(),
+                        "name: an axis cannot be called 'machine'",
+                        "in bills of materials that name stands for what the axes share");
+    problem.axes.push_back(std::move(axis));
+  }
+  link_axes(axes, problem, diagnostics);
+}
+
+void read_objective(const Node& node, Problem& problem, Diagnostics& diagnostics) {
+  TableReader reader(node, "[objective]", diagnostics);
+  QuantityReader q(reader, diagnostics);
+  if (q.required("minimise", "minimise = \"cost\"") != nullptr)
+    problem.objective = reader.word("minimise", {"cost", "mass"}).value_or("cost");
+  reader.finish();
+}
+
+}  // namespace
+
+std::optional<Problem> problem_of(const text::Document& document, Diagnostics& diagnostics) {
+  const std::size_t errors = diagnostics.error_count();
+  Problem problem;
+  problem.file = document.text()->path();
+  TableReader table(document.root(), "problem", diagnostics);
+  problem.title = table.string("title").value_or("");
+  problem.source = table.string("source").value_or("");
+  QuantityReader q(table, diagnostics);
+  if (const Node* catalogues = table.find("catalogues"); catalogues != nullptr && catalogues->size() > 0)
+    problem.catalogues = q.words("catalogues");
+  else
+    problem.catalogues = table.strings("catalogues");
+  if (const Node* objective = table.table("objective"); objective != nullptr)
+    read_objective(*objective, problem, diagnostics);
+  if (const Node* currencies = table.table("currency"); currencies != nullptr)
+    read_currencies(*currencies, problem, diagnostics);
+  if (q.required("supply", "a table [supply] with voltage = [\"24 V\", \"36 V\"]") != nullptr)
+    if (const Node* supply = table.table("supply"); supply != nullptr) read_supply(*supply, problem, diagnostics);
+  Requirements shared;
+  if (const Node* require = table.table("require"); require != nullptr)
+    read_requirements(*require, "[require]", shared, diagnostics);
+  if (q.required("axis", "an [[axis]] with its name, stroke, mechanism and moves") != nullptr)
+    if (const Node* axes = table.array("axis"); axes != nullptr) read_axes(*axes, shared, problem, diagnostics);
+  table.finish();
+  if (diagnostics.error_count() > errors) return std::nullopt;
+  return problem;
+}
+
+std::optional<Problem> read_problem(const std::filesystem::path& path,
+                                    const std::vector<std::pair<std::string, std::string>>& settings,
+                                    Diagnostics& diagnostics) {
+  auto document = text::read_document(path.string(), diagnostics);
+  if (!document) return std::nullopt;
+  bool good = true;
+  for (const auto& [key, value] : settings) good = document->set(key, value, diagnostics) && good;
+  if (!good) return std::nullopt;
+  return problem_of(*document, diagnostics);
+}
+
+}  // namespace millwright::machine

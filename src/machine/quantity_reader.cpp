@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "machine/quantity_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "scalar/unit.h"
+#include "text/number.h"
+
+namespace millwright::machine {
+
+using text::Node;
+using text::Presence;
+
+namespace {
+
+constexpr UsualValues usual[] = {
+    {"mm", "700 mm", 1e-9, 1e3},
+    {"m", "0.05 mm", 1e-9, 1e3},
+    {"s", "0.2 s", 1e-6, 1e10},  // up to the service lives that people wish for
+    {"kg", "16 kg", 1e-9, 1e6},
+    {"N", "60 N", 1e-9, 1e8},
+    {"N.m", "0.5 N.m", 1e-9, 1e6},
+    {"mm/s", "20 mm/s", 1e-9, 1e3},
+    {"V", "24 V", 1e-3, 1e3},
+    {"deg", "30 deg", 1e-9, 10.0},
+    {"Hz", "30 kHz", 1e-3, 1e9},
+    {"Pa", "80 N/mm^2", 1.0, 1e12},
+    {"rad/m", "0.3 deg/m", 1e-9, 1e3},
+    {"1", "1", 1e-9, 1e9},
+};
+
+std::string quoted_unless_number(std::string_view unit, std::string_view example) {
+  return unit == "1" ? std::string(example) : fmt::format("\"{}\"", example);
+}
+
+std::string without_end(std::string_view text) {
+  while (!text.empty() && (text.back() == ' ' || text.back() == ';' || text.back() == ':')) text.remove_suffix(1);
+  return std::string(text);
+}
+
+/// What the unit reader says in one sentence is a complaint and, mostly, an advice.
+void take_apart(const std::string& reason, QuantityFault& fault) {
+  for (const std::string_view seam : {", did you mean", "; ", ": write"}) {
+    const std::size_t at = reason.find(seam);
+    if (at == std::string::npos) continue;
+    fault.message = without_end(std::string_view(reason).substr(0, at));
+    fault.hint = reason.substr(at + 2);
+    return;
+  }
+  fault.message = reason;
+}
+
+/// Which bytes of the text are meant: the number if it is none, else the unit, or the one name in it that is unknown.
+void locate(std::string_view text, const std::string& reason, QuantityFault& fault) {
+  const std::size_t begin = std::min(text.find_first_not_of(" \t"), text.size());
+  const std::size_t blank = std::min(text.find(' ', begin), text.size());
+  const std::size_t unit = std::min(text.find_first_not_of(" \t", blank), text.size());
+  const std::size_t end = std::max(text.find_last_not_of(" \t") + 1, unit);
+  std::string ignored;
+  const bool number = scalar::parse_number(text.substr(begin, blank - begin), ignored).has_value();
+  fault.offset = number && unit < end ? unit : begin;
+  fault.length = (number && unit < end ? end : blank) - fault.offset;
+  constexpr std::string_view unknown = "unknown unit '";
+  const std::size_t name = reason.find(unknown);
+  if (!number || name == std::string::npos) return;
+  const std::size_t from = name + unknown.size();
+  const std::string word = reason.substr(from, reason.find('\'', from) - from);
+  const std::size_t at = word.empty() ? std::string_view::npos : text.find(word, unit);
+  if (at == std::string_view::npos) return;
+  fault.offset = at;
+  fault.length = word.size();
+}
+
+std::string_view first_word(std::string_view text) {
+  text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
+  return text.substr(0, text.find(' '));
+}
+
+/// Letters and signs that look like those of a number: 7OO, −5.
+std::optional<std::string> look_alike(std::string_view text) {
+  const std::string_view number = first_word(text);
+  if (number.empty() || text::parse_number(number)) return std::nullopt;
+  std::string hint = text::number_hint(number);
+  if (hint.starts_with("letter") || hint.starts_with("a minus sign")) return hint;
+  return std::nullopt;
+}
+
+}  // namespace
+
+UsualValues usual_values(std::string_view unit) {
+  for (const UsualValues& values : usual)
+    if (values.unit == unit) return values;
+  return {unit, "", 0.0, std::numeric_limits<double>::max()};
+}
+
+bool check_magnitude(double value, std::string_view unit, Sign sign, QuantityFault& fault) {
+  const UsualValues values = usual_values(unit);
+  const scalar::Unit shown = scalar::Unit::of(unit);
+  const scalar::Unit large = unit.starts_with("mm") ? scalar::Unit::of(unit.substr(1)) : shown;
+  fault.hint = fmt::format("write for example {}", quoted_unless_number(unit, values.example));
+  if (sign != Sign::any && value < 0.0) {
+    fault.message = "must not be negative";
+  } else if (sign == Sign::positive && value == 0.0) {
+    fault.message = "must be greater than zero";
+  } else if (!(std::fabs(value) <= values.largest)) {
+    fault.message = "more than any machine has";
+    fault.hint = fmt::format("at most {}: is it the right unit?", scalar::format(values.largest, large));
+  } else if (sign == Sign::positive && value < values.smallest) {
+    fault.message = "less than any machine has";
+    fault.hint = fmt::format("at least {}: is it the right unit?", scalar::format(values.smallest, shown));
+  } else {
+    return true;
+  }
+  return false;
+}
+
+std::optional<double> read_quantity(std::string_view text, std::string_view unit, Sign sign, QuantityFault& fault) {
+  std::string reason;
+  const scalar::Unit expected = scalar::Unit::of(unit);
+  if (const auto quantity = scalar::parse_quantity(text, expected, reason)) {
+    if (check_magnitude(quantity->si, unit, sign, fault)) return quantity->si;
+    const std::size_t begin = std::min(text.find_first_not_of(" \t"), text.size());
+    fault.offset = begin;
+    fault.length = std::min(text.find_first_of(" \t", begin), text.size()) - begin;
+    return std::nullopt;
+  }
+  take_apart(reason, fault);
+  if (const auto advice = look_alike(text)) {
+    fault.message = fmt::format("'{}' is not a number", first_word(text));
+    fault.hint = *advice;
+  } else if (fault.hint.empty()) {
+    fault.hint = fmt::format("write for example {}", quoted_unless_number(unit, usual_values(unit).example));
+  }
+  locate(text, reason, fault);
+  return std::nullopt;
+}
+
+std::optional<double> QuantityReader::of_node(const Node& node,
+                                              std::string_view what,
+                                              std::string_view unit,
+                                              Sign sign) {
+  const bool plain = unit == "1";
+  QuantityFault fault;
+  if (node.is_number()) {
+    if (plain && check_magnitude(*node.as_number(), unit, sign, fault)) return node.as_number();
+    if (!plain) {
+      fault.message = "a bare number where a unit is needed";
+      const UsualValues values = usual_values(unit);
+      fault.hint = fmt::format("write \"{} {}\"", *node.as_number(), values.unit == "m" ? "mm" : values.unit);
+    }
+    diagnostics_.error(node.span(), fmt::format("{}: {}", what, fault.message), fault.hint);
+    return std::nullopt;
+  }
+  if (!node.is_string()) {
+    diagnostics_.error(node.span(),
+                       fmt::format("{}: {} where a {} is needed",
+                                   what,
+                                   text::describe(node.kind()),
+                                   plain ? "number" : "quantity with a unit"),
+                       fmt::format("write for example {}", quoted_unless_number(unit, usual_values(unit).example)));
+    return std::nullopt;
+  }
+  const std::string words = *node.as_string();
+  if (const auto value = read_quantity(words, unit, sign, fault)) return value;
+  diagnostics_.error(node.part_span(fault.offset, std::max<std::size_t>(fault.length, 1)),
+                     fmt::format("{}: {}", what, fault.message),
+                     fault.hint);
+  return std::nullopt;
+}
+
+std::optional<double> QuantityReader::quantity(std::string_view key,
+                                               std::string_view unit,
+                                               Sign sign,
+                                               Presence presence) {
+  const Node* node =
+      presence == Presence::required
+          ? required(key, fmt::format("{} = {}", key, quoted_unless_number(unit, usual_values(unit).example)))
+          : table_.find(key);
+  if (node == nullptr) return std::nullopt;
+  return of_node(*node, key, unit, sign);
+}
+
+double QuantityReader::quantity_or(std::string_view key, std::string_view unit, double fallback, Sign sign) {
+  return quantity(key, unit, sign).value_or(fallback);
+}
+
+double QuantityReader::share_or(std::string_view key, double fallback, bool zero) {
+  const auto value = quantity(key, "1", zero ? Sign::not_negative : Sign::positive);
+  if (!value) return fallback;
+  if (*value <= 1.0) return *value;
+  diagnostics_.error(table_.find(key)->span(),
+                     fmt::format("{}: a share is at most 1, this is {:.6g}", key, *value),
+                     "80 percent are 0.8 or \"80 %\"");
+  return fallback;
+}
+
+double QuantityReader::count_or(std::string_view key, double fallback, int least, int most) {
+  const auto value = quantity(key, "1", Sign::any);
+  if (!value) return fallback;
+  if (*value == std::floor(*value) && *value >= least && *value <= most) return *value;
+  diagnostics_.error(
+      table_.find(key)->span(),
+      fmt::format("{}: a whole number from {} to {} is needed, this is {:.6g}", key, least, most, *value),
+      fmt::format("write for example {}", fallback));
+  return fallback;
+}
+
+std::optional<Range> QuantityReader::range(std::string_view key, std::string_view unit, Presence presence) {
+  const std::string_view example = usual_values(unit).example;
+  const Node* node =
+      presence == Presence::required ? required(key, fmt::format("{} = \"{}\"", key, example)) : table_.find(key);
+  if (node == nullptr) return std::nullopt;
+  if (!node->is_array()) {
+    const auto value = of_node(*node, key, unit, Sign::positive);
+    if (!value) return std::nullopt;
+    return Range{*value, *value};
+  }
+  if (node->size() != 2) {
+    diagnostics_.error(node->span(),
+                       fmt::format("{}: a range has two ends, this list has {}", key, node->size()),
+                       fmt::format("write [\"1 {}\", \"2 {}\"]", unit, unit));
+    return std::nullopt;
+  }
+  const auto lower = of_node(node->at(0), key, unit, Sign::positive);
+  const auto upper = of_node(node->at(1), key, unit, Sign::positive);
+  if (!lower || !upper) return std::nullopt;
+  if (*lower > *upper) {
+    diagnostics_.error(node->span(), fmt::format("{}: the lower end is above the upper end", key), "swap the two");
+    return std::nullopt;
+  }
+  return Range{*lower, *upper};
+}
+
+}  // namespace millwright::machine

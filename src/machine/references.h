@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/catalogue.h"
+#include "machine/problem.h"
+#include "text/diagnostic.h"
+
+namespace millwright::machine {
+
+/// Whether everything that the problem names in the catalogues exists there: the materials of its members. What does
+/// not is reported at the member, with the nearest name.
+bool check_references(const Problem& problem, const catalogue::Catalogue& catalogue, text::Diagnostics& diagnostics);
+
+}  // namespace millwright::machine

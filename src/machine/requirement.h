@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Every factor and limit that a user may set, declared once: key in the problem file, unit, default and where the
+// default comes from.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace millwright::machine {
+
+enum class Requirement : std::size_t {
+  torque_margin,
+  torque_margin_estimate,
+  load_torque_factor,
+  inertia_ratio,
+  rms_torque_factor,
+  step_rate,
+  step_rate_factor,
+  holding_factor,
+  detent_factor,
+  brake_factor,
+  screw_safety_factor,
+  screw_shear_safety_factor,
+  thread_safety_factor,
+  bearing_pressure_factor,
+  pv_factor,
+  buckling_factor,
+  critical_speed_factor,
+  twist_per_length,
+  self_locking_factor,
+  life,
+  static_safety,
+  permissible_axial_stress,
+  fatigue_load_factor,
+  current_factor,
+  driver_voltage_factor,
+  supply_reserve,
+  coupling_shock_factor,
+  overtravel,
+  position_error,
+  position_error_over,
+  lost_motion,
+  resolution_fraction,
+  belt_service_factor,
+  belt_teeth_in_mesh,
+  belt_preload_fraction,
+  guide_static_safety,
+  guide_load_factor,
+  guide_shaft_safety_factor,
+  guide_shaft_deflection_ratio,
+  frame_safety_factor,
+  frame_deflection_ratio,
+  column_factor,
+  weld_stress,
+  shaft_safety_factor,
+  count_
+};
+
+inline constexpr std::size_t requirement_count = static_cast<std::size_t>(Requirement::count_);
+
+struct RequirementDeclaration {
+  Requirement requirement;
+  std::string_view key;   ///< in [axis.require] or [require] of the problem file
+  std::string_view unit;  ///< UDUNITS text; "1" for a bare number
+  double default_value;   ///< SI; NaN = no default: the checks that need it are made only when it is given
+  std::string_view meaning;
+  std::string_view source;  ///< of the default
+};
+
+/// All requirements, in the order of the enumeration.
+std::span<const RequirementDeclaration> requirements();
+
+/// The declaration with this key, if any.
+const RequirementDeclaration* find_requirement(std::string_view key);
+
+/// The requirements of one axis: defaults, overridden by the problem file.
+class Requirements {
+ public:
+  Requirements();
+  void set(Requirement requirement, double value);
+  [[nodiscard]] double operator()(Requirement requirement) const {
+    return values_[static_cast<std::size_t>(requirement)];
+  }
+  [[nodiscard]] bool given(Requirement requirement) const { return given_[static_cast<std::size_t>(requirement)]; }
+  /// Whether there is a value at all (a default or a given one).
+  [[nodiscard]] bool known(Requirement requirement) const;
+
+ private:
+  std::array<double, requirement_count> values_{};
+  std::array<bool, requirement_count> given_{};
+};
+
+}  // namespace millwright::machine

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Tables of requirements in a problem file: every declared key in its declared unit.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "machine/axis_file.h"
+#include "machine/quantity_reader.h"
+#include "text/table_reader.h"
+
+namespace millwright::machine {
+
+using text::Diagnostics;
+using text::Node;
+using text::Presence;
+using text::TableReader;
+
+namespace {
+
+/// The kind of factor tells which side of 1 it belongs on; the other side is legal, for what-if questions, but odd.
+enum class Side { any, share, safety };
+
+Side side_of(Requirement requirement) {
+  switch (requirement) {
+    case Requirement::torque_margin:
+    case Requirement::torque_margin_estimate:
+    case Requirement::load_torque_factor:
+    case Requirement::step_rate_factor:
+    case Requirement::holding_factor:
+    case Requirement::detent_factor:
+    case Requirement::bearing_pressure_factor:
+    case Requirement::pv_factor:
+    case Requirement::buckling_factor:
+    case Requirement::critical_speed_factor:
+    case Requirement::driver_voltage_factor:
+    case Requirement::resolution_fraction:
+    case Requirement::guide_shaft_deflection_ratio:
+    case Requirement::frame_deflection_ratio:
+    case Requirement::column_factor:
+      return Side::share;
+    case Requirement::brake_factor:
+    case Requirement::screw_safety_factor:
+    case Requirement::screw_shear_safety_factor:
+    case Requirement::thread_safety_factor:
+    case Requirement::self_locking_factor:
+    case Requirement::static_safety:
+    case Requirement::fatigue_load_factor:
+    case Requirement::supply_reserve:
+    case Requirement::coupling_shock_factor:
+    case Requirement::belt_service_factor:
+    case Requirement::belt_preload_fraction:
+    case Requirement::guide_static_safety:
+    case Requirement::guide_load_factor:
+    case Requirement::guide_shaft_safety_factor:
+    case Requirement::frame_safety_factor:
+    case Requirement::shaft_safety_factor:
+      return Side::safety;
+    default:
+      return Side::any;
+  }
+}
+
+void warn_of_side(const Node& node, const RequirementDeclaration& declaration, double value, Diagnostics& diagnostics) {
+  const Side side = side_of(declaration.requirement);
+  if (side == Side::share && value > 1.0)
+    diagnostics.warning(
+        node.span(),
+        fmt::format("{}: {:.6g} allows more than the part can bear", declaration.key, value),
+        fmt::format("{}: usually at most 1, default {:.4g}", declaration.meaning, declaration.default_value));
+  if (side == Side::safety && value < 1.0)
+    diagnostics.warning(
+        node.span(),
+        fmt::format("{}: {:.6g} is less than no safety at all", declaration.key, value),
+        fmt::format("{}: usually at least 1, default {:.4g}", declaration.meaning, declaration.default_value));
+}
+
+/// The position error may state the travel it holds over: { limit = "0.05 mm", over = "300 mm" }.
+void read_position_error(const Node& value, Requirements& require, Diagnostics& diagnostics) {
+  TableReader inner(value, "position_error", diagnostics);
+  QuantityReader q(inner, diagnostics);
+  if (const auto limit = q.quantity("limit", "mm", Sign::positive, Presence::required))
+    require.set(Requirement::position_error, *limit);
+  if (const auto over = q.quantity("over", "mm", Sign::positive)) require.set(Requirement::position_error_over, *over);
+  inner.finish();
+}
+
+}  // namespace
+
+void read_requirements(const Node& node, const std::string& title, Requirements& require, Diagnostics& diagnostics) {
+  TableReader table(node, title, diagnostics);
+  QuantityReader q(table, diagnostics);
+  for (const RequirementDeclaration& declaration : requirements()) {
+    const Node* value = table.find(declaration.key);
+    if (value == nullptr) continue;
+    if (declaration.requirement == Requirement::position_error && value->is_table()) {
+      read_position_error(*value, require, diagnostics);
+      if (value->find("over") != nullptr)
+        q.refuse({"position_error_over"}, "is given as 'over' of position_error already", "leave one out");
+      continue;
+    }
+    if (declaration.requirement == Requirement::position_error_over && node.find("position_error") != nullptr &&
+        node.find("position_error")->find("over") != nullptr)
+      continue;  // reported with position_error
+    const auto number = q.of_node(*value, declaration.key, declaration.unit, Sign::positive);
+    if (!number) continue;
+    require.set(declaration.requirement, *number);
+    warn_of_side(*value, declaration, *number, diagnostics);
+  }
+  if (require.known(Requirement::position_error_over) && !require.known(Requirement::position_error) &&
+      node.find("position_error_over") != nullptr && node.find("position_error") == nullptr)
+    diagnostics.error(node.key_span("position_error_over"),
+                      "position_error_over: without a position_error it says nothing",
+                      "write position_error = { limit = \"0.05 mm\", over = \"300 mm\" }");
+  table.finish();
+}
+
+}  // namespace millwright::machine

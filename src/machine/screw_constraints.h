@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Constraints of a screw with its nut, each declared once (see constraint.h): what every screw must hold, sliding nuts,
+// ball screws. `visit(declaration, applies, demand, capacity)`.
+#pragma once
+
+#include "machine/motor_constraints.h"
+#include "machine/screw_drive_quantities.h"
+
+namespace millwright::machine {
+
+inline constexpr auto when_sliding = [](const auto& d) { return d.sliding(); };
+inline constexpr auto when_ball = [](const auto& d) { return d.ball(); };
+
+/// Travel, time, and strength of the core: every screw.
+template <class Visit>
+void screw_shaft_constraints(Visit&& visit) {
+  using namespace scalar;
+  using enum Requirement;
+  namespace ps = mechanics::power_screw;
+  visit(
+      Declaration{.id = "C-SYS-TRAVEL",
+                  .title = "Usable travel",
+                  .symbol = "s",
+                  .unit = "mm",
+                  .source = "millwright_derivations, usable travel",
+                  .requirement = "overtravel"},
+      always,
+      [](const auto& d) {
+        return in_unit_like(d.screw.lead, d.data->stroke + 2.0 * d.data->require(overtravel), dimension::length);
+      },
+      [](const auto& d) { return d.screw.travel; });
+  visit(
+      Declaration{.id = "C-SYS-TIME",
+                  .title = "Ramps and cruise fit into the move",
+                  .symbol = "t/t_allowed",
+                  .unit = "1",
+                  .source = "millwright_derivations, kinematics of equal ramps"},
+      always,
+      [](const auto& d) { return d.cycle.time_ratio; },
+      [](const auto& d) { return decltype(d.cycle.time_ratio)(1.0); });
+  visit(
+      Declaration{.id = "C-SCR-VM",
+                  .title = "Core stress, von Mises",
+                  .symbol = "σ_v",
+                  .unit = "MPa",
+                  .source = "shigley, section 5-5",
+                  .requirement = "screw_safety_factor",
+                  .worst = WorstPhase::force},
+      always,
+      [](const auto& d) { return ps::von_mises_stress(d.largest_force, d.screw_torque, d.screw.root_diameter); },
+      [](const auto& d) {
+        return mechanics::material::allowable_stress(d.screw.yield_strength, d.require(screw_safety_factor));
+      });
+  visit(
+      Declaration{.id = "C-SCR-TMAX",
+                  .title = "Core stress, maximum shear",
+                  .symbol = "τ_max",
+                  .unit = "MPa",
+                  .source = "torch_table, eq. 21 to 23",
+                  .requirement = "screw_shear_safety_factor",
+                  .worst = WorstPhase::force},
+      always,
+      [](const auto& d) { return ps::maximum_shear_stress(d.largest_force, d.screw_torque, d.screw.root_diameter); },
+      [](const auto& d) {
+        return mechanics::material::von_mises_shear_yield(d.screw.yield_strength) /
+               d.require(screw_shear_safety_factor);
+      });
+  visit(
+      Declaration{.id = "C-SCR-SIGMA",
+                  .title = "Core stress, maximum principal",
+                  .symbol = "σ_max",
+                  .unit = "MPa",
+                  .source = "torch_table, eq. 20 and 22",
+                  .requirement = "screw_shear_safety_factor",
+                  .worst = WorstPhase::force},
+      always,
+      [](const auto& d) {
+        return ps::maximum_principal_stress(d.largest_force, d.screw_torque, d.screw.root_diameter);
+      },
+      [](const auto& d) {
+        return mechanics::material::allowable_stress(d.screw.yield_strength, d.require(screw_shear_safety_factor));
+      });
+  visit(
+      Declaration{.id = "C-SCR-TWIST",
+                  .title = "Twist of the screw",
+                  .symbol = "θ",
+                  .unit = "deg",
+                  .source = "sularso_suga, shafts; mini_mill, eq. 19",
+                  .requirement = "twist_per_length",
+                  .worst = WorstPhase::force},
+      always,
+      [](const auto& d) {
+        return ps::torsional_windup(
+            d.screw_torque, d.screw.supported_length, d.screw.shear_modulus, d.screw.root_diameter);
+      },
+      [](const auto& d) {
+        return d.require(twist_per_length, dimension::none / dimension::length) * d.screw.supported_length;
+      });
+}
+
+/// Thread, stability and speed of a lead screw with a sliding nut.
+template <class Visit>
+void sliding_screw_constraints(Visit&& visit) {
+  using namespace scalar;
+  using enum Requirement;
+  namespace ps = mechanics::power_screw;
+  visit(
+      Declaration{.id = "C-SCR-PB",
+                  .title = "Thread bearing pressure",
+                  .symbol = "p_b",
+                  .unit = "MPa",
+                  .source = "khurmi_gupta2005, section 17.13",
+                  .requirement = "bearing_pressure_factor",
+                  .worst = WorstPhase::force},
+      when_sliding,
+      [](const auto& d) { return bearing_pressure(d); },
+      [](const auto& d) { return d.require(bearing_pressure_factor) * d.screw.allowable_pressure; });
+  visit(
+      Declaration{.id = "C-SCR-PV",
+                  .title = "Nut pressure times sliding speed",
+                  .symbol = "PV",
+                  .unit = "MPa.m/s",
+                  .source = "thomson_pv",
+                  .requirement = "pv_factor",
+                  .worst = WorstPhase::force},
+      when_sliding,
+      [](const auto& d) { return ps::pressure_velocity(bearing_pressure(d), sliding_speed(d)); },
+      [](const auto& d) { return d.require(pv_factor) * d.screw.pv_limit; });
+  visit(
+      Declaration{.id = "C-SCR-VS",
+                  .title = "Nut sliding speed",
+                  .symbol = "v_s",
+                  .unit = "m/s",
+                  .source = "thomson_pv; millwright_derivations, sliding speed",
+                  .requirement = "pv_factor",
+                  .worst = WorstPhase::speed},
+      when_sliding,
+      [](const auto& d) { return sliding_speed(d); },
+      [](const auto& d) { return d.require(pv_factor) * d.screw.sliding_speed_limit; });
+  visit(
+      Declaration{.id = "C-SCR-SHS",
+                  .title = "Thread shear, screw",
+                  .symbol = "τ_s",
+                  .unit = "MPa",
+                  .source = "khurmi_gupta2005, section 17.13",
+                  .requirement = "thread_safety_factor",
+                  .worst = WorstPhase::force},
+      when_sliding,
+      [](const auto& d) {
+        return ps::thread_shear_stress(
+            d.largest_force, d.screw.root_diameter, d.screw.screw_root_thickness, d.screw.engaged_turns);
+      },
+      [](const auto& d) {
+        return mechanics::material::von_mises_shear_yield(d.screw.yield_strength) / d.require(thread_safety_factor);
+      });
+  visit(
+      Declaration{.id = "C-SCR-SHN",
+                  .title = "Thread shear, nut",
+                  .symbol = "τ_n",
+                  .unit = "MPa",
+                  .source = "khurmi_gupta2005, section 17.13",
+                  .requirement = "thread_safety_factor",
+                  .worst = WorstPhase::force},
+      when_sliding,
+      [](const auto& d) {
+        return ps::thread_shear_stress(
+            d.largest_force, d.screw.nut_thread_diameter, d.screw.nut_root_thickness, d.screw.engaged_turns);
+      },
+      [](const auto& d) {
+        return mechanics::material::von_mises_shear_yield(d.screw.nut_yield_strength) / d.require(thread_safety_factor);
+      });
+  visit(
+      Declaration{.id = "C-SCR-BEND",
+                  .title = "Thread bending, screw",
+                  .symbol = "σ_b",
+                  .unit = "MPa",
+                  .source = "shigley, eq. 8-11",
+                  .requirement = "thread_safety_factor",
+                  .worst = WorstPhase::force},
+      when_sliding,
+      [](const auto& d) {
+        return ps::thread_bending_stress(d.largest_force,
+                                         d.screw.root_diameter,
+                                         d.screw.thread_depth,
+                                         d.screw.screw_root_thickness,
+                                         d.screw.engaged_turns);
+      },
+      [](const auto& d) {
+        return mechanics::material::allowable_stress(d.screw.yield_strength, d.require(thread_safety_factor));
+      });
+  visit(
+      Declaration{.id = "C-SCR-BUCK",
+                  .title = "Screw buckling",
+                  .symbol = "F",
+                  .unit = "N",
+                  .source = "khurmi_gupta2005, section 16.4",
+                  .requirement = "buckling_factor",
+                  .worst = WorstPhase::force},
+      when_sliding,
+      [](const auto& d) { return d.largest_force; },
+      [](const auto& d) { return d.require(buckling_factor) * d.screw.buckling_load; });
+  visit(
+      Declaration{.id = "C-SCR-NCRIT",
+                  .title = "Screw critical speed",
+                  .symbol = "ω",
+                  .unit = "rpm",
+                  .source = "thk_catalogue, permissible speed",
+                  .requirement = "critical_speed_factor",
+                  .worst = WorstPhase::speed},
+      when_sliding,
+      [](const auto& d) { return d.peak_speed; },
+      [](const auto& d) { return d.require(critical_speed_factor) * d.screw.critical_speed; });
+  visit(
+      Declaration{.id = "C-SCR-LOCK",
+                  .title = "Self-locking with power off",
+                  .symbol = "tan λ/μ_e",
+                  .unit = "1",
+                  .source = "khurmi_gupta2005, section 17.9",
+                  .requirement = "self_locking_factor"},
+      [](const auto& d) { return d.data->vertical && d.data->brake_torque <= 0.0 ? d.sliding() : Applies::no; },
+      [](const auto& d) { return d.screw.self_locking_ratio; },
+      [](const auto& d) { return 1.0 / d.require(self_locking_factor); });
+}
+
+/// Life, static safety, stability and speed of a ball screw.
+template <class Visit>
+void ball_screw_constraints(Visit&& visit) {
+  using namespace scalar;
+  using enum Requirement;
+  namespace bs = mechanics::ball_screw;
+  visit(
+      Declaration{.id = "C-BS-LIFE",
+                  .title = "Ball screw life",
+                  .symbol = "L_h",
+                  .unit = "h",
+                  .source = "iso3408_5, clause 7",
+                  .requirement = "life"},
+      when_ball,
+      [](const auto& d) { return d.require(life, dimension::time); },
+      [](const auto& d) { return ball_screw_life(d); });
+  visit(
+      Declaration{.id = "C-BS-STATIC",
+                  .title = "Ball screw static safety",
+                  .symbol = "f_s F",
+                  .unit = "N",
+                  .source = "thk_catalogue, A15",
+                  .requirement = "static_safety",
+                  .worst = WorstPhase::force},
+      when_ball,
+      [](const auto& d) { return d.require(static_safety) * static_load(d); },
+      [](const auto& d) { return d.screw.static_rating; });
+  visit(
+      Declaration{.id = "C-BS-AXIAL",
+                  .title = "Axial stress of the ball screw shaft",
+                  .symbol = "F",
+                  .unit = "N",
+                  .source = "thk_catalogue, A15",
+                  .requirement = "permissible_axial_stress",
+                  .worst = WorstPhase::force},
+      when_ball,
+      [](const auto& d) { return d.largest_force; },
+      [](const auto& d) { return d.screw.permissible_axial_load; });
+  visit(
+      Declaration{.id = "C-BS-BUCK",
+                  .title = "Ball screw buckling",
+                  .symbol = "F",
+                  .unit = "N",
+                  .source = "thk_catalogue, A15",
+                  .worst = WorstPhase::force},
+      when_ball,
+      [](const auto& d) { return d.largest_force; },
+      [](const auto& d) { return d.screw.buckling_load; });
+  visit(
+      Declaration{.id = "C-BS-NCRIT",
+                  .title = "Ball screw critical speed",
+                  .symbol = "ω",
+                  .unit = "rpm",
+                  .source = "thk_catalogue, A15",
+                  .worst = WorstPhase::speed},
+      when_ball,
+      [](const auto& d) { return d.peak_speed; },
+      [](const auto& d) { return d.screw.critical_speed; });
+  visit(
+      Declaration{.id = "C-BS-DN",
+                  .title = "Ball speed (DN value)",
+                  .symbol = "DN",
+                  .unit = "mm.rpm",
+                  .source = "thk_catalogue, A15",
+                  .worst = WorstPhase::speed},
+      when_ball,
+      [](const auto& d) { return bs::speed_value(d.screw.pitch_circle, d.peak_speed); },
+      [](const auto& d) { return d.screw.speed_value_limit; });
+}
+
+}  // namespace millwright::machine

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// All constraints of a screw drive; those of motor, driver and accuracy are shared with other drives.
+#pragma once
+
+#include "machine/motor_constraints.h"
+#include "machine/screw_constraints.h"
+#include "machine/screw_fit_constraints.h"
+
+namespace millwright::machine {
+
+template <class Visit>
+void screw_drive_constraints(Visit&& visit) {
+  screw_shaft_constraints(visit);
+  sliding_screw_constraints(visit);
+  ball_screw_constraints(visit);
+  motor_constraints(visit);
+  coupling_constraints(visit);
+  accuracy_constraints(visit);
+  screw_fit_constraints(visit);
+}
+
+}  // namespace millwright::machine

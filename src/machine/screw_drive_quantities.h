@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Quantities that one or two constraints of a screw drive need and that are more than one formula.
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "machine/screw_drive.h"
+
+namespace millwright::machine {
+
+/// `with()` where the property holds, `without` where it does not; for a set of designs of which some have it, both.
+template <class T, class With>
+T where_applies(Applies applies, const T& without, With&& with) {
+  if (applies == Applies::no) return without;
+  const T result = with();
+  if constexpr (requires { hull(without, result); }) {
+    if (applies == Applies::some) return hull(without, result);
+  }
+  return result;
+}
+
+/// Pressure on the engaged thread flanks [Pa].
+template <class T>
+T bearing_pressure(const ScrewDrive<T>& d) {
+  return mechanics::power_screw::bearing_pressure(
+      d.largest_force, d.screw.mean_diameter, d.screw.thread_depth, d.screw.engaged_turns);
+}
+
+/// Sliding speed on the mean diameter at the largest screw speed [m/s].
+template <class T>
+T sliding_speed(const ScrewDrive<T>& d) {
+  return mechanics::power_screw::sliding_speed(d.peak_speed, d.screw.mean_diameter, d.screw.lead);
+}
+
+/// Life of the ball screw [s]: cubic mean load over the cycle (with preload), at the mean speed of the cycle, dwells
+/// included.
+template <class T>
+T ball_screw_life(const ScrewDrive<T>& d) {
+  using namespace scalar;
+  namespace bs = mechanics::ball_screw;
+  std::vector<T> forces, speeds, durations;
+  for (std::size_t i = 0; i < d.cycle.phases.size(); ++i) {
+    const Phase<T>& phase = d.cycle.phases[i];
+    forces.push_back(d.data->preloaded ? bs::loaded_side_force(d.axial_forces[i], d.screw.preload) : d.axial_forces[i]);
+    speeds.push_back(mechanics::power_screw::angular_speed(phase.mean_speed, d.screw.lead));
+    durations.push_back(phase.duration);
+  }
+  const T mean_load = named(
+      "F_m", bs::mean_load(std::span<const T>(forces), std::span<const T>(speeds), std::span<const T>(durations)));
+  const T revolutions =
+      named("L", bs::life_revolutions(d.screw.dynamic_rating, mean_load, d.require(Requirement::fatigue_load_factor)));
+  const T mean_speed = named("ω_m", d.cycle.travelled * 2.0 * pi<T>() / d.screw.lead / d.cycle.total_time);
+  return bs::life_time(revolutions, mean_speed);
+}
+
+/// Largest load of one raceway [N], preload included.
+template <class T>
+T static_load(const ScrewDrive<T>& d) {
+  return d.data->preloaded ? mechanics::ball_screw::loaded_side_force(d.largest_force, d.screw.preload)
+                           : d.largest_force;
+}
+
+/// Torque that a force along the travel puts on the motor shaft at standstill [N.m]; 0 when self-locking.
+template <class T>
+T back_driving_torque(const ScrewDrive<T>& d, const T& force) {
+  return mechanics::actuation::backdriving_torque(
+      force, d.screw.lead, d.screw.reverse_efficiency, scalar::in_unit<T>(0.0, scalar::dimension::force), T(1.0));
+}
+
+/// The same with power off, the weight against friction [N.m].
+template <class T>
+T power_off_torque(const ScrewDrive<T>& d) {
+  return mechanics::actuation::backdriving_torque(
+      d.cycle.gravity_force, d.screw.lead, d.screw.reverse_efficiency, d.cycle.friction_force, T(1.0));
+}
+
+/// Smallest of all speed limits of the drive, as a speed of the axis [m/s].
+template <class T>
+T speed_limit(const ScrewDrive<T>& d) {
+  using namespace scalar;
+  const T pulse = d.require(Requirement::step_rate_factor) *
+                  d.require(Requirement::step_rate, dimension::none / dimension::time) * 2.0 * pi<T>() /
+                  (4.0 * d.motor.rotor_teeth * d.data->microsteps);
+  T limit = smaller(pulse, smaller(d.coupling.largest_speed, d.support_fixed.largest_speed));
+  limit = where_applies(d.sliding(), limit, [&] {
+    return smaller(limit, d.require(Requirement::critical_speed_factor) * d.screw.critical_speed);
+  });
+  limit = where_applies(d.ball(), limit, [&] {
+    return smaller(limit, smaller(d.screw.critical_speed, d.screw.speed_value_limit / d.screw.pitch_circle));
+  });
+  return limit * d.screw.lead / (2.0 * pi<T>());
+}
+
+/// Travel of one microstep [m].
+template <class T>
+T resolution(const ScrewDrive<T>& d) {
+  return mechanics::accuracy::linear_resolution(d.screw.lead, 4.0 * d.motor.rotor_teeth, T(d.data->microsteps), T(1.0));
+}
+
+/// Axial stiffness between motor and table at the far end of the travel [N/m]: shaft, fixed bearing, and the nut of a
+/// ball screw. Lead nuts have no published stiffness and are left out (the estimate is then on the stiff side).
+template <class T>
+T axial_stiffness(const ScrewDrive<T>& d) {
+  namespace ps = mechanics::power_screw;
+  const std::array<T, 3> chain{
+      ps::axial_stiffness_one_end_fixed(d.screw.elastic_modulus, d.screw.root_diameter, d.screw.supported_length),
+      d.support_fixed.axial_stiffness,
+      d.screw.nut_stiffness};
+  const auto of_first = [&](std::size_t links) {
+    return mechanics::ball_screw::chain_stiffness(std::span<const T>(chain).first(links));
+  };
+  return where_applies(d.ball(), of_first(2), [&] { return of_first(3); });
+}
+
+/// Reversal error [m]: play and twice the elastic deflection under friction.
+template <class T>
+T reversal_error(const ScrewDrive<T>& d) {
+  return mechanics::ball_screw::lost_motion(d.cycle.friction_force, axial_stiffness(d), d.screw.backlash);
+}
+
+/// Error budget of the axis [m]: lead error, lost motion, wind-up and motor lag systematically, step accuracy and
+/// resolution at random. Lead error counts over the stated travel and at least over the 300 mm for which catalogues
+/// state it.
+template <class T>
+T position_error_budget(const ScrewDrive<T>& d) {
+  using namespace scalar;
+  const double over = d.data->require.known(Requirement::position_error_over)
+                          ? d.data->require(Requirement::position_error_over)
+                          : d.data->stroke;
+  const T lead_error = named("e_l", (over > 0.3 ? over / 0.3 : 1.0) * d.screw.lead_error_300);
+  const T lost = named("e_r", reversal_error(d));
+  const T twist = mechanics::power_screw::torsional_windup(
+                      d.load_torque, d.screw.supported_length, d.screw.shear_modulus, d.screw.root_diameter) +
+                  mechanics::coupling::windup(d.load_torque, d.coupling.stiffness);
+  const T windup = named("e_w", mechanics::power_screw::windup_error(twist, d.screw.lead));
+  const T torque = smaller(d.load_torque, d.motor.static_torque);
+  const T lag =
+      named("e_s", mechanics::accuracy::load_lag(torque, d.motor.static_torque, d.motor.rotor_teeth, d.screw.lead));
+  const std::array<T, 4> systematic{lead_error, lost, windup, lag};
+  const T step = 0.05 * d.screw.lead / (4.0 * d.motor.rotor_teeth);
+  const std::array<T, 2> random{named("e_t", step), named("e_q", 0.5 * resolution(d))};
+  return mechanics::accuracy::mixed_error(std::span<const T>(systematic), std::span<const T>(random));
+}
+
+/// How the free end sits in its support, 1 being the limit: a journal is turned from the root, so its bore must not
+/// exceed the root; a pillow block may also clamp the unturned screw, whose outside must then be its bore.
+template <class T>
+T free_support_fit(const ScrewDrive<T>& d) {
+  using namespace scalar;
+  const T turned = d.support_free.bore / d.screw.root_diameter;
+  const T clamped =
+      larger(d.support_free.bore / d.screw.nominal_diameter, d.screw.nominal_diameter / d.support_free.bore);
+  // What cannot clamp is as far from clamping as from fitting.
+  const T clamping = clamped + (1.0 - d.support_free.clamps) * 1e3;
+  return smaller(turned, clamping);
+}
+
+}  // namespace millwright::machine

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The coupling of a screw drive, and what of its parts must fit together (see constraint.h).
+#pragma once
+
+#include "machine/motor_constraints.h"
+#include "machine/screw_drive_quantities.h"
+
+namespace millwright::machine {
+
+/// The coupling between motor and screw.
+template <class Visit>
+void coupling_constraints(Visit&& visit) {
+  using namespace scalar;
+  using enum Requirement;
+  visit(
+      Declaration{.id = "C-CP-TORQUE",
+                  .title = "Coupling torque",
+                  .symbol = "T_c",
+                  .unit = "N.m",
+                  .source = "ktr_couplings, shock factor",
+                  .requirement = "coupling_shock_factor",
+                  .worst = WorstPhase::torque},
+      always,
+      [](const auto& d) {
+        return mechanics::coupling::required_torque(
+            d.largest_torque, d.motor.rotor_inertia, d.load_inertia, d.require(coupling_shock_factor));
+      },
+      [](const auto& d) { return d.coupling.rated_torque; });
+}
+
+/// What must fit together. Written as utilisations like everything else: a bore that is too large for a shaft is a
+/// demand over its limit.
+template <class Visit>
+void screw_fit_constraints(Visit&& visit) {
+  using namespace scalar;
+  using enum ConstraintKind;
+  visit(
+      Declaration{.id = "F-COUPLING-MOTOR",
+                  .title = "Motor shaft fits the coupling's largest bore",
+                  .symbol = "d",
+                  .unit = "mm",
+                  .kind = fit,
+                  .source = "millwright_derivations, fits of parts"},
+      always,
+      [](const auto& d) { return d.motor_shaft; },
+      [](const auto& d) { return d.coupling.largest_bore; });
+  visit(
+      Declaration{.id = "F-COUPLING-MOTOR-MIN",
+                  .title = "Motor shaft is not thinner than the coupling's least bore",
+                  .symbol = "d",
+                  .unit = "mm",
+                  .kind = fit,
+                  .source = "millwright_derivations, fits of parts"},
+      always,
+      [](const auto& d) { return d.coupling.least_bore; },
+      [](const auto& d) { return d.motor_shaft; });
+  visit(
+      Declaration{.id = "F-COUPLING-SCREW",
+                  .title = "Screw journal is not thinner than the coupling's least bore",
+                  .symbol = "d",
+                  .unit = "mm",
+                  .kind = fit,
+                  .source = "millwright_derivations, fits of parts"},
+      always,
+      [](const auto& d) { return d.coupling.least_bore; },
+      [](const auto& d) { return d.support_fixed.bore; });
+  visit(
+      Declaration{.id = "F-SUPPORT-FIXED",
+                  .title = "Journal of the fixed support can be turned from the screw",
+                  .symbol = "d",
+                  .unit = "mm",
+                  .kind = fit,
+                  .source = "millwright_derivations, fits of parts"},
+      always,
+      [](const auto& d) { return d.support_fixed.bore; },
+      [](const auto& d) { return d.screw.root_diameter; });
+  visit(
+      Declaration{
+          .id = "F-SUPPORT-FREE",
+          .title = "Journal of the free support can be turned from the screw, or its block clamps the plain screw",
+          .symbol = "d/d_max",
+          .unit = "1",
+          .kind = fit,
+          .source = "millwright_derivations, fits of parts"},
+      [](const auto& d) { return d.data->free_end ? Applies::no : Applies::yes; },
+      [](const auto& d) { return free_support_fit(d); },
+      [](const auto& d) { return decltype(d.peak_speed)(1.0); });
+  visit(
+      Declaration{.id = "F-SUPPORT-LOAD",
+                  .title = "Axial load on the fixed support",
+                  .symbol = "F",
+                  .unit = "N",
+                  .kind = fit,
+                  .source = "thk_catalogue, support units",
+                  .worst = WorstPhase::force},
+      always,
+      [](const auto& d) { return d.largest_force; },
+      [](const auto& d) { return d.support_fixed.permissible_axial_load; });
+  visit(
+      Declaration{.id = "F-SUPPORT-SPEED",
+                  .title = "Speed of the support bearings",
+                  .symbol = "ω",
+                  .unit = "rpm",
+                  .kind = fit,
+                  .source = "thk_catalogue, support units",
+                  .worst = WorstPhase::speed},
+      always,
+      [](const auto& d) { return d.peak_speed; },
+      [](const auto& d) { return smaller(d.support_fixed.largest_speed, d.support_free.largest_speed); });
+  visit(
+      Declaration{.id = "F-COUPLING-SPEED",
+                  .title = "Speed of the coupling",
+                  .symbol = "ω",
+                  .unit = "rpm",
+                  .kind = fit,
+                  .source = "ktr_couplings",
+                  .worst = WorstPhase::speed},
+      always,
+      [](const auto& d) { return d.peak_speed; },
+      [](const auto& d) { return d.coupling.largest_speed; });
+}
+
+}  // namespace millwright::machine

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mechanics/formula.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+
+#include "mechanics/formula_definition.h"
+
+namespace millwright::mechanics {
+
+namespace {
+
+std::string text_of(double value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+std::string trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \n");
+  if (first == std::string_view::npos) return {};
+  return std::string(text.substr(first, text.find_last_not_of(" \n") - first + 1));
+}
+
+const char* kind_name(ArgumentKind kind) {
+  switch (kind) {
+    case ArgumentKind::number:
+      return "a number";
+    case ArgumentKind::list:
+      return "a list";
+    case ArgumentKind::choice:
+      return "one of its names";
+  }
+  return "";
+}
+
+void check_range(const Argument& argument, double value, std::vector<std::string>& sentences) {
+  const std::string& unit = argument.unit;
+  const std::string suffix = unit.empty() || unit == "1" || unit == "any" ? "" : " " + unit;
+  if (std::isnan(value)) {
+    sentences.push_back(argument.name + " is not a number");
+  } else if (value < argument.lower) {
+    sentences.push_back(argument.name + " = " + text_of(value) + suffix + " is below " + text_of(argument.lower) +
+                        suffix);
+  } else if (value > argument.upper) {
+    sentences.push_back(argument.name + " = " + text_of(value) + suffix + " is above " + text_of(argument.upper) +
+                        suffix);
+  }
+}
+
+}  // namespace
+
+Formula::Formula(FormulaHeader header, std::vector<Argument> arguments, Evaluators evaluators)
+    : header_(std::move(header)), arguments_(std::move(arguments)), evaluators_(evaluators) {
+  if (header_.name.empty() || header_.unit.empty() || header_.source.empty())
+    throw std::logic_error("formula '" + header_.name + "' lacks its name, unit or source");
+  for (Argument& argument : arguments_) {
+    argument.typical_lower = std::clamp(argument.typical_lower, argument.lower, argument.upper);
+    argument.typical_upper = std::clamp(argument.typical_upper, argument.lower, argument.upper);
+  }
+}
+
+std::string_view Formula::element() const { return std::string_view(name()).substr(0, name().find('.')); }
+
+std::vector<std::string> Formula::source_keys() const {
+  std::vector<std::string> keys;
+  std::istringstream parts(source());
+  for (std::string part; std::getline(parts, part, ';');) keys.push_back(trimmed(part.substr(0, part.find(','))));
+  return keys;
+}
+
+std::vector<std::string> Formula::violations(std::span<const ArgumentValue<double>> values) const {
+  check_shape(values.size(), [&](std::size_t i) { return values[i].index(); });
+  std::vector<std::string> sentences;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const Argument& argument = arguments_[i];
+    if (const double* number = std::get_if<double>(&values[i])) check_range(argument, *number, sentences);
+    if (const auto* list = std::get_if<std::vector<double>>(&values[i])) {
+      for (double value : *list) check_range(argument, value, sentences);
+      if (list->empty()) sentences.push_back(argument.name + " is an empty list");
+      const int other = argument.same_length_as;
+      if (other >= 0 && std::get<std::vector<double>>(values[static_cast<std::size_t>(other)]).size() != list->size())
+        sentences.push_back(argument.name + " and " + arguments_[static_cast<std::size_t>(other)].name +
+                            " differ in length");
+    }
+  }
+  if (!sentences.empty()) return sentences;  // the relations below may divide by what was just found to be bad
+  for (const Validity& condition : conditions_)
+    if (!condition.holds(values)) sentences.push_back("it does not hold that " + condition.text);
+  return sentences;
+}
+
+void Formula::fail_count(std::size_t count) const {
+  throw std::invalid_argument(name() + " takes " + std::to_string(arguments_.size()) + " arguments, not " +
+                              std::to_string(count));
+}
+
+void Formula::fail_kind(std::size_t index) const {
+  throw std::invalid_argument(name() + ": argument " + arguments_[index].name + " takes " +
+                              kind_name(arguments_[index].kind));
+}
+
+namespace detail {
+
+std::pair<double, double> typical_range(std::string_view unit) {
+  struct Range {
+    std::string_view unit;
+    double lower, upper;
+  };
+  static constexpr std::array ranges{
+      Range{"m", 1e-3, 1},        Range{"m/s", 1e-2, 2},       Range{"m/s^2", 0.1, 10},      Range{"m/s^3", 10, 1e3},
+      Range{"s", 0.05, 10},       Range{"rad", 0.02, 1.2},     Range{"rad/s", 1, 400},       Range{"rad/s^2", 1, 1e4},
+      Range{"Hz", 1, 1e4},        Range{"N", 1, 1e4},          Range{"N.m", 0.01, 20},       Range{"N/m", 1e5, 1e9},
+      Range{"N.m/rad", 10, 1e5},  Range{"Pa", 1e6, 1e9},       Range{"kg", 0.1, 200},        Range{"kg/m", 5e-3, 10},
+      Range{"kg/m^3", 1e3, 1e4},  Range{"kg.m^2", 1e-6, 1e-2}, Range{"m^2", 1e-5, 1e-2},     Range{"m^3", 1e-8, 1e-4},
+      Range{"m^4", 1e-12, 1e-6},  Range{"m/N", 1e-9, 1e-5},    Range{"m^2/N", 1e-16, 1e-13}, Range{"m^3/s", 1e-9, 1e-5},
+      Range{"1/K", 5e-6, 3e-5},   Range{"K", 1, 100},          Range{"K/W", 0.5, 10},        Range{"W", 0.5, 1e3},
+      Range{"J", 0.1, 100},       Range{"V", 5, 80},           Range{"A", 0.5, 8},           Range{"ohm", 0.2, 10},
+      Range{"H", 5e-4, 2e-2},     Range{"F", 1e-4, 1e-2},      Range{"Pa.s", 10, 1e3},       Range{"N.m/A", 0.05, 2},
+      Range{"s/rad", 1e-5, 1e-3}, Range{"any", 1, 100}};
+  for (const Range& range : ranges)
+    if (range.unit == unit) return {range.lower, range.upper};
+  return {0.1, 5.0};
+}
+
+void describe(Argument& argument,
+              std::string name,
+              std::string symbol,
+              std::string unit,
+              std::string meaning,
+              ArgumentKind kind) {
+  std::tie(argument.typical_lower, argument.typical_upper) = typical_range(unit);
+  argument.name = std::move(name);
+  argument.symbol = std::move(symbol);
+  argument.unit = std::move(unit);
+  argument.meaning = std::move(meaning);
+  argument.kind = kind;
+}
+
+}  // namespace detail
+
+}  // namespace millwright::mechanics

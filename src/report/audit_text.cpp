@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/audit_text.h"
+
+#include <fmt/format.h>
+
+#include "scalar/unit.h"
+
+namespace millwright::report {
+
+using evaluation::AuditReport;
+using evaluation::AuditRow;
+using evaluation::AuditVerdict;
+
+namespace {
+
+std::string number_text(const std::optional<double>& value) {
+  return value ? scalar::format_number(*value, 6) : std::string("-");
+}
+
+std::string verdict_text(AuditVerdict verdict, const Style& style) {
+  const std::string word = to_string(verdict);
+  switch (verdict) {
+    case AuditVerdict::agrees:
+      return style.good(word);
+    case AuditVerdict::unit:
+    case AuditVerdict::differs:
+      return style.bad(word);
+    case AuditVerdict::rounding:
+    case AuditVerdict::missing_input:
+      break;
+  }
+  return word;
+}
+
+std::string remark(const AuditRow& row) {
+  if (!row.missing.empty()) return row.missing;
+  return row.factor_name;
+}
+
+std::string computed_text(const AuditRow& row) {
+  return number_text(row.computed) + (row.computed && row.unit != "1" ? " " + row.unit : "");
+}
+
+TextTable table_of() {
+  return TextTable({{"axis"},
+                    {"id"},
+                    {"quantity", Align::left, 28},
+                    {"printed", Align::right},
+                    {"computed", Align::right},
+                    {"ratio", Align::right},
+                    {"verdict"},
+                    {"", Align::left, 40}});
+}
+
+std::vector<std::string> cells_of(const AuditRow& row, const Style& style) {
+  return {row.axis,
+          row.id,
+          row.quantity,
+          row.printed_text,
+          computed_text(row),
+          number_text(row.ratio),
+          verdict_text(row.verdict, style),
+          remark(row)};
+}
+
+std::string derivation_text(const AuditRow& row, const Style& style) {
+  std::string out = fmt::format("{}  {}  {}\n", style.heading(row.id), row.quantity, style.faint(row.formula));
+  for (const scalar::DerivationLine& line : row.derivation) out += "    " + scalar::to_string(line) + "\n";
+  for (const std::string& violation : row.violations) out += "    outside the formula's validity: " + violation + "\n";
+  return out + fmt::format("    printed {}, {}: {}{}\n\n",
+                           row.printed_text,
+                           row.computed ? "computed " + computed_text(row) : "not computed",
+                           verdict_text(row.verdict, style),
+                           remark(row).empty() ? "" : " (" + remark(row) + ")");
+}
+
+}  // namespace
+
+std::string audit_text(const AuditReport& report, bool derive, const Style& style) {
+  std::string out = style.heading(report.title) + "\n\n";
+  TextTable table = table_of();
+  for (const AuditRow& row : report.rows) table.add(cells_of(row, style));
+  out += table.str(2, style) + "\n";
+  if (derive)
+    for (const AuditRow& row : report.rows) out += derivation_text(row, style);
+  out += fmt::format("{} results:", report.rows.size());
+  const char* separator = " ";
+  for (const AuditVerdict verdict : {AuditVerdict::agrees,
+                                     AuditVerdict::rounding,
+                                     AuditVerdict::unit,
+                                     AuditVerdict::differs,
+                                     AuditVerdict::missing_input}) {
+    out += fmt::format("{}{} {}", separator, report.count(verdict), to_string(verdict));
+    separator = ", ";
+  }
+  return out + "\n";
+}
+
+}  // namespace millwright::report

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/bom_csv.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "scalar/unit.h"
+
+namespace millwright::report {
+
+std::string csv_cell(std::string_view text) {
+  const bool plain = text.find_first_of(",;\"\r\n") == std::string_view::npos &&
+                     (text.empty() || (text.front() != ' ' && text.back() != ' ' && text.front() != '#'));
+  if (plain) return std::string(text);
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"') quoted += '"';
+    quoted += c;
+  }
+  return quoted + '"';
+}
+
+std::string exact_quantity(double si, std::string_view unit, std::string_view si_unit) {
+  const scalar::Unit shown = scalar::Unit::of(unit);
+  const double near = shown.from_si(si);
+  for (const double value :
+       {std::round(near * 1e6) / 1e6, near, std::nextafter(near, -HUGE_VAL), std::nextafter(near, HUGE_VAL)})
+    if (shown.to_si(value) == si) return fmt::format("{} {}", value, unit);
+  return fmt::format("{} {}", si, si_unit);
+}
+
+std::string bom_csv(const evaluation::Design& design) {
+  std::string out = "axis,slot,manufacturer,part_number,quantity,length,value\n";
+  for (const evaluation::PartLine& part : design.parts) {
+    // A member made to measure is told by its dimensions below; its material stands in the problem.
+    if (part.family == "materials") continue;
+    out += fmt::format("{},{},{},{},{},{},\n",
+                       csv_cell(part.axis),
+                       csv_cell(part.slot),
+                       csv_cell(part.manufacturer),
+                       csv_cell(part.part_number),
+                       part.quantity,
+                       part.length > 0.0 ? scalar::format(part.length, scalar::Unit::of("mm"), 7) : "");
+  }
+  for (const evaluation::DimensionLine& line : design.dimensions) {
+    const std::string value =
+        line.unit == "m" ? exact_quantity(line.value, "mm", "m") : fmt::format("{} {}", line.value, line.unit);
+    out += fmt::format("{},{},,,,,{}\n", csv_cell(line.axis), csv_cell(line.name), csv_cell(value));
+  }
+  return out;
+}
+
+}  // namespace millwright::report

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/design_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "scalar/unit.h"
+
+namespace millwright::report {
+
+using evaluation::Check;
+using evaluation::Design;
+using evaluation::PartLine;
+using evaluation::Verdict;
+using machine::ConstraintKind;
+
+namespace {
+
+std::string part_name(const PartLine& part) {
+  return part.manufacturer.empty() ? part.part_number : part.manufacturer + " " + part.part_number;
+}
+
+std::string length_text(double metres) {
+  return metres > 0.0 ? scalar::format(metres, scalar::Unit::of("mm")) : std::string();
+}
+
+std::string mass_text(double kilograms) { return kilograms > 0.0 ? fmt::format("{:.3f}", kilograms) : std::string(); }
+
+std::vector<std::string> axes_with_parts(const MachineResult& result, const Design& design) {
+  std::vector<std::string> axes = result.axes;
+  axes.emplace_back("machine");
+  const auto has_none = [&](const std::string& axis) {
+    return std::none_of(
+        design.parts.begin(), design.parts.end(), [&](const PartLine& part) { return part.axis == axis; });
+  };
+  axes.erase(std::remove_if(axes.begin(), axes.end(), has_none), axes.end());
+  return axes;
+}
+
+/// What the parts do not account for: members that are made to measure and priced by their mass.
+std::string made_to_measure(const Design& design) {
+  double cost = design.cost;
+  double mass = design.mass;
+  for (const PartLine& part : design.parts) {
+    cost -= part.price;
+    mass -= part.mass;
+  }
+  if (cost < 0.005 && mass < 5e-4) return {};
+  return fmt::format("  Members made to measure, by their mass: {:.2f} {}, {:.3f} kg\n", cost, design.currency, mass);
+}
+
+std::string verdict_text(const Check& check, const Style& style) {
+  switch (check.verdict) {
+    case Verdict::satisfied:
+      return style.good("ok");
+    case Verdict::violated:
+      return check.kind == ConstraintKind::soft ? std::string("over") : style.bad("FAIL");
+    case Verdict::not_evaluated:
+      return "open";
+  }
+  return {};
+}
+
+std::string value_text(double value) { return std::isnan(value) ? "-" : scalar::format_number(value, 4); }
+
+std::string unit_text(const std::string& unit) { return unit == "1" ? std::string() : unit; }
+
+}  // namespace
+
+std::string utilisation_text(const Check& check) {
+  if (check.verdict == Verdict::not_evaluated || std::isnan(check.utilisation)) return "-";
+  if (check.utilisation > 9.99) return "> 999 %";
+  const double percent = 100.0 * check.utilisation;
+  // 100.004 % fails and must not look like the limit itself.
+  if (percent > 100.0 && percent < 100.05) return "> 100 %";
+  return fmt::format("{:.1f} %", percent);
+}
+
+std::string parts_text(const MachineResult& result, const Design& design, const Style& style) {
+  std::string out = style.heading("Parts") + "\n";
+  bool estimates = false;
+  TextTable table({{"axis"},
+                   {"slot"},
+                   {"part", Align::left, 34},
+                   {"qty", Align::right},
+                   {"length", Align::right},
+                   {design.currency, Align::right},
+                   {"kg", Align::right},
+                   {"origin"}});
+  for (const std::string& axis : axes_with_parts(result, design)) {
+    std::string shown = axis;
+    for (const PartLine& part : design.parts) {
+      if (part.axis != axis) continue;
+      estimates = estimates || part.estimate;
+      table.add({shown,
+                 part.slot,
+                 part_name(part),
+                 scalar::format_number(part.quantity),
+                 length_text(part.length),
+                 fmt::format("{}{:.2f}", part.estimate ? "~" : "", part.price),
+                 mass_text(part.mass),
+                 part.origin});
+      shown.clear();
+    }
+  }
+  out += table.str(2, style) + made_to_measure(design);
+  out += fmt::format("  Total: {:.2f} {}, {:.3f} kg\n", design.cost, design.currency, design.mass);
+  if (estimates) out += "  ~ the price, or a figure of the part that matters, is an estimate\n";
+  return out + "\n";
+}
+
+std::string dimensions_text(const Design& design, const Style& style) {
+  if (design.dimensions.empty()) return {};
+  TextTable table({{""}, {""}, {"", Align::right}});
+  for (const evaluation::DimensionLine& line : design.dimensions)
+    table.add(
+        {line.axis, line.name, scalar::format(line.value, scalar::Unit::of(line.unit == "m" ? "mm" : line.unit))});
+  return style.heading("Dimensions and settings") + "\n" + table.str(2) + "\n";
+}
+
+std::string governing_text(const MachineResult& result, const Design& design, const Style& style) {
+  TextTable table({{""}, {""}, {""}, {"", Align::right}, {""}});
+  for (const std::string& axis : checked_axes(result))
+    if (const Check* check = design.governing(axis))
+      table.add({axis, check->id, check->title, utilisation_text(*check), verdict_text(*check, style)});
+  return table.empty() ? std::string() : style.heading("Governing check of each axis") + "\n" + table.str(2) + "\n";
+}
+
+std::string checks_text(const MachineResult& result, const Design& design, const Style& style) {
+  std::string out;
+  std::set<std::string> notes;
+  bool soft = false;
+  bool open = false;
+  for (const std::string& axis : checked_axes(result)) {
+    TextTable table({{"id"},
+                     {"check", Align::left, 36},
+                     {"value", Align::right},
+                     {"limit", Align::right},
+                     {""},
+                     {"used", Align::right},
+                     {""},
+                     {"worst in"}});
+    for (const Check* check : checks_of(design, axis)) {
+      const bool is_soft = check->kind == ConstraintKind::soft;
+      soft = soft || is_soft;
+      open = open || check->verdict == Verdict::not_evaluated;
+      if (!check->note.empty()) notes.insert(check->id + ": " + check->note);
+      table.add({check->id + (is_soft ? "*" : ""),
+                 check->title,
+                 value_text(check->value),
+                 value_text(check->limit),
+                 unit_text(check->unit),
+                 utilisation_text(*check),
+                 verdict_text(*check, style),
+                 check->phase});
+    }
+    out += style.heading(axis == "machine" ? "Checks of the machine" : "Checks of axis " + axis) + "\n";
+    out += table.str(2, style) + "\n";
+  }
+  if (soft) out += "  * reported, not enforced\n";
+  if (open) out += "  open: a figure that the check needs is not known\n";
+  for (const std::string& note : notes) out += "  " + note + "\n";
+  return soft || open || !notes.empty() ? out + "\n" : out;
+}
+
+std::string requirements_text(const MachineResult& result, const Style& style) {
+  TextTable table({{"requirement"}, {"value", Align::right}, {"axes"}, {"from"}, {"meaning", Align::left, 44}});
+  for (const RequirementLine& line : result.requirements)
+    table.add({line.key,
+               shown_value(line),
+               fmt::format("{}", fmt::join(line.axes, " ")),
+               line.given ? "problem" : "default: " + line.source,
+               line.meaning});
+  return table.empty() ? std::string()
+                       : style.heading("Requirements behind the checks") + "\n" + table.str(2, style) + "\n";
+}
+
+std::string assumptions_text(const Design& design, const Style& style) {
+  std::set<std::string> bases;
+  for (const PartLine& part : design.parts)
+    if (!part.price_basis.empty()) bases.insert(part.price_basis);
+  std::string out = style.heading("Assumptions") + "\n";
+  out += "  End machining of screws and shafts costs nothing here; cables, fasteners and tax are not included.\n";
+  out += "  Parts are cut to the length shown; what is left of a bar is not paid for.\n";
+  if (!bases.empty()) out += "  Prices: " + wrapped(fmt::format("{}", fmt::join(bases, "; ")), 88, 10) + "\n";
+  return out + "\n";
+}
+
+}  // namespace millwright::report

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// The pieces of which the answers about a machine are made; each begins with its heading and is empty where there is
+// nothing to say.
+#pragma once
+
+#include <string>
+
+#include "report/result.h"
+#include "report/text_table.h"
+
+namespace millwright::report {
+
+/// The parts axis by axis, with lengths, prices and masses; estimates marked and explained.
+std::string parts_text(const MachineResult& result, const evaluation::Design& design, const Style& style);
+
+/// Dimensions and settings that were chosen or given.
+std::string dimensions_text(const evaluation::Design& design, const Style& style);
+
+/// For each axis the hard check that is used most.
+std::string governing_text(const MachineResult& result, const evaluation::Design& design, const Style& style);
+
+/// Every check, axis by axis, the most used first.
+std::string checks_text(const MachineResult& result, const evaluation::Design& design, const Style& style);
+
+/// The factors and limits behind the checks and where they come from.
+std::string requirements_text(const MachineResult& result, const Style& style);
+
+/// What the totals take for granted.
+std::string assumptions_text(const evaluation::Design& design, const Style& style);
+
+/// "97.2 %"; "> 999 %" beyond that; "-" where nothing could be evaluated.
+std::string utilisation_text(const evaluation::Check& check);
+
+}  // namespace millwright::report

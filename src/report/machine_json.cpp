@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/json.h"
+#include "report/json_value.h"
+
+namespace millwright::report {
+
+using evaluation::Check;
+using evaluation::Design;
+
+namespace {
+
+const char* kind_name(machine::ConstraintKind kind) { return kind == machine::ConstraintKind::soft ? "soft" : "hard"; }
+
+const char* verdict_name(evaluation::Verdict verdict) {
+  switch (verdict) {
+    case evaluation::Verdict::satisfied:
+      return "satisfied";
+    case evaluation::Verdict::violated:
+      return "violated";
+    case evaluation::Verdict::not_evaluated:
+      return "not evaluated";
+  }
+  return "";
+}
+
+Json quantity(double value, const std::string& unit) { return Json{{"value", number(value)}, {"unit", unit}}; }
+
+Json totals_of(const Design& design) {
+  return Json{{"cost", quantity(design.cost, design.currency)}, {"mass", quantity(design.mass, "kg")}};
+}
+
+Json part_of(const evaluation::PartLine& part) {
+  Json json{{"axis", part.axis},
+            {"slot", part.slot},
+            {"family", part.family},
+            {"manufacturer", part.manufacturer},
+            {"part_number", part.part_number},
+            {"quantity", number(part.quantity)},
+            {"length_m", part.length > 0.0 ? number(part.length) : Json(nullptr)},
+            {"unit_price", number(part.unit_price)},
+            {"price", number(part.price)},
+            {"currency", part.currency},
+            {"mass_kg", number(part.mass)},
+            {"estimate", part.estimate},
+            {"row", part.where}};
+  if (!part.origin.empty()) json["origin"] = part.origin;
+  return json;
+}
+
+Json build_of(const Design& design) {
+  Json parts = Json::array();
+  for (const evaluation::PartLine& part : design.parts) parts.push_back(part_of(part));
+  Json dimensions = Json::array();
+  for (const evaluation::DimensionLine& line : design.dimensions)
+    dimensions.push_back(
+        {{"axis", line.axis}, {"name", line.name}, {"value", number(line.value)}, {"unit", line.unit}});
+  return Json{{"parts", parts}, {"dimensions", dimensions}};
+}
+
+Json check_of(const Check& check) {
+  Json json{{"axis", check.axis},
+            {"element", check.element},
+            {"id", check.id},
+            {"title", check.title},
+            {"kind", kind_name(check.kind)},
+            {"value", number(check.value)},
+            {"limit", number(check.limit)},
+            {"unit", check.unit},
+            {"utilisation", number(check.utilisation)},
+            {"verdict", verdict_name(check.verdict)},
+            {"phase", check.phase},
+            {"source", check.source}};
+  if (!check.requirement.empty()) json["requirement"] = check.requirement;
+  if (!check.note.empty()) json["note"] = check.note;
+  return json;
+}
+
+Json checks_json(const MachineResult& result, const Design& design) {
+  Json checks = Json::array();
+  for (const std::string& axis : checked_axes(result))
+    for (const Check* check : checks_of(design, axis)) checks.push_back(check_of(*check));
+  return checks;
+}
+
+Json governing_of(const MachineResult& result, const Design& design) {
+  Json governing = Json::array();
+  for (const std::string& axis : checked_axes(result))
+    if (const Check* check = design.governing(axis))
+      governing.push_back({{"axis", axis}, {"id", check->id}, {"utilisation", number(check->utilisation)}});
+  return governing;
+}
+
+Json requirements_of(const MachineResult& result) {
+  Json lines = Json::array();
+  for (const RequirementLine& line : result.requirements)
+    lines.push_back({{"name", line.key},
+                     {"axes", line.axes},
+                     {"value", number(line.value)},
+                     {"unit", line.unit},
+                     {"default", !line.given},
+                     {"source", line.given ? "problem file" : line.source}});
+  return lines;
+}
+
+Json problem_of(const MachineResult& result) { return Json{{"title", result.title}, {"file", result.file}}; }
+
+Json timing_of(const MachineResult& result) {
+  return Json{{"read", result.timing.read}, {"solve", result.timing.solve}, {"total", result.timing.total}};
+}
+
+Json certificate_of(const MachineResult& result) {
+  return Json{{"combinations", number(result.certificate.combinations)},
+              {"nodes", result.certificate.nodes},
+              {"evaluations", result.certificate.evaluations},
+              {"method", result.certificate.method}};
+}
+
+void add_missing(const MachineResult& result, Json& json) {
+  if (result.missing.empty()) return;
+  json["missing"] = Json::array();
+  for (const MissingSlot& slot : result.missing)
+    json["missing"].push_back({{"axis", slot.axis}, {"slot", slot.slot}, {"reason", slot.reason}});
+}
+
+Json objective_of(const MachineResult& result) {
+  const std::string& name = result.objectives.front();
+  const Design* design = result.designs.empty() ? nullptr : &result.designs.front();
+  Json json{{"name", name},
+            {"value", nullptr},
+            {"unit", name == "mass" ? "kg" : ""},
+            {"lower_bound", nullptr},
+            {"gap", nullptr}};
+  if (design != nullptr) {
+    json["value"] = number(name == "mass" ? design->mass : design->cost);
+    if (name != "mass") json["unit"] = design->currency;
+    json["gap"] = number(result.gap);
+  }
+  if (result.status != Status::infeasible) json["lower_bound"] = number(result.lower_bound);
+  return json;
+}
+
+void add_design(const MachineResult& result, const Design& design, Json& json) {
+  json["totals"] = totals_of(design);
+  json["build"] = build_of(design);
+  json["checks"] = checks_json(result, design);
+  json["governing"] = governing_of(result, design);
+  json["requirements"] = requirements_of(result);
+}
+
+}  // namespace
+
+std::string solve_json(const MachineResult& result) {
+  Json json = result_of("solve");
+  json["problem"] = problem_of(result);
+  json["status"] = to_string(result.status);
+  json["objective"] = objective_of(result);
+  if (!result.designs.empty()) add_design(result, result.designs.front(), json);
+  add_missing(result, json);
+  json["certificate"] = certificate_of(result);
+  json["timing_s"] = timing_of(result);
+  return text_of(json);
+}
+
+std::string front_json(const MachineResult& result) {
+  Json json = result_of("pareto");
+  json["problem"] = problem_of(result);
+  json["status"] = to_string(result.status);
+  json["objectives"] = result.objectives;
+  json["front"] = Json::array();
+  for (const Design& design : result.designs)
+    json["front"].push_back({{"objectives", {{"cost", number(design.cost)}, {"mass", number(design.mass)}}},
+                             {"totals", totals_of(design)},
+                             {"build", build_of(design)},
+                             {"governing", governing_of(result, design)}});
+  json["complete"] = result.status != Status::limit;
+  add_missing(result, json);
+  json["certificate"] = certificate_of(result);
+  json["timing_s"] = timing_of(result);
+  return text_of(json);
+}
+
+std::string check_json(const MachineResult& result) {
+  Json json = result_of("check");
+  json["problem"] = problem_of(result);
+  json["bill_of_materials"] = result.bom_file;
+  const bool satisfied = !result.designs.empty() && result.designs.front().satisfied();
+  json["satisfied"] = satisfied;
+  json["completed"] = result.completed;
+  if (!result.designs.empty()) add_design(result, result.designs.front(), json);
+  add_missing(result, json);
+  json["timing_s"] = timing_of(result);
+  return text_of(json);
+}
+
+}  // namespace millwright::report

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/machine_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "report/design_text.h"
+#include "scalar/unit.h"
+
+namespace millwright::report {
+
+using evaluation::Check;
+using evaluation::Design;
+using evaluation::Verdict;
+
+namespace {
+
+std::string title_text(const MachineResult& result, const Style& style) {
+  const std::string title = result.title.empty() ? result.file : result.title + " (" + result.file + ")";
+  return style.heading(title) + "\n\n";
+}
+
+std::string best_word(const std::string& objective) { return objective == "mass" ? "Lightest" : "Cheapest"; }
+
+std::string better_word(const std::string& objective) { return objective == "mass" ? "lighter" : "cheaper"; }
+
+std::string both_totals(const std::string& objective, const Design& design) {
+  const std::string cost = objective_text("cost", design.cost, design.currency);
+  const std::string mass = objective_text("mass", design.mass, design.currency);
+  return objective == "mass" ? mass + ", " + cost : cost + ", " + mass;
+}
+
+std::string nothing_text(const MachineResult& result, const Style& style) {
+  if (!result.missing.empty()) {
+    std::string out = style.bad("No build is possible:") + "\n";
+    for (const MissingSlot& slot : result.missing)
+      out += fmt::format("  axis {}: no candidate for slot {} ({})\n", slot.axis, slot.slot, slot.reason);
+    return out;
+  }
+  if (result.status == Status::limit)
+    return "The limit was reached before a compliant build was found; whether there is one is open.\n";
+  return style.bad("No compliant build exists") +
+         " in these catalogues: every combination of parts fails at least one check.\n"
+         "  'check' with a bill of materials (and --complete) shows by how much.\n";
+}
+
+std::string certificate_text(const MachineResult& result, const Style& style) {
+  const Certificate& certificate = result.certificate;
+  std::string out = style.heading("Certificate") + "\n";
+  const Design* design = result.designs.empty() ? nullptr : &result.designs.front();
+  if (result.status == Status::infeasible) {
+    out += "  Proved: no combination is compliant.\n";
+  } else if (result.objectives.size() == 1 && design != nullptr) {
+    const std::string& objective = result.objectives.front();
+    out += result.status == Status::optimal
+               ? fmt::format("  Proved: no compliant build of these catalogues is {}.\n", better_word(objective))
+               : fmt::format("  Not proved: a build of {} or more may still exist (gap {:.2f} %).\n",
+                             objective_text(objective, result.lower_bound, design->currency),
+                             100.0 * result.gap);
+  } else if (result.objectives.size() > 1) {
+    out += result.status == Status::optimal ? "  Proved: the front is complete.\n"
+                                            : "  Not proved: the limit was reached, points may be missing.\n";
+  }
+  out += fmt::format("  {} combinations of parts.\n", scalar::format_number(certificate.combinations, 3));
+  if (!certificate.method.empty()) out += "  " + wrapped(certificate.method, 78, 2) + "\n";
+  if (design != nullptr) out += "  Every figure above was computed again from scratch for the build that is shown.\n";
+  // Lines of effort begin with "time": they differ from run to run.
+  return out + fmt::format("time: {:.2f} s reading, {:.2f} s solving, {} nodes, {} evaluations\n",
+                           result.timing.read,
+                           result.timing.solve,
+                           certificate.nodes,
+                           certificate.evaluations);
+}
+
+std::string failures_text(const MachineResult& result, const Design& design, const Style& style) {
+  TextTable table({{""}, {""}, {""}, {"", Align::right}, {""}, {"", Align::right}, {""}});
+  for (const std::string& axis : checked_axes(result))
+    for (const Check* check : checks_of(design, axis))
+      if (check->verdict == Verdict::violated && check->kind != machine::ConstraintKind::soft)
+        table.add({axis,
+                   check->id,
+                   check->title,
+                   scalar::format_number(check->value),
+                   fmt::format("> {}{}{}",
+                               scalar::format_number(check->limit),
+                               check->unit == "1" ? "" : " ",
+                               check->unit == "1" ? "" : check->unit),
+                   utilisation_text(*check),
+                   check->phase});
+  return table.empty() ? std::string() : style.bad("Failed checks") + "\n" + table.str(2) + "\n";
+}
+
+/// What a reader compares first, of the two ends of a front.
+std::string end_text(const MachineResult& result,
+                     const Design& design,
+                     const std::string& objective,
+                     const Style& style) {
+  return style.heading(best_word(objective) + ": " + both_totals(objective, design)) + "\n\n" +
+         parts_text(result, design, style) + governing_text(result, design, style);
+}
+
+}  // namespace
+
+std::string objective_text(const std::string& objective, double value, const std::string& currency) {
+  return objective == "mass" ? fmt::format("{:.3f} kg", value) : fmt::format("{:.2f} {}", value, currency);
+}
+
+std::string solve_text(const MachineResult& result, const Style& style) {
+  std::string out = title_text(result, style);
+  if (result.designs.empty()) {
+    out += nothing_text(result, style) + "\n";
+    return result.missing.empty() ? out + certificate_text(result, style) : out;
+  }
+  const Design& design = result.designs.front();
+  const std::string& objective = result.objectives.front();
+  out += result.status == Status::optimal
+             ? style.heading(best_word(objective) + " compliant build: " + both_totals(objective, design)) + "\n\n"
+             : style.heading("Best build found before the limit: " + both_totals(objective, design)) +
+                   fmt::format("\n  proved so far: not below {}, gap {:.2f} %\n\n",
+                               objective_text(objective, result.lower_bound, design.currency),
+                               100.0 * result.gap);
+  return out + parts_text(result, design, style) + dimensions_text(design, style) +
+         governing_text(result, design, style) + checks_text(result, design, style) + requirements_text(result, style) +
+         assumptions_text(design, style) + certificate_text(result, style);
+}
+
+std::string front_text(const MachineResult& result, const Style& style) {
+  std::string out = title_text(result, style);
+  if (result.designs.empty()) {
+    out += nothing_text(result, style) + "\n";
+    return result.missing.empty() ? out + certificate_text(result, style) : out;
+  }
+  out += style.heading(fmt::format("{} build{} that no other{} beats in {}",
+                                   result.designs.size(),
+                                   result.designs.size() == 1 ? "" : "s",
+                                   result.status == Status::limit ? " found before the limit" : "",
+                                   fmt::join(result.objectives, " and "))) +
+         "\n";
+  TextTable table({{"", Align::right},
+                   {result.designs.front().currency, Align::right},
+                   {"kg", Align::right},
+                   {"supply", Align::right},
+                   {"changes against the line above", Align::left, 60}});
+  for (std::size_t i = 0; i < result.designs.size(); ++i) {
+    const Design& design = result.designs[i];
+    std::string changes;
+    for (std::size_t k = 0; i > 0 && k < design.parts.size(); ++k) {
+      const auto& before = result.designs[i - 1].parts;
+      if (k < before.size() && before[k].part_number == design.parts[k].part_number &&
+          before[k].manufacturer == design.parts[k].manufacturer)
+        continue;
+      changes += fmt::format("{}{}.{} {}",
+                             changes.empty() ? "" : ", ",
+                             design.parts[k].axis,
+                             design.parts[k].slot,
+                             design.parts[k].part_number);
+    }
+    table.add({std::to_string(i + 1),
+               fmt::format("{:.2f}", design.cost),
+               fmt::format("{:.3f}", design.mass),
+               scalar::format(design.supply_voltage, scalar::Unit::of("V")),
+               changes});
+  }
+  out += table.str(2, style) + "\n";
+  out += end_text(result, result.designs.front(), result.objectives.front(), style);
+  if (result.designs.size() > 1) out += end_text(result, result.designs.back(), result.objectives.back(), style);
+  return out + assumptions_text(result.designs.front(), style) + certificate_text(result, style);
+}
+
+std::string check_text(const MachineResult& result, const Style& style) {
+  std::string out = title_text(result, style);
+  if (result.designs.empty()) return out + nothing_text(result, style);
+  const Design& design = result.designs.front();
+  const auto failed = std::count_if(design.checks.begin(), design.checks.end(), [](const Check& check) {
+    return check.verdict == Verdict::violated && check.kind != machine::ConstraintKind::soft;
+  });
+  out += fmt::format("Bill of materials: {}\n", result.bom_file);
+  out += failed == 0 ? style.good("It satisfies every check.") + "\n"
+                     : style.bad(fmt::format("It fails {} of {} checks.", failed, design.checks.size())) + "\n";
+  if (result.completed)
+    out += result.completion_is_optimal
+               ? "What it leaves open was chosen so that the build is the cheapest compliant one.\n"
+               : "What it leaves open was filled with the cheapest parts that fit.\n";
+  out += fmt::format("Totals: {:.2f} {}, {:.3f} kg\n\n", design.cost, design.currency, design.mass);
+  return out + failures_text(result, design, style) + governing_text(result, design, style) +
+         parts_text(result, design, style) + dimensions_text(design, style) + checks_text(result, design, style) +
+         requirements_text(result, style) + assumptions_text(design, style);
+}
+
+}  // namespace millwright::report

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// The answers of solve, pareto and check as text.
+#pragma once
+
+#include <string>
+
+#include "report/result.h"
+#include "report/text_table.h"
+
+namespace millwright::report {
+
+/// Totals, bill of materials, dimensions, checks, requirements, assumptions and certificate of the best build; or why
+/// there is none.
+std::string solve_text(const MachineResult& result, const Style& style);
+
+/// The builds that no other build beats in both objectives, one a line, then how the ends of the front are built.
+std::string front_text(const MachineResult& result, const Style& style);
+
+/// What fails, first; then what was used and every check.
+std::string check_text(const MachineResult& result, const Style& style);
+
+/// "612.34 USD", "41.2 kg": a value of the objective "cost" or "mass".
+std::string objective_text(const std::string& objective, double value, const std::string& currency);
+
+}  // namespace millwright::report

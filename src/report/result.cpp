@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/result.h"
+
+#include <algorithm>
+#include <set>
+
+#include "scalar/unit.h"
+
+namespace millwright::report {
+
+const char* to_string(Status status) {
+  switch (status) {
+    case Status::optimal:
+      return "optimal";
+    case Status::infeasible:
+      return "infeasible";
+    case Status::limit:
+      return "limit";
+  }
+  return "";
+}
+
+std::vector<RequirementLine> used_requirements(const machine::Problem& problem, const evaluation::Design& design) {
+  std::set<std::pair<std::string, std::string>> used;
+  for (const evaluation::Check& check : design.checks)
+    if (!check.requirement.empty()) used.insert({check.requirement, check.axis});
+  std::vector<RequirementLine> lines;
+  for (const machine::RequirementDeclaration& declared : machine::requirements()) {
+    const std::size_t first = lines.size();
+    for (const machine::Axis& axis : problem.axes) {
+      const std::string key(declared.key);
+      if ((used.count({key, axis.name}) == 0 && used.count({key, "machine"}) == 0) ||
+          !axis.require.known(declared.requirement))
+        continue;
+      const double value = axis.require(declared.requirement);
+      const bool given = axis.require.given(declared.requirement);
+      const auto same = std::find_if(
+          lines.begin() + static_cast<std::ptrdiff_t>(first), lines.end(), [&](const RequirementLine& line) {
+            return line.value == value && line.given == given;
+          });
+      if (same != lines.end())
+        same->axes.push_back(axis.name);
+      else
+        lines.push_back({{axis.name},
+                         key,
+                         value,
+                         std::string(declared.unit),
+                         given,
+                         std::string(declared.meaning),
+                         std::string(declared.source)});
+    }
+  }
+  return lines;
+}
+
+std::string shown_value(const RequirementLine& line) {
+  const scalar::Unit declared = scalar::Unit::of(line.unit);
+  const bool scaled = line.unit == "s" || line.unit == "m" || line.unit == "Pa";
+  return scalar::format(line.value, scaled ? scalar::readable_unit(declared.dimension(), line.value) : declared);
+}
+
+std::vector<const evaluation::Check*> checks_of(const evaluation::Design& design, const std::string& axis) {
+  std::vector<const evaluation::Check*> checks;
+  for (const evaluation::Check& check : design.checks)
+    if (check.axis == axis) checks.push_back(&check);
+  std::stable_sort(checks.begin(), checks.end(), [](const evaluation::Check* a, const evaluation::Check* b) {
+    const bool a_open = a->verdict == evaluation::Verdict::not_evaluated;
+    const bool b_open = b->verdict == evaluation::Verdict::not_evaluated;
+    if (a_open || b_open) return !a_open && b_open;
+    return a->utilisation > b->utilisation;
+  });
+  return checks;
+}
+
+std::vector<std::string> checked_axes(const MachineResult& result) {
+  std::vector<std::string> axes = result.axes;
+  axes.emplace_back("machine");
+  if (result.designs.empty()) return axes;
+  const auto has_none = [&](const std::string& axis) { return checks_of(result.designs.front(), axis).empty(); };
+  axes.erase(std::remove_if(axes.begin(), axes.end(), has_none), axes.end());
+  return axes;
+}
+
+}  // namespace millwright::report

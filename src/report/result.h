@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a command found out about a machine, as plain data for whoever prints it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "evaluation/ledger.h"
+#include "machine/problem.h"
+
+namespace millwright::report {
+
+enum class Status { optimal, infeasible, limit };
+
+/// "optimal", "infeasible", "limit".
+const char* to_string(Status status);
+
+/// A factor or limit that a check used.
+struct RequirementLine {
+  std::vector<std::string> axes;  ///< the axes that have this value
+  std::string key;
+  double value = 0.0;  ///< SI
+  std::string unit;    ///< as declared
+  bool given = false;  ///< by the problem file; else the documented default
+  std::string meaning;
+  std::string source;  ///< of the default
+};
+
+/// The requirements that the design's checks name, with their values; axes of the same value share a line.
+std::vector<RequirementLine> used_requirements(const machine::Problem& problem, const evaluation::Design& design);
+
+/// The value as people read it: 36000000 s as "10000 h".
+std::string shown_value(const RequirementLine& line);
+
+/// A slot for which the catalogues have no candidate at all.
+struct MissingSlot {
+  std::string axis;
+  std::string slot;
+  std::string reason;
+};
+
+/// How the answer was found.
+struct Certificate {
+  double combinations = 0.0;
+  std::uint64_t nodes = 0;
+  std::uint64_t evaluations = 0;
+  std::string method;
+};
+
+/// Seconds.
+struct Timing {
+  double read = 0.0;
+  double solve = 0.0;
+  double total = 0.0;
+};
+
+/// The outcome of solve, pareto or check.
+struct MachineResult {
+  std::string title;
+  std::string file;
+  std::vector<std::string> axes;            ///< in the order of the problem file
+  std::vector<std::string> objectives;      ///< "cost", "mass"
+  Status status = Status::infeasible;       ///< of solve and pareto
+  std::vector<evaluation::Design> designs;  ///< one, none, or a front ascending in the first objective
+  double lower_bound = 0.0;                 ///< of a single objective, in its unit (currency or kg)
+  double gap = 0.0;
+  std::vector<RequirementLine> requirements;  ///< of the first design
+  std::vector<MissingSlot> missing;
+  Certificate certificate;
+  Timing timing;
+  std::string bom_file;    ///< of check
+  bool completed = false;  ///< check chose parts that the bill of materials leaves open
+  bool completion_is_optimal = false;
+};
+
+/// The checks of an axis ("machine" for what no single axis owns), the most used first; what was not evaluated last.
+std::vector<const evaluation::Check*> checks_of(const evaluation::Design& design, const std::string& axis);
+
+/// Every axis that has checks: those of the problem in their order, then "machine".
+std::vector<std::string> checked_axes(const MachineResult& result);
+
+}  // namespace millwright::report

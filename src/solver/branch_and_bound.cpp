@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/branch_and_bound.h"
+
+#include <algorithm>
+
+namespace millwright::solver {
+namespace {
+
+constexpr std::size_t batch_size = 8;
+
+double below(double a, double b) { return scalar::rounding::sum_down(a, b); }
+
+}  // namespace
+
+BranchAndBound::BranchAndBound(const Problem& problem,
+                               const Criteria& criteria,
+                               std::vector<StagePlan>& plans,
+                               Incumbents& incumbents,
+                               SearchControl& control,
+                               double leaf_tolerance)
+    : problem_(problem),
+      criteria_(criteria),
+      plans_(plans),
+      incumbents_(incumbents),
+      control_(control),
+      leaf_tolerance_(leaf_tolerance) {
+  for (const StagePlan& plan : plans_) {
+    label_sets_.emplace_back(criteria_, plan.before, labels_);
+    auto& tail = tail_.emplace_back();
+    for (const OpenRegion& part : plan.frontier) tail.push_back(part.bounds.score);
+    for (std::size_t i = tail.size(); i-- > 1;) {
+      for (std::size_t k = 0; k < criteria_.size(); ++k) tail[i - 1][k] = std::min(tail[i - 1][k], tail[i][k]);
+    }
+  }
+}
+
+/// Least first objective first; among equals the deepest stage, the deepest node, the older.
+bool BranchAndBound::Later::operator()(const Node& a, const Node& b) const {
+  const double left = rounded(a.score[0]);
+  const double right = rounded(b.score[0]);
+  if (left != right) return left > right;
+  if (a.depth != b.depth) return a.depth < b.depth;
+  return a.order > b.order;
+}
+
+void BranchAndBound::push(Node node) {
+  if (useless(node)) return;
+  node.order = ++order_;
+  heap_.push_back(std::move(node));
+  std::push_heap(heap_.begin(), heap_.end(), Later{});
+}
+
+BranchAndBound::Node BranchAndBound::pop() {
+  std::pop_heap(heap_.begin(), heap_.end(), Later{});
+  Node node = std::move(heap_.back());
+  heap_.pop_back();
+  return node;
+}
+
+bool BranchAndBound::useless(const Node& node) const {
+  const Label& label = labels_[node.label];
+  if (!label.alive || incumbents_.hopeless(node.score, node.utilisation)) return true;
+  if (node.next_region != whole_stage || label.stage + 1 >= plans_.size()) return false;
+  thread_local std::vector<double> score;
+  score = node.score;
+  for (std::size_t k = 0; k < score.size(); ++k) score[k] = below(score[k], -plans_[label.stage].rest[k]);
+  return label_sets_[label.stage + 1].dominates({score, node.handed_on, node.utilisation});
+}
+
+/// The same for a part of a leaf, by its own share of the scores.
+bool BranchAndBound::useless(const Label& label, std::size_t stage, const Worth& own) const {
+  std::vector<double> score(own.score.begin(), own.score.end());
+  for (std::size_t k = 0; k < score.size(); ++k) score[k] = below(score[k], label.score_lower[k]);
+  const double utilisation = std::max(label.utilisation, own.utilisation);
+  if (stage + 1 < plans_.size() && label_sets_[stage + 1].dominates({score, own.state, utilisation})) return true;
+  for (std::size_t k = 0; k < score.size(); ++k) score[k] = below(score[k], plans_[stage].rest[k]);
+  return incumbents_.hopeless(score, utilisation);
+}
+
+/// The node that stands for all regions of the frontier from `region` on.
+bool BranchAndBound::make_stream(std::uint32_t index, std::size_t region, Node& node) const {
+  const Label& label = labels_[index];
+  const StagePlan& plan = plans_[label.stage];
+  if (region >= plan.frontier.size()) return false;
+  node.label = index;
+  node.next_region = region;
+  node.utilisation = label.utilisation;
+  node.depth = static_cast<std::uint32_t>(label.stage * 1000);
+  node.score.resize(criteria_.size());
+  for (std::size_t k = 0; k < node.score.size(); ++k) {
+    const double own = std::max(tail_[label.stage][region][k], plan.least[k]);
+    node.score[k] = below(below(label.score_lower[k], own), plan.rest[k]);
+  }
+  return true;
+}
+
+/// Bounds a region with the label's own state. False: nothing feasible in it.
+bool BranchAndBound::bound_node(Node& node, Desk& desk) const {
+  const Label& label = labels_[node.label];
+  const StagePlan& plan = plans_[label.stage];
+  thread_local Bounds bounds;
+  if (!assess(plan, label.enclosure, node.region, bounds, desk)) return false;
+  node.score.resize(criteria_.size());
+  for (std::size_t k = 0; k < node.score.size(); ++k) {
+    const double own = std::max(bounds.score[k], plan.least[k]);
+    node.score[k] = below(below(label.score_lower[k], own), plan.rest[k]);
+  }
+  node.handed_on = bounds.handed_on;
+  node.utilisation = std::max(label.utilisation, bounds.utilisation);
+  node.open = bounds.open;
+  return true;
+}
+
+void BranchAndBound::expand_stream(const Node& node, Outcome& outcome, Desk& desk) const {
+  const Label& label = labels_[node.label];
+  const StagePlan& plan = plans_[label.stage];
+  std::size_t region = node.next_region;
+  std::vector<double> score(criteria_.size());
+  // Regions that are hopeless even at the best state need not be bounded with this label's own.
+  for (; region < plan.frontier.size(); ++region) {
+    const Bounds& best = plan.frontier[region].bounds;
+    for (std::size_t k = 0; k < score.size(); ++k) {
+      const double own = std::max(best.score[k], plan.least[k]);
+      score[k] = below(below(label.score_lower[k], own), plan.rest[k]);
+    }
+    if (!incumbents_.hopeless(score, std::max(label.utilisation, best.utilisation))) break;
+  }
+  if (region == plan.frontier.size()) return;
+  Node first;
+  first.label = node.label;
+  first.region = plan.frontier[region].region;
+  first.depth = node.depth + 1;
+  if (bound_node(first, desk)) outcome.nodes.push_back(std::move(first));
+  Node others;
+  if (make_stream(node.label, region + 1, others)) outcome.nodes.push_back(std::move(others));
+}
+
+void BranchAndBound::branch(const Node& node, Outcome& outcome, Desk& desk) const {
+  const StagePlan& plan = plans_[labels_[node.label].stage];
+  const RowProfile::Split split = plan.profile.split(node.region, node.open);
+  for (const RowSet& half : {split.left, split.right}) {
+    Node child;
+    child.label = node.label;
+    child.region = node.region;
+    child.region.rows[split.slot] = half;
+    child.depth = node.depth + 1;
+    if (plan.fits.filter(child.region, split.slot) && bound_node(child, desk)) {
+      outcome.nodes.push_back(std::move(child));
+    }
+  }
+}
+
+void BranchAndBound::expand(const Node& node, Outcome& outcome, Desk& desk) const {
+  if (node.next_region != whole_stage) {
+    expand_stream(node, outcome, desk);
+  } else if (!node.region.one_design_per_slot()) {
+    branch(node, outcome, desk);
+  } else {
+    const Label& label = labels_[node.label];
+    const std::size_t stage = label.stage;
+    outcome.is_leaf = true;
+    const LeafQuestion question{&plans_[stage], &label, &node.region, leaf_tolerance_, true, [&](const Worth& own) {
+                                  return useless(label, stage, own);
+                                }};
+    outcome.leaf = solve_leaf(question, desk);
+  }
+}
+
+void BranchAndBound::merge(Node& node, Outcome& outcome) {
+  for (Node& child : outcome.nodes) push(std::move(child));
+  if (!outcome.is_leaf) return;
+  for (const StagePoint& point : outcome.leaf.points) arrive(node, point);
+  if (!outcome.leaf.undecided) return;
+  const Label& label = labels_[node.label];
+  std::vector<double> score = outcome.leaf.undecided_score;
+  for (std::size_t k = 0; k < score.size(); ++k) {
+    score[k] = below(below(label.score_lower[k], score[k]), plans_[label.stage].rest[k]);
+  }
+  if (incumbents_.hopeless(score, node.utilisation)) return;
+  undecided_ = true;
+  undecided_bound_ = std::min(undecided_bound_, score[0]);
+}
+
+/// A design of a stage becomes a label of the next, or a build.
+void BranchAndBound::arrive(const Node& node, const StagePoint& point) {
+  const Label& from = labels_[node.label];
+  Label label;
+  label.parent = node.label;
+  label.stage = from.stage + 1;
+  for (const RowSet& set : node.region.rows) label.rows.push_back(set->front());
+  label.variables = point.variables;
+  label.resources = from.resources;
+  for (std::size_t r = 0; r < label.resources.size(); ++r) label.resources[r] += point.resources[r];
+  label.score.resize(criteria_.size());
+  criteria_.scores<double>(label.resources, label.score);
+  label.exact = from.exact && point.exact;
+  label.score_lower = label.score;
+  if (!label.exact) {
+    for (std::size_t k = 0; k < label.score.size(); ++k) {
+      label.score_lower[k] = std::min(label.score[k], below(from.score_lower[k], point.score_lower[k]));
+    }
+  }
+  label.state = point.state;
+  label.enclosure = point.enclosure;
+  label.utilisation = std::max(from.utilisation, point.utilisation);
+  if (label.stage == plans_.size()) {
+    finish(label);
+    return;
+  }
+  if (label_sets_[label.stage].dominates({label.score_lower, label.enclosure, label.utilisation})) return;
+  labels_.push_back(std::move(label));
+  const auto index = static_cast<std::uint32_t>(labels_.size() - 1);
+  label_sets_[labels_.back().stage].add(index);
+  Node stream;
+  if (make_stream(index, 0, stream)) push(std::move(stream));
+}
+
+void BranchAndBound::finish(const Label& label) {
+  RankedBuild ranked;
+  ranked.score = label.score;
+  ranked.build = build_of(label);
+  incumbents_.offer(std::move(ranked));
+}
+
+Build BranchAndBound::build_of(const Label& last) const {
+  Build build;
+  build.shared.assign(plans_.front().shared.begin(), plans_.front().shared.end());
+  build.stages.resize(plans_.size());
+  build.resources = last.resources;
+  build.worst_utilisation = last.utilisation;
+  const Label* label = &last;
+  for (std::size_t stage = plans_.size(); stage-- > 0;) {
+    const Label& before = labels_[label->parent];
+    build.stages[stage] = StageChoice{label->rows, label->variables, before.state};
+    label = &before;
+  }
+  return build;
+}
+
+double BranchAndBound::open_bound() const {
+  double bound = undecided_bound_;
+  for (const Node& node : heap_) bound = std::min(bound, node.score[0]);
+  return bound;
+}
+
+void BranchAndBound::start() {
+  labels_.push_back(first_label(problem_, criteria_));
+  Node stream;
+  if (make_stream(0, 0, stream)) push(std::move(stream));
+}
+
+SearchResult BranchAndBound::run() {
+  start();
+  std::vector<Node> batch;
+  std::vector<Outcome> outcomes;
+  while (!heap_.empty()) {
+    if (control_.time_is_up()) return {false, open_bound()};
+    batch.clear();
+    while (!heap_.empty() && batch.size() < batch_size) {
+      Node node = pop();
+      if (!useless(node)) batch.push_back(std::move(node));
+    }
+    outcomes.assign(batch.size(), {});
+    control_.crew().run(batch.size(),
+                        [&](std::size_t i, unsigned thread) { expand(batch[i], outcomes[i], control_.desk(thread)); });
+    control_.nodes += batch.size();
+    for (std::size_t i = 0; i < batch.size(); ++i) merge(batch[i], outcomes[i]);
+    if (!heap_.empty()) control_.report(std::min(heap_.front().score[0], undecided_bound_), incumbents_.best());
+  }
+  // Something undecided matters only if no build known is as good.
+  return {!undecided_, undecided_bound_};
+}
+
+}  // namespace millwright::solver

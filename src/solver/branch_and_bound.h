@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The search for one combination of shared choices: one best-first branch and bound through the whole chain.
+//
+// A node is a label (what is chosen for the stages before) and a region of the next stage; its worth is
+//     scores of the label + least of the region + least of all stages after it      (lower bounds).
+// The node with the least first objective is taken next:
+//   - a label that arrives at a stage takes over the regions of the stage's relaxation one by one, cheapest first;
+//   - a region with several rows in some slot is split in two (row_profile.h), rows without a fitting partner drop out,
+//     and each half is bounded with the label's own state;
+//   - a region with one row per slot is a design: its variables are dealt with (continuous.h), and it becomes a label
+//     of the next stage, or after the last stage a build.
+// A node is given up when a constraint is certainly violated in it, when the builds known settle it (incumbents.h), or
+// when a label known before the next stage dominates everything in it (dominance.h).
+//
+// Nodes are taken in batches of fixed size that are worked on in parallel and merged in order, so the search, and with
+// it the answer among equals, does not depend on the number of threads.
+#pragma once
+
+#include <deque>
+#include <vector>
+
+#include "solver/continuous.h"
+#include "solver/dominance.h"
+#include "solver/incumbents.h"
+#include "solver/search_control.h"
+
+namespace millwright::solver {
+
+struct SearchResult {
+  bool complete = true;                                          ///< false: time limit, or something undecided
+  double lower_bound = std::numeric_limits<double>::infinity();  ///< of the first objective, of what is left open
+};
+
+class BranchAndBound {
+ public:
+  BranchAndBound(const Problem& problem,
+                 const Criteria& criteria,
+                 std::vector<StagePlan>& plans,
+                 Incumbents& incumbents,
+                 SearchControl& control,
+                 double leaf_tolerance);
+
+  SearchResult run();
+
+ private:
+  static constexpr std::size_t whole_stage = static_cast<std::size_t>(-1);
+  struct Node {
+    std::uint32_t label = 0;
+    std::size_t next_region = whole_stage;  ///< of the stage's frontier; whole_stage: `region` is meant
+    Region region;
+    std::vector<double> score;  ///< totals, lower bounds
+    std::vector<Interval> handed_on;
+    double utilisation = 0.0;
+    std::uint64_t open = 0;
+    std::uint32_t depth = 0;
+    std::uint64_t order = 0;
+  };
+  /// What came out of one node; merged in order.
+  struct Outcome {
+    std::vector<Node> nodes;
+    LeafAnswer leaf;
+    bool is_leaf = false;
+  };
+  struct Later {
+    bool operator()(const Node& a, const Node& b) const;
+  };
+
+  void start();
+  void push(Node node);
+  Node pop();
+  [[nodiscard]] bool useless(const Node& node) const;
+  [[nodiscard]] bool useless(const Label& label, std::size_t stage, const Worth& own) const;
+  void expand(const Node& node, Outcome& outcome, Desk& desk) const;
+  void expand_stream(const Node& node, Outcome& outcome, Desk& desk) const;
+  void branch(const Node& node, Outcome& outcome, Desk& desk) const;
+  bool bound_node(Node& node, Desk& desk) const;
+  void merge(Node& node, Outcome& outcome);
+  void arrive(const Node& node, const StagePoint& point);
+  void finish(const Label& label);
+  bool make_stream(std::uint32_t label, std::size_t region, Node& node) const;
+  [[nodiscard]] Build build_of(const Label& last) const;
+  [[nodiscard]] double open_bound() const;
+
+  const Problem& problem_;
+  const Criteria& criteria_;
+  std::vector<StagePlan>& plans_;
+  Incumbents& incumbents_;
+  SearchControl& control_;
+  double leaf_tolerance_;
+  std::deque<Label> labels_;
+  std::vector<LabelSet> label_sets_;                    ///< [stage]: labels before it
+  std::vector<std::vector<std::vector<double>>> tail_;  ///< [stage][region][score]: least from this region on
+  std::vector<Node> heap_;
+  std::uint64_t order_ = 0;
+  bool undecided_ = false;
+  double undecided_bound_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace millwright::solver

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/candidates.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/archive.h"
+#include "solver/relaxation.h"
+
+namespace millwright::solver {
+namespace {
+
+constexpr std::size_t proof_boxes = 60;
+
+struct Node {
+  Region region;
+  Bounds bounds;
+  std::vector<double> key;
+  double value = 0.0;
+  std::uint64_t order = 0;
+};
+
+struct Later {
+  bool operator()(const Node& a, const Node& b) const {
+    return a.value != b.value ? a.value > b.value : a.order < b.order;
+  }
+};
+
+/// Regions in ascending order of a positive sum of their coordinates.
+class Heap {
+ public:
+  explicit Heap(const StagePlan& plan) {
+    for (std::size_t k = 0; k < plan.criteria->size(); ++k) weight_.push_back(1.0 / (std::fabs(plan.least[k]) + 1e-6));
+  }
+  void push(Node node) {
+    constexpr double state_weight = 1e-4;  // decides between equal scores
+    node.value = 0.0;
+    for (std::size_t i = 0; i < node.key.size(); ++i) {
+      node.value += node.key[i] * (i < weight_.size() ? weight_[i] : state_weight);
+    }
+    node.order = ++order_;
+    nodes_.push_back(std::move(node));
+    std::push_heap(nodes_.begin(), nodes_.end(), Later{});
+  }
+  Node pop() {
+    std::pop_heap(nodes_.begin(), nodes_.end(), Later{});
+    Node node = std::move(nodes_.back());
+    nodes_.pop_back();
+    return node;
+  }
+  [[nodiscard]] bool empty() const { return nodes_.empty(); }
+  [[nodiscard]] const std::vector<Node>& all() const { return nodes_; }
+
+ private:
+  std::vector<double> weight_;
+  std::vector<Node> nodes_;
+  std::uint64_t order_ = 0;
+};
+
+/// The two halves of a region, less rows without a partner.
+template <class Offer>
+void branch(const StagePlan& plan, const Node& node, Offer&& offer) {
+  const RowProfile::Split split = plan.profile.split(node.region, node.bounds.open);
+  for (const RowSet& half : {split.left, split.right}) {
+    Region region = node.region;
+    region.rows[split.slot] = half;
+    if (plan.fits.filter(region, split.slot)) offer(std::move(region));
+  }
+}
+
+class Search {
+ public:
+  Search(const CandidateQuestion& question, Desk& desk)
+      : question_(question),
+        plan_(*question.plan),
+        comparison_(*question.comparison),
+        desk_(desk),
+        heap_(plan_),
+        known_(comparison_.dimensions()) {
+    for (const Interval& side : question.states) set_.reference.push_back(middle(side));
+    // From a lower bound over H to one at the reference state: the linear part is taken to the worst corner and back.
+    for (std::size_t h = 0; h < question.states.size(); ++h) {
+      double low = 0.0;
+      double high = 0.0;
+      for (std::size_t c = 0; c < question.states.size(); ++c) {
+        const double slope = question.form->slope[h][c];
+        const double at_lower = slope * (set_.reference[c] - question.states[c].lower);
+        const double at_upper = slope * (set_.reference[c] - question.states[c].upper);
+        low += std::max(at_lower, at_upper);
+        high += std::min(at_lower, at_upper);
+      }
+      to_reference_.emplace_back(low, high);
+    }
+  }
+
+  CandidateSet run() {
+    offer(plan_.region);
+    while (!heap_.empty()) {
+      Node node = heap_.pop();
+      if (++set_.nodes % 64 == 0 && question_.stop && question_.stop()) {
+        set_.complete = false;
+        break;
+      }
+      if (known_.dominates(node.key)) continue;
+      if (node.region.one_design_per_slot()) {
+        settle(node);
+      } else {
+        branch(plan_, node, [&](Region region) { offer(std::move(region)); });
+      }
+    }
+    drop_dominated();
+    return std::move(set_);
+  }
+
+ private:
+  void offer(Region region) {
+    Node node;
+    node.region = std::move(region);
+    read_bounds(plan_, desk_.bound(*plan_.stage, plan_.shared, question_.states, node.region), node.bounds);
+    if (node.bounds.utilisation > 1.0) return;
+    if (!below_staircase(question_.useful, node.bounds.score[0], node.bounds.score[1])) return;
+    for (std::size_t h = 0; h < to_reference_.size(); ++h) {
+      node.bounds.handed_on[h].lower += to_reference_[h].first;
+      node.bounds.handed_on[h].upper += to_reference_[h].second;
+    }
+    node.key.resize(comparison_.dimensions());
+    comparison_.best_key(node.bounds.score, node.bounds.handed_on, node.key.data());
+    if (known_.dominates(node.key)) return;
+    if (!cut_variables(plan_, question_.states, node.region, node.bounds, desk_)) return;
+    heap_.push(std::move(node));
+  }
+
+  /// Values of the variables at which every utilisation is <= 1 over all of H, if some are found.
+  bool find_universal(const Node& node, std::vector<double>& variables) {
+    const std::vector<Interval>& box = node.region.variables;
+    std::vector<Interval> point(box.size());
+    for (const double part : {0.5, 1.0, 0.0, 0.75, 0.25}) {
+      for (std::size_t v = 0; v < box.size(); ++v) {
+        variables[v] = std::clamp(box[v].lower + part * (box[v].upper - box[v].lower), box[v].lower, box[v].upper);
+        point[v] = variables[v];
+      }
+      const auto& answer = desk_.bound(*plan_.stage, plan_.shared, question_.states, node.region, point);
+      if (std::all_of(
+              answer.utilisation.begin(), answer.utilisation.end(), [](const Interval& u) { return u.upper <= 1.0; })) {
+        return true;
+      }
+      if (box.empty()) return false;
+    }
+    return false;
+  }
+
+  void settle(const Node& node) {
+    Candidate candidate;
+    candidate.variables.resize(node.region.variables.size());
+    candidate.universal = find_universal(node, candidate.variables);
+    if (!candidate.universal && proves_infeasible(plan_, question_.states, node.region, proof_boxes, desk_)) return;
+    for (const RowSet& set : node.region.rows) candidate.rows.push_back(set->front());
+    const auto& answer =
+        desk_.evaluate(*plan_.stage, Point{plan_.shared, set_.reference, candidate.rows, candidate.variables});
+    candidate.score.resize(plan_.criteria->size());
+    plan_.criteria->scores<double>(answer.resources, candidate.score);
+    candidate.state = answer.handed_on;
+    candidate.key.resize(comparison_.dimensions());
+    comparison_.key(candidate.score, candidate.state, candidate.key.data());
+    if (known_.dominates(candidate.key)) return;
+    if (candidate.universal) known_.add(candidate.key);
+    set_.candidates.push_back(std::move(candidate));
+  }
+
+  /// A universal design found late may dominate one found early when both have the same sum.
+  void drop_dominated() {
+    std::vector<Candidate>& all = set_.candidates;
+    std::stable_sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) {
+      return a.key != b.key ? a.key < b.key : a.universal > b.universal;
+    });
+    Archive known(comparison_.dimensions());
+    std::erase_if(all, [&](const Candidate& candidate) {
+      if (known.dominates(candidate.key)) return true;
+      if (candidate.universal) known.add(candidate.key);
+      return false;
+    });
+  }
+
+  const CandidateQuestion& question_;
+  const StagePlan& plan_;
+  const Comparison& comparison_;
+  Desk& desk_;
+  Heap heap_;
+  Archive known_;
+  std::vector<std::pair<double, double>> to_reference_;  ///< [handed-on component]: for lower and upper bounds
+  CandidateSet set_;
+};
+
+}  // namespace
+
+CandidateSet find_candidates(const CandidateQuestion& question, Desk& desk) { return Search(question, desk).run(); }
+
+std::vector<Pair> least_front(const StagePlan& plan, std::size_t node_limit, Desk& desk) {
+  Heap heap(plan);
+  Archive known(2);
+  std::vector<Pair> found;
+  const auto offer = [&](Region region) {
+    Node node;
+    node.region = std::move(region);
+    read_bounds(plan, desk.bound(*plan.stage, plan.shared, plan.best_inherited, node.region), node.bounds);
+    if (node.bounds.utilisation > 1.0) return;
+    node.key = {node.bounds.score[0], node.bounds.score[1]};
+    if (known.dominates(node.key)) return;
+    if (cut_variables(plan, plan.best_inherited, node.region, node.bounds, desk)) heap.push(std::move(node));
+  };
+  offer(plan.region);
+  for (std::size_t nodes = 0; !heap.empty() && nodes < node_limit; ++nodes) {
+    const Node node = heap.pop();
+    if (known.dominates(node.key)) continue;
+    if (!node.region.one_design_per_slot()) {
+      branch(plan, node, offer);
+    } else if (!proves_infeasible(plan, plan.best_inherited, node.region, proof_boxes, desk)) {
+      known.add(node.key);
+      found.push_back({node.key[0], node.key[1]});
+    }
+  }
+  for (const Node& node : heap.all()) found.push_back({node.key[0], node.key[1]});
+  return lower_staircase(std::move(found));
+}
+
+}  // namespace millwright::solver

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The designs of one stage that can matter to any of many labels, found once for all of them.
+//
+// H is a range of states that contains those of all the labels. Branch and bound over row sets, with bounds over H:
+//   - a region is dropped when it is infeasible at every state in H, or when what it adds to the first two scores is
+//     too much for every label (`useful`);
+//   - a design is *universal* when some fixed values of its variables (or all of them) keep every utilisation <= 1 over
+//     all of H: it is feasible for every label. A region is dropped when a universal design is at least as good in
+//     every coordinate of the comparison. Regions are taken in ascending order of a sum of all coordinates, so what
+//     dominates is always found before what it dominates;
+//   - a design that is neither infeasible nor universal is kept: whether it is feasible is decided label by label.
+// Nothing about feasibility is assumed between one state and another; the wider H, the more designs are not universal.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "solver/staircase.h"
+#include "solver/state_form.h"
+
+namespace millwright::solver {
+
+struct CandidateQuestion {
+  const StagePlan* plan = nullptr;
+  const StateForm* form = nullptr;
+  const Comparison* comparison = nullptr;
+  std::vector<Interval> states;  ///< H
+  std::vector<Pair> useful;      ///< upper staircase of own shares of the first two scores
+  std::function<bool()> stop;    ///< asked now and then
+};
+
+struct Candidate {
+  std::vector<Row> rows;
+  std::vector<double> variables;  ///< feasible at every state of H when universal
+  std::vector<double> score;      ///< own share
+  std::vector<double> state;      ///< handed on from the reference state
+  std::vector<double> key;        ///< of score and state
+  bool universal = false;
+};
+
+struct CandidateSet {
+  std::vector<double> reference;  ///< the state in H at which states are compared
+  std::vector<Candidate> candidates;
+  std::uint64_t nodes = 0;
+  bool complete = true;
+};
+
+CandidateSet find_candidates(const CandidateQuestion& question, Desk& desk);
+
+/// A lower staircase of what a stage adds to the first two scores, whatever label arrives: the same search at the best
+/// state that can arrive, where every design that is not proved infeasible counts. Valid at any node limit.
+std::vector<Pair> least_front(const StagePlan& plan, std::size_t node_limit, Desk& desk);
+
+}  // namespace millwright::solver

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What is left when every slot of a stage has one row: the continuous variables.
+//
+// 1. Variables that only decide feasibility (the acceleration time of an axis): one feasible point is enough, or the
+//    proof that there is none. Points are tried first (the middle, ends), then boxes are bisected, most promising
+//    first; a box is closed when `bound` proves a violation in it. Of the feasible points one with small worst
+//    utilisation is taken (a local search: a choice between equals, nothing is claimed about it).
+// 2. Variables that move scores or state (the diameter of a shaft): branch and bound on the box until every design in
+//    it is proved infeasible, hopeless, or covered: a known feasible point is, in every score and every state component
+//    with a direction, at most `tolerance` (relative) worse than the box can be. What a point covers becomes the
+//    enclosure of its label. Points come from SLSQP (and Ipopt where SLSQP finds none), so few boxes are needed.
+//
+// Guarantee: a point counts as feasible only if `evaluate` in double gives every utilisation <= 1. A feasible set
+// narrower than 1e-12 of a variable's range may be overlooked. What the box limit leaves undecided is returned as
+// `undecided`, with its lower bound, and ends up in the reported gap.
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "solver/labels.h"
+#include "solver/stage_plan.h"
+
+namespace millwright::solver {
+
+struct LeafQuestion {
+  const StagePlan* plan = nullptr;
+  const Label* label = nullptr;
+  const Region* region = nullptr;  ///< one row per slot
+  double tolerance = 1e-6;         ///< for variables that move scores or state
+  bool relieve = true;             ///< move variables that only decide feasibility to a small worst utilisation
+  /// Whether designs of this stage with at least these scores (own share), this state and utilisation are of no use.
+  std::function<bool(const Worth&)> hopeless;
+};
+
+/// A feasible point of a stage and what it stands for.
+struct StagePoint {
+  std::vector<double> variables;
+  std::vector<double> resources;    ///< own share
+  std::vector<double> score_lower;  ///< own share, of everything it stands for
+  std::vector<double> state;
+  std::vector<Interval> enclosure;
+  double utilisation = 0.0;
+  bool exact = true;
+};
+
+struct LeafAnswer {
+  std::vector<StagePoint> points;
+  bool undecided = false;
+  std::vector<double> undecided_score;  ///< least own share of what is undecided
+};
+
+LeafAnswer solve_leaf(const LeafQuestion& question, Desk& desk);
+
+}  // namespace millwright::solver

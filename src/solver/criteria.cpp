@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/criteria.h"
+
+#include <stdexcept>
+#include <string>
+
+namespace millwright::solver {
+namespace {
+
+std::vector<double> unit_weight(std::size_t resources, std::size_t index, const char* option) {
+  if (index >= resources) {
+    throw std::invalid_argument(std::string(option) + " names resource " + std::to_string(index) + " but there are " +
+                                std::to_string(resources));
+  }
+  std::vector<double> weight(resources, 0.0);
+  weight[index] = 1.0;
+  return weight;
+}
+
+/// Adds a score, or the limit to an equal one that is already there.
+void add_limit(Criteria& criteria, const std::vector<double>& weight, double limit) {
+  for (std::size_t k = 0; k < criteria.size(); ++k) {
+    if (criteria.weight[k] == weight) {
+      criteria.limit[k] = limit;
+      return;
+    }
+  }
+  criteria.weight.push_back(weight);
+  criteria.limit.push_back(limit);
+}
+
+}  // namespace
+
+bool Criteria::reads(std::size_t resource) const {
+  for (const auto& row : weight) {
+    if (row[resource] != 0.0) return true;
+  }
+  return false;
+}
+
+void add_guides(Criteria& criteria, double typical_rate) {
+  for (const double part : {0.1, 0.3, 0.6, 1.0, 1.7, 3.0, 10.0}) {
+    std::vector<double> weight = criteria.weight[0];
+    for (std::size_t r = 0; r < weight.size(); ++r) weight[r] += part * typical_rate * criteria.weight[1][r];
+    criteria.weight.push_back(std::move(weight));
+    criteria.limit.push_back(std::numeric_limits<double>::infinity());
+    ++criteria.guides;
+  }
+}
+
+Criteria make_criteria(const Problem& problem, const Options& options) {
+  const std::size_t resources = problem.resources.size();
+  const double infinity = std::numeric_limits<double>::infinity();
+  Criteria criteria;
+  if (!options.weights.empty()) {
+    if (options.weights.size() != resources) {
+      throw std::invalid_argument("Options::weights needs one weight for each of the " + std::to_string(resources) +
+                                  " resources");
+    }
+    for (const double weight : options.weights) {
+      if (!(weight >= 0.0) || !std::isfinite(weight)) {
+        throw std::invalid_argument("Options::weights must be finite and not negative");
+      }
+    }
+    criteria.weight.push_back(options.weights);
+  } else {
+    if (options.objectives.empty()) throw std::invalid_argument("Options::objectives is empty");
+    for (const std::size_t index : options.objectives) {
+      criteria.weight.push_back(unit_weight(resources, index, "Options::objectives"));
+    }
+  }
+  criteria.objectives = criteria.weight.size();
+  for (const std::size_t index : options.ties) {
+    criteria.weight.push_back(unit_weight(resources, index, "Options::ties"));
+  }
+  criteria.ties = criteria.weight.size() - criteria.objectives;
+  criteria.limit.assign(criteria.weight.size(), infinity);
+  for (std::size_t r = 0; r < resources; ++r) {
+    if (problem.resources[r].limit < infinity) {
+      add_limit(criteria, unit_weight(resources, r, "Problem::resources"), problem.resources[r].limit);
+    }
+  }
+  return criteria;
+}
+
+}  // namespace millwright::solver

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the search compares. The resources of a problem are turned into scores: first the objectives (one, or several
+// for a front, or one weighted sum), then the resources that decide between equal objectives, then those with a limit.
+// A resource that nobody asked for is no score and is never looked at.
+//
+// Scores are compared after rounding to 40 binary digits (about 1e-12 relative): two designs whose cost is the same sum
+// in another order must count as equal, or a rounding error of 1e-14 would decide over a kilogram. The rounding is
+// monotone, so a lower bound stays a lower bound.
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "solver/solver.h"
+
+namespace millwright::solver {
+
+/// Monotone rounding to 40 binary digits: the last 12 bits of the fraction are rounded away.
+inline double rounded(double x) {
+  constexpr std::uint64_t half = 0x800;
+  constexpr std::uint64_t dropped = 0xFFF;
+  return std::bit_cast<double>((std::bit_cast<std::uint64_t>(x) + half) & ~dropped);
+}
+
+struct Criteria {
+  std::size_t objectives = 1;               ///< how many of the scores are objectives; they come first
+  std::size_t ties = 0;                     ///< how many scores after them decide between equals
+  std::size_t guides = 0;                   ///< weighted sums of two objectives, the last scores: see add_guides
+  std::vector<std::vector<double>> weight;  ///< [score][resource], never negative
+  std::vector<double> limit;                ///< [score]: the total must not exceed this
+
+  [[nodiscard]] std::size_t size() const { return weight.size(); }
+  /// Whether any score reads this resource.
+  [[nodiscard]] bool reads(std::size_t resource) const;
+  /// The scores of resources (value by value; the same order of additions for every T).
+  template <class T>
+  void scores(std::span<const T> resources, std::span<T> out) const {
+    for (std::size_t k = 0; k < weight.size(); ++k) {
+      T sum(0.0);
+      for (std::size_t r = 0; r < resources.size(); ++r) {
+        if (weight[k][r] == 1.0)
+          sum = sum + resources[r];
+        else if (weight[k][r] != 0.0)
+          sum = sum + T(weight[k][r]) * resources[r];
+      }
+      out[k] = sum;
+    }
+  }
+};
+
+/// For a front in two objectives: adds sums first + rate * second as further scores. They decide nothing, but the least
+/// of a sum says far more about what can still be on the front than the least of each objective on its own.
+void add_guides(Criteria& criteria, double typical_rate);
+
+/// Throws std::invalid_argument, naming the option, when an index or a weight makes no sense.
+Criteria make_criteria(const Problem& problem, const Options& options);
+
+}  // namespace millwright::solver

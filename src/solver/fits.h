@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Which rows of two slots can be in one design together. All pairs are asked once and kept as bits; when a split has
+// made row sets smaller, `filter` removes every row that no longer has a partner in some other slot, until nothing
+// changes (arc consistency). What remains need not fit together; that is what further splits find out.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "solver/box.h"
+
+namespace millwright::solver {
+
+class Fits {
+ public:
+  Fits(const Stage& stage, std::span<const Row> shared);
+
+  /// False when some slot has no row left. `changed` is the slot that became smaller, or any value >= the number of
+  /// slots for all of them.
+  bool filter(Region& region, std::size_t changed) const;
+
+ private:
+  /// The partners in slot b of every row of slot a, as bits; empty when every pair fits.
+  struct Pairs {
+    std::size_t words = 0;
+    std::vector<std::uint64_t> bits;
+  };
+  [[nodiscard]] const Pairs& pairs(std::size_t a, std::size_t b) const { return pairs_[a * slots_ + b]; }
+  Pairs& pairs(std::size_t a, std::size_t b) { return pairs_[a * slots_ + b]; }
+  /// Asks the stage about every pair of rows of two slots.
+  void ask(const Stage& stage, std::span<const Row> shared, std::size_t a, std::size_t b);
+  bool keep_partners(Region& region, std::size_t changed, std::size_t other, bool& smaller) const;
+
+  std::size_t slots_ = 0;
+  bool everything_fits_ = true;
+  std::vector<Pairs> pairs_;
+};
+
+}  // namespace millwright::solver

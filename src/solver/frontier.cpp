@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/frontier.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/archive.h"
+#include "solver/leaf_point.h"
+
+namespace millwright::solver {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t staircase_points = 600;
+constexpr std::size_t front_nodes = 3000;                        // spent on the least front of one stage
+constexpr std::size_t most_chunks = 8;                           // of the labels before one stage
+constexpr double narrow = 0.02;                                  // relative width of a chunk's states
+constexpr std::size_t most_combinations = std::size_t{1} << 22;  // kept at a time
+
+/// Room for the rounding of sums, so that bounds stay bounds.
+double with_slack(double bound) { return std::isfinite(bound) ? bound + 1e-11 * std::fabs(bound) : bound; }
+
+}  // namespace
+
+Frontier::Frontier(const Problem& problem,
+                   const Criteria& criteria,
+                   std::vector<StagePlan>& plans,
+                   Incumbents& incumbents,
+                   SearchControl& control)
+    : problem_(problem), criteria_(criteria), plans_(plans), incumbents_(incumbents), control_(control) {
+  for (const StagePlan& plan : plans_) {
+    if (plan.any_priced) applicable_ = false;
+    forms_.push_back(find_state_form(plan, control_.desk(0)));
+    applicable_ = applicable_ && forms_.back().additive;
+  }
+}
+
+bool Frontier::run() {
+  find_rest();
+  for (const bool with_states : {false, true}) {
+    if (!pass(with_states)) return false;
+  }
+  return !undecided_;
+}
+
+/// What all stages from each one on add at least.
+void Frontier::find_rest() {
+  const std::size_t stages = plans_.size();
+  std::vector<std::vector<Pair>> own(stages);
+  control_.crew().run(stages, [&](std::size_t i, unsigned thread) {
+    own[i] = least_front(plans_[i], front_nodes, control_.desk(thread));
+  });
+  rest_.assign(stages + 1, {Pair{}});
+  for (std::size_t i = stages; i-- > 0;) rest_[i] = sum_of_staircases(own[i], rest_[i + 1], staircase_points);
+}
+
+/// A total matters only below a corner between two neighbours of the known front (equals may win a tie).
+void Frontier::update_useful() {
+  std::vector<Pair> corners;
+  double second = infinity;
+  for (const RankedBuild& build : incumbents_.builds()) {
+    corners.push_back({with_slack(build.score[0]), with_slack(second)});
+    second = build.score[1];
+  }
+  corners.push_back({infinity, with_slack(second)});
+  useful_.clear();
+  for (const auto& rest : rest_) useful_.push_back(difference_of_staircases(corners, rest, staircase_points));
+}
+
+bool Frontier::pass(bool with_states) {
+  update_useful();
+  labels_.assign(plans_.size() + 1, {});
+  labels_[0].push_back(first_label(problem_, criteria_));
+  for (std::size_t stage = 0; stage < plans_.size(); ++stage) {
+    if (!advance(stage, Comparison(criteria_, plans_[stage].after, with_states))) return false;
+  }
+  for (const Label& label : labels_.back()) finish(label);
+  return true;
+}
+
+/// All labels before one stage to those before the next; false when time is up.
+bool Frontier::advance(std::size_t stage, const Comparison& comparison) {
+  std::vector<Chunk> chunks = make_chunks(stage, comparison);
+  control_.crew().run(chunks.size(), [&](std::size_t i, unsigned thread) {
+    chunks[i].set = find_candidates(chunks[i].question, control_.desk(thread));
+  });
+  combinations_.clear();
+  keys_.clear();
+  for (std::size_t i = 0; i < chunks.size(); ++i) {
+    control_.nodes += chunks[i].set.nodes;
+    if (!chunks[i].set.complete) return false;
+    combine(stage, static_cast<std::uint32_t>(i), chunks[i], comparison);
+    if (combinations_.size() > most_combinations) compact(chunks, comparison);
+  }
+  sort_combinations(comparison);
+  Archive known(comparison.dimensions());
+  for (std::size_t i = 0; i < combinations_.size(); ++i) {
+    if (i % 1024 == 0 && control_.time_is_up()) return false;
+    const Combination& combination = combinations_[i];
+    const std::span<const double> key(keys_.data() + combination.key, comparison.dimensions());
+    if (known.dominates(key)) continue;
+    if (arrive(stage, chunks[combination.chunk], combination)) known.add(key);
+  }
+  control_.report(incumbents_.best(), incumbents_.best());
+  return true;
+}
+
+/// Labels with alike states together, by the component that differs most among those that decide about feasibility.
+std::vector<Frontier::Chunk> Frontier::make_chunks(std::size_t stage, const Comparison& comparison) const {
+  const std::vector<Label>& labels = labels_[stage];
+  const StateForm& form = forms_[stage];
+  std::vector<Chunk> chunks;
+  if (labels.empty()) return chunks;
+  double widest = 0.0;
+  std::size_t component = 0;
+  for (std::size_t c = 0; c < form.influences.size(); ++c) {
+    if (!form.influences[c]) continue;
+    const auto [low, high] = std::minmax_element(
+        labels.begin(), labels.end(), [c](const Label& a, const Label& b) { return a.state[c] < b.state[c]; });
+    const double width = (high->state[c] - low->state[c]) / std::max(std::fabs(high->state[c]), 1e-9);
+    if (width > widest) {
+      widest = width;
+      component = c;
+    }
+  }
+  std::vector<std::uint32_t> order(labels.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return labels[a].state[component] < labels[b].state[component];
+  });
+  const double low = labels[order.front()].state[component];
+  const double high = labels[order.back()].state[component];
+  const double parts = std::clamp(std::ceil(widest / narrow), 1.0, static_cast<double>(most_chunks));
+  const double step = (high - low) / parts;
+  double end = -infinity;
+  for (const std::uint32_t index : order) {
+    const double value = labels[index].state[component];
+    if (chunks.empty() || value > end) {
+      chunks.emplace_back();
+      end = value + step;
+    }
+    chunks.back().labels.push_back(index);
+  }
+  for (Chunk& chunk : chunks) {
+    std::vector<Pair> scores;
+    std::map<std::vector<double>, std::uint32_t> groups;
+    for (const std::uint32_t index : chunk.labels) {
+      const Label& label = labels[index];
+      scores.push_back({label.score[0], label.score[1]});
+      std::vector<double> deciding;
+      for (std::size_t c = 0; c < label.state.size(); ++c) {
+        if (form.influences[c]) deciding.push_back(label.state[c]);
+        if (scores.size() == 1)
+          chunk.question.states.emplace_back(label.state[c]);
+        else
+          chunk.question.states[c] = hull(chunk.question.states[c], label.state[c]);
+      }
+      chunk.group.push_back(groups.emplace(deciding, static_cast<std::uint32_t>(groups.size())).first->second);
+    }
+    chunk.question.plan = &plans_[stage];
+    chunk.question.form = &form;
+    chunk.question.comparison = &comparison;
+    chunk.question.useful =
+        difference_of_staircases(useful_[stage + 1], lower_staircase(std::move(scores)), staircase_points);
+    chunk.question.stop = [this] { return control_.time_is_up(); };
+  }
+  return chunks;
+}
+
+/// Every label of a chunk with every candidate, as sums.
+void Frontier::combine(std::size_t stage, std::uint32_t index, const Chunk& chunk, const Comparison& comparison) {
+  const std::vector<Pair>& useful = useful_[stage + 1];
+  const StateForm& form = forms_[stage];
+  std::vector<double> score(criteria_.size());
+  for (std::uint32_t i = 0; i < chunk.labels.size(); ++i) {
+    const Label& label = labels_[stage][chunk.labels[i]];
+    std::vector<double> change(label.state.size());
+    for (std::size_t c = 0; c < change.size(); ++c) change[c] = form.change(c, chunk.set.reference, label.state);
+    std::vector<double> state(label.state.size());
+    for (std::uint32_t j = 0; j < chunk.set.candidates.size(); ++j) {
+      const Candidate& candidate = chunk.set.candidates[j];
+      for (std::size_t k = 0; k < score.size(); ++k) score[k] = label.score[k] + candidate.score[k];
+      if (!below_staircase(useful, score[0], score[1])) continue;
+      for (std::size_t c = 0; c < state.size(); ++c) state[c] = candidate.state[c] + change[c];
+      combinations_.push_back({index, i, j, keys_.size()});
+      keys_.resize(keys_.size() + comparison.dimensions());
+      comparison.key(score, state, keys_.data() + combinations_.back().key);
+    }
+  }
+}
+
+/// Ascending in the first coordinate, among equals in the second, ...: nothing is dominated by what comes after it.
+void Frontier::sort_combinations(const Comparison& comparison) {
+  const std::size_t n = comparison.dimensions();
+  std::sort(combinations_.begin(), combinations_.end(), [&](const Combination& a, const Combination& b) {
+    const double* left = keys_.data() + a.key;
+    const double* right = keys_.data() + b.key;
+    for (std::size_t d = 0; d < n; ++d) {
+      if (left[d] != right[d]) return left[d] < right[d];
+    }
+    return a.key < b.key;
+  });
+}
+
+/// Drops what feasible combinations dominate, so that memory stays bounded.
+void Frontier::compact(const std::vector<Chunk>& chunks, const Comparison& comparison) {
+  sort_combinations(comparison);
+  const std::size_t n = comparison.dimensions();
+  Archive known(n);
+  std::erase_if(combinations_, [&](const Combination& combination) {
+    const std::span<const double> key(keys_.data() + combination.key, n);
+    if (known.dominates(key)) return true;
+    if (chunks[combination.chunk].set.candidates[combination.candidate].universal) known.add(key);
+    return false;
+  });
+  std::vector<double> keys;
+  keys.reserve(combinations_.size() * n);
+  for (Combination& combination : combinations_) {
+    const auto from = keys_.begin() + static_cast<std::ptrdiff_t>(combination.key);
+    combination.key = keys.size();
+    keys.insert(keys.end(), from, from + static_cast<std::ptrdiff_t>(n));
+  }
+  keys_ = std::move(keys);
+}
+
+/// Decides the feasibility of a design that is not feasible for all of its chunk's labels, once for equal states.
+const LeafAnswer& Frontier::leaf(std::size_t stage, Chunk& chunk, const Combination& combination) {
+  const std::uint64_t name = (std::uint64_t{chunk.group[combination.label]} << 32U) | combination.candidate;
+  const auto [place, first] = chunk.leaves.try_emplace(name);
+  if (!first) return place->second;
+  Region region;
+  for (const Row row : chunk.set.candidates[combination.candidate].rows) region.rows.push_back(only(row));
+  region.variables = plans_[stage].region.variables;
+  const Label& label = labels_[stage][chunk.labels[combination.label]];
+  place->second = solve_leaf({&plans_[stage], &label, &region, 0.0, false, {}}, control_.desk(0));
+  undecided_ = undecided_ || place->second.undecided;
+  return place->second;
+}
+
+/// Evaluates a combination exactly; false when it is not feasible.
+bool Frontier::arrive(std::size_t stage, Chunk& chunk, const Combination& combination) {
+  const Candidate& candidate = chunk.set.candidates[combination.candidate];
+  const std::uint32_t parent = chunk.labels[combination.label];
+  const Label& from = labels_[stage][parent];
+  std::vector<double> variables = candidate.variables;
+  if (!candidate.universal) {
+    const LeafAnswer& answer = leaf(stage, chunk, combination);
+    if (answer.points.empty()) return false;
+    variables = answer.points.front().variables;
+  }
+  const auto& answer = control_.desk(0).evaluate(*plans_[stage].stage,
+                                                 Point{plans_[stage].shared, from.state, candidate.rows, variables});
+  const double worst = worst_of(answer.utilisation);
+  if (!(worst <= 1.0)) {  // proved feasible: only rounding can contradict
+    undecided_ = true;
+    return false;
+  }
+  Label label;
+  label.parent = parent;
+  label.stage = stage + 1;
+  label.resources = from.resources;
+  for (std::size_t r = 0; r < label.resources.size(); ++r) label.resources[r] += answer.resources[r];
+  label.score.resize(criteria_.size());
+  criteria_.scores<double>(label.resources, label.score);
+  label.state = answer.handed_on;
+  label.utilisation = std::max(from.utilisation, worst);
+  std::vector<double> total = label.score;
+  for (std::size_t k = 0; k < total.size(); ++k) total[k] += plans_[stage].rest[k];
+  if (!incumbents_.within_limits(total)) return false;
+  label.rows = candidate.rows;
+  label.variables = std::move(variables);
+  labels_[stage + 1].push_back(std::move(label));
+  return true;
+}
+
+void Frontier::finish(const Label& label) {
+  RankedBuild ranked;
+  ranked.score = label.score;
+  ranked.build = build_of(label);
+  incumbents_.offer(std::move(ranked));
+}
+
+/// The choices of a label from the tool on. Variables that only decide feasibility are moved to where the worst
+/// utilisation is small; that changes neither scores nor states.
+Build Frontier::build_of(const Label& last) {
+  Build build;
+  build.shared.assign(plans_.front().shared.begin(), plans_.front().shared.end());
+  build.stages.resize(plans_.size());
+  build.resources = last.resources;
+  const Label* label = &last;
+  for (std::size_t stage = plans_.size(); stage-- > 0;) {
+    const Label& before = labels_[stage][label->parent];
+    build.stages[stage] = StageChoice{label->rows, label->variables, before.state};
+    relieve(stage, before, build.stages[stage], build.worst_utilisation);
+    label = &before;
+  }
+  return build;
+}
+
+void Frontier::relieve(std::size_t stage, const Label& before, StageChoice& choice, double& utilisation) {
+  Region region;
+  for (const Row row : choice.rows) region.rows.push_back(only(row));
+  region.variables = plans_[stage].region.variables;
+  const LeafQuestion question{&plans_[stage], &before, &region, 0.0, true, {}};
+  LeafDesign design(question, control_.desk(0));
+  design.relieve(choice.variables, region.variables);
+  utilisation = std::max(utilisation, design.worst_at(choice.variables));
+}
+
+}  // namespace millwright::solver

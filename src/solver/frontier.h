@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The exact front in two objectives, for one combination of shared choices: forward through the stages with all labels
+// at once. (branch_and_bound.h walks one label at a time, which suits a single objective: few labels are ever opened.
+// A front opens thousands, and they would all walk through the same regions.)
+//
+//   labels before a stage (scores so far, state)
+//     -> sorted by the state component that decides most about feasibility, and cut into chunks of alike states
+//     -> per chunk, the designs of the stage that can matter to any of its labels (candidates.h), found once
+//     -> labels x candidates, as sums; what cannot reach the known front any more is dropped (staircase.h)
+//     -> in ascending order of all coordinates: dropped if a kept one is at least as good in every coordinate, else
+//        its feasibility is decided at the label's own state, and it is evaluated exactly: a label before the next
+//        stage
+//
+// A quick first pass compares scores only, and so finds good builds but proves nothing; the second compares everything
+// that matters and is exact: in the end the builds known are the front.
+//
+// What it cannot do is left to branch_and_bound.h: variables that move scores or states, states that do not simply add
+// up (state_form.h), designs whose feasibility stays undecided.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <unordered_map>
+#include <vector>
+
+#include "solver/candidates.h"
+#include "solver/continuous.h"
+#include "solver/incumbents.h"
+#include "solver/search_control.h"
+
+namespace millwright::solver {
+
+class Frontier {
+ public:
+  Frontier(const Problem& problem,
+           const Criteria& criteria,
+           std::vector<StagePlan>& plans,
+           Incumbents& incumbents,
+           SearchControl& control);
+
+  /// Whether the method can do this problem at all.
+  [[nodiscard]] bool applicable() const { return applicable_; }
+  /// True when the incumbents are the front. False: time limit, or something undecided (then `undecided()`).
+  bool run();
+  [[nodiscard]] bool undecided() const { return undecided_; }
+
+ private:
+  struct Chunk {
+    std::vector<std::uint32_t> labels;
+    CandidateQuestion question;
+    CandidateSet set;
+    std::vector<std::uint32_t> group;                      ///< [label]: labels with equal influencing states
+    std::unordered_map<std::uint64_t, LeafAnswer> leaves;  ///< [group, candidate]
+  };
+  /// A label with a candidate; its key is in keys_.
+  struct Combination {
+    std::uint32_t chunk = 0, label = 0, candidate = 0;
+    std::size_t key = 0;
+  };
+
+  bool pass(bool with_states);
+  bool advance(std::size_t stage, const Comparison& comparison);
+  void find_rest();
+  void update_useful();
+  std::vector<Chunk> make_chunks(std::size_t stage, const Comparison& comparison) const;
+  void combine(std::size_t stage, std::uint32_t index, const Chunk& chunk, const Comparison& comparison);
+  void sort_combinations(const Comparison& comparison);
+  void compact(const std::vector<Chunk>& chunks, const Comparison& comparison);
+  bool arrive(std::size_t stage, Chunk& chunk, const Combination& combination);
+  const LeafAnswer& leaf(std::size_t stage, Chunk& chunk, const Combination& combination);
+  void finish(const Label& label);
+  Build build_of(const Label& last);
+  void relieve(std::size_t stage, const Label& before, StageChoice& choice, double& utilisation);
+
+  const Problem& problem_;
+  const Criteria& criteria_;
+  std::vector<StagePlan>& plans_;
+  Incumbents& incumbents_;
+  SearchControl& control_;
+  std::vector<StateForm> forms_;
+  std::vector<std::vector<Pair>> rest_;     ///< [stage]: least added by this and all later stages
+  std::vector<std::vector<Pair>> useful_;   ///< [stage]: what a label before it must be below
+  std::vector<std::vector<Label>> labels_;  ///< [stage]
+  std::vector<Combination> combinations_;
+  std::vector<double> keys_;
+  bool applicable_ = true;
+  bool undecided_ = false;
+};
+
+}  // namespace millwright::solver

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The best builds found so far: one for a single objective, the front for several. A build counts here only after
+// `evaluate` in double has found every utilisation <= 1 and every limit kept.
+//
+// Order between builds: objectives, then tie scores, then the smaller worst utilisation, then the smaller row numbers.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "solver/criteria.h"
+
+namespace millwright::solver {
+
+struct RankedBuild {
+  std::vector<double> score;
+  Build build;
+};
+
+class Incumbents {
+ public:
+  explicit Incumbents(const Criteria& criteria) : criteria_(&criteria) {}
+
+  /// A region is given up when it can better a build by less than this, relative. 0 without continuous variables that
+  /// move scores; then the answer is exact.
+  double tolerance = 0.0;
+
+  /// Whether designs with at least these total scores and this worst utilisation cannot change the answer.
+  [[nodiscard]] bool hopeless(std::span<const double> score_lower, double utilisation_lower) const;
+  /// True when the build is kept.
+  bool offer(RankedBuild candidate);
+  [[nodiscard]] const std::vector<RankedBuild>& builds() const { return builds_; }
+  [[nodiscard]] std::vector<RankedBuild>& builds() { return builds_; }
+  /// First objective of the best build in it; +infinity while there is none.
+  [[nodiscard]] double best() const;
+  /// Whether a total keeps every limit, with the slack of rounding (for lower bounds).
+  [[nodiscard]] bool within_limits(std::span<const double> score_lower) const;
+
+ private:
+  [[nodiscard]] bool settles(const RankedBuild& known, std::span<const double> score, double utilisation) const;
+  [[nodiscard]] bool may_reach(std::span<const double> score_lower, double first, double second, bool strictly) const;
+  [[nodiscard]] bool fills_no_gap(std::span<const double> score_lower, double utilisation_lower) const;
+  [[nodiscard]] int compare_rest(const RankedBuild& known, std::span<const double> score, double utilisation) const;
+
+  const Criteria* criteria_;
+  std::vector<RankedBuild> builds_;  ///< ascending in the first objective
+};
+
+}  // namespace millwright::solver

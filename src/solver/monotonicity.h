@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Is less of a state component (a carried mass, a drawn power) always better further down the chain, or more of it?
+//
+// It is never assumed. `prove_directions` goes through the stages from the last to the first. A component has a
+// direction before a stage when, over every design of the stage and the whole range of states that can arrive there,
+// every utilisation, every scored resource and every handed-on component that matters changes the right way with it.
+// The proof is interval arithmetic on the derivatives (`Stage::slopes`) with recursive splitting of row sets, variables
+// and state ranges. Sub-boxes need no proof where a constraint is certainly violated (no feasible design is in them),
+// and a constraint needs none in a sub-box where it is certainly satisfied: a design feasible at one state stays
+// feasible along the whole way to a better state, since at the first violation it would have to be in a sub-box where
+// the violated constraint is either certainly satisfied or proved to change the right way.
+//
+// What cannot be proved within the node limit is compared by equality only: slower, never wrong.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "solver/box.h"
+#include "solver/criteria.h"
+
+namespace millwright::solver {
+
+enum class Direction { irrelevant, smaller_is_better, larger_is_better, equal_only };
+
+/// What is asked of one stage.
+struct MonotonicityQuestion {
+  const Stage* stage = nullptr;
+  std::span<const Row> shared;
+  const Criteria* criteria = nullptr;
+  const Region* region = nullptr;       ///< rows that can be in a feasible design
+  std::span<const Interval> inherited;  ///< every state that can arrive
+  std::span<const Direction> next;      ///< directions of the components handed on
+  std::size_t node_limit = 3000;
+};
+
+/// The direction of component `component` of the inherited state.
+Direction prove_direction(const MonotonicityQuestion& question, std::size_t component, Desk& desk);
+
+/// Whether variable `variable` moves no scored resource and no handed-on component that matters (it decides feasibility
+/// only).
+bool moves_feasibility_only(const MonotonicityQuestion& question, std::size_t variable, Desk& desk);
+
+}  // namespace millwright::solver

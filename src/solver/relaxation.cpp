@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/relaxation.h"
+
+#include <algorithm>
+#include <queue>
+
+namespace millwright::solver {
+namespace {
+
+struct Node {
+  OpenRegion part;
+  double value = 0.0;
+  std::uint64_t order = 0;
+  bool refined = false;  ///< a single design that could not be proved infeasible
+};
+
+struct Later {
+  bool operator()(const Node& a, const Node& b) const {
+    return a.value != b.value ? a.value > b.value : a.order < b.order;  // the younger of equals first: it is deeper
+  }
+};
+
+double value_of(const StagePlan& plan, RelaxedTarget target, const Bounds& bounds) {
+  if (target.kind == RelaxedTarget::Kind::score) return bounds.score[target.index];
+  const Interval& state = bounds.handed_on[target.index];
+  return plan.after[target.index] == Direction::larger_is_better ? -state.upper : state.lower;
+}
+
+class Search {
+ public:
+  Search(const StagePlan& plan, RelaxedTarget target, Desk& desk) : plan_(plan), target_(target), desk_(desk) {}
+
+  Relaxation run(std::size_t node_limit) {
+    Region root = plan_.region;
+    offer(std::move(root));
+    constexpr std::size_t proof_limit = 60;
+    for (std::size_t nodes = 0; !heap_.empty() && nodes < node_limit; ++nodes) {
+      if (heap_.front().refined) break;
+      std::pop_heap(heap_.begin(), heap_.end(), Later{});
+      Node node = std::move(heap_.back());
+      heap_.pop_back();
+      if (!node.part.region.one_design_per_slot()) {
+        branch(node.part);
+      } else if (!proves_infeasible(plan_, plan_.best_inherited, node.part.region, proof_limit, desk_)) {
+        node.refined = true;
+        push(std::move(node));
+      }
+    }
+    return result();
+  }
+
+ private:
+  void push(Node node) {
+    heap_.push_back(std::move(node));
+    std::push_heap(heap_.begin(), heap_.end(), Later{});
+  }
+  void offer(Region region) {
+    Node node;
+    node.part.region = std::move(region);
+    if (!assess(plan_, plan_.best_inherited, node.part.region, node.part.bounds, desk_)) return;
+    node.value = value_of(plan_, target_, node.part.bounds);
+    node.order = ++order_;
+    push(std::move(node));
+  }
+  void branch(const OpenRegion& part) {
+    const RowProfile::Split split = plan_.profile.split(part.region, part.bounds.open);
+    for (const RowSet& half : {split.right, split.left}) {
+      Region region = part.region;
+      region.rows[split.slot] = half;
+      if (plan_.fits.filter(region, split.slot)) offer(std::move(region));
+    }
+  }
+  Relaxation result() {
+    Relaxation relaxation;
+    relaxation.least = heap_.empty() ? std::numeric_limits<double>::infinity() : heap_.front().value;
+    relaxation.open.reserve(heap_.size());
+    for (Node& node : heap_) relaxation.open.push_back(std::move(node.part));
+    return relaxation;
+  }
+
+  const StagePlan& plan_;
+  RelaxedTarget target_;
+  Desk& desk_;
+  std::vector<Node> heap_;
+  std::uint64_t order_ = 0;
+};
+
+}  // namespace
+
+Relaxation relax(const StagePlan& plan, RelaxedTarget target, std::size_t node_limit, Desk& desk) {
+  return Search(plan, target, desk).run(node_limit);
+}
+
+bool proves_infeasible(
+    const StagePlan& plan, std::span<const Interval> inherited, const Region& region, std::size_t limit, Desk& desk) {
+  std::vector<std::vector<Interval>> open{region.variables};
+  for (std::size_t boxes = 0; !open.empty(); ++boxes) {
+    if (boxes >= limit) return false;
+    const std::vector<Interval> box = std::move(open.back());
+    open.pop_back();
+    const auto& answer = desk.bound(*plan.stage, plan.shared, inherited, region, box);
+    if (worst_lower(answer.utilisation) > 1.0) continue;
+    std::size_t widest = box.size();
+    double most = 1e-9;
+    for (std::size_t v = 0; v < box.size(); ++v) {
+      const Variable& variable = plan.stage->variables()[v];
+      const double size = (box[v].upper - box[v].lower) / (variable.upper - variable.lower);
+      if (size > most) {
+        most = size;
+        widest = v;
+      }
+    }
+    if (widest == box.size()) return false;
+    const double cut = middle(box[widest]);
+    open.push_back(box);
+    open.back()[widest].lower = cut;
+    open.push_back(box);
+    open.back()[widest].upper = cut;
+  }
+  return true;
+}
+
+}  // namespace millwright::solver

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// How to split a set of rows in two so that the halves differ in what matters. The search does not know what a column
+// means; it knows what each row does to the answers: with the row fixed and everything else left open, `bound` gives
+// the least score, the state handed on and the range of each utilisation. These numbers are the row's profile. A region
+// is split in the slot and the number with the largest spread among the rows still alive, at the middle of the spread:
+// scores raise the bound of one half, utilisations make sets of alike parts, over which intervals are tight.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "solver/box.h"
+
+namespace millwright::solver {
+
+class RowProfile {
+ public:
+  RowProfile() = default;
+  RowProfile(std::size_t slots, std::size_t scores, std::size_t constraints);
+
+  /// Records what `bound` answered with only this row alive in the slot.
+  void record(
+      std::size_t slot, Row row, std::size_t rows, std::span<const double> score, const Answer<Interval>& answer);
+  /// To be called once when all rows are recorded: `score_scale` is what a spread in each score is compared with.
+  void finish(const Region& region, std::span<const double> score_scale);
+
+  struct Split {
+    std::size_t slot = 0;
+    RowSet left, right;
+  };
+  /// Not to be called on a region with a single row in every slot. `open` are the constraints still undecided.
+  [[nodiscard]] Split split(const Region& region, std::uint64_t open) const;
+
+ private:
+  [[nodiscard]] float feature(std::size_t slot, Row row, std::size_t index) const {
+    return features_[slot][row * width_ + index];
+  }
+  [[nodiscard]] double spread(const Region& region, std::size_t slot, std::size_t index, float& middle) const;
+
+  std::size_t scores_ = 0;
+  std::size_t width_ = 0;
+  std::vector<std::vector<float>> features_;          ///< [slot][row * width_ + index]
+  std::vector<std::vector<std::uint16_t>> relevant_;  ///< [slot]: indices that differ between rows of the slot
+  std::vector<double> weight_;                        ///< [index]
+};
+
+}  // namespace millwright::solver

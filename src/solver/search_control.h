@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What all parts of one solve share: the options, the threads with their desks, the clock, the counters.
+#pragma once
+
+#include <chrono>
+#include <vector>
+
+#include "solver/box.h"
+#include "solver/crew.h"
+#include "solver/solver.h"
+
+namespace millwright::solver {
+
+class SearchControl {
+ public:
+  explicit SearchControl(const Options& options)
+      : options_(options),
+        crew_(options.threads < 1 ? 1 : options.threads),
+        desks_(crew_.size()),
+        start_(std::chrono::steady_clock::now()),
+        reported_(start_) {}
+
+  std::uint64_t nodes = 0;
+
+  [[nodiscard]] const Options& options() const { return options_; }
+  Crew& crew() { return crew_; }
+  Desk& desk(unsigned thread) { return desks_[thread]; }
+  [[nodiscard]] double seconds() const { return since(start_); }
+  [[nodiscard]] bool time_is_up() const {
+    if (options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed)) return true;
+    return options_.time_limit_seconds < 1e300 && seconds() >= options_.time_limit_seconds;
+  }
+  [[nodiscard]] std::uint64_t evaluations() const {
+    std::uint64_t sum = 0;
+    for (const Desk& desk : desks_) sum += desk.bounds + desk.evaluations;
+    return sum;
+  }
+  void report(double lower_bound, double incumbent) {
+    constexpr double interval_seconds = 0.1;
+    if (!options_.progress || since(reported_) < interval_seconds) return;
+    reported_ = std::chrono::steady_clock::now();
+    options_.progress(Progress{lower_bound, incumbent, seconds(), nodes});
+  }
+
+ private:
+  using Instant = std::chrono::steady_clock::time_point;
+  static double since(Instant then) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
+  }
+
+  const Options& options_;
+  Crew crew_;
+  std::vector<Desk> desks_;
+  Instant start_, reported_;
+};
+
+}  // namespace millwright::solver

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/solver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "solver/branch_and_bound.h"
+#include "solver/confirmation.h"
+#include "solver/criteria.h"
+#include "solver/frontier.h"
+#include "solver/incumbents.h"
+#include "solver/search_control.h"
+#include "solver/stage_plan.h"
+
+namespace millwright::solver {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// One combination of shared choices with a cheap lower bound of the scores.
+struct Combination {
+  std::vector<Row> shared;
+  std::vector<double> score;
+};
+
+/// Sum of the stages' least scores with nothing chosen; empty when some stage is certainly infeasible.
+std::vector<double> quick_bound(const Problem& problem,
+                                const Criteria& criteria,
+                                std::span<const Row> shared,
+                                Desk& desk) {
+  std::vector<Interval> state(problem.first_state.begin(), problem.first_state.end());
+  std::vector<double> total(criteria.size(), 0.0);
+  std::vector<Interval> score(criteria.size());
+  for (const Stage* stage : problem.stages) {
+    const auto& answer = desk.bound(*stage, shared, state, whole_region(*stage));
+    if (worst_lower(answer.utilisation) > 1.0) return {};
+    criteria.scores<Interval>(answer.resources, score);
+    for (std::size_t k = 0; k < total.size(); ++k) total[k] = scalar::rounding::sum_down(total[k], score[k].lower);
+    state = answer.handed_on;
+  }
+  return total;
+}
+
+bool next_combination(const Problem& problem, std::vector<Row>& shared) {
+  for (std::size_t i = shared.size(); i-- > 0;) {
+    if (++shared[i] < problem.shared[i].rows) return true;
+    shared[i] = 0;
+  }
+  return false;
+}
+
+/// All combinations that are not infeasible at first sight, cheapest first.
+std::vector<Combination> combinations_of(const Problem& problem, const Criteria& criteria, Desk& desk) {
+  std::vector<Combination> all;
+  for (const Slot& slot : problem.shared) {
+    if (slot.rows == 0) return all;
+  }
+  std::vector<Row> shared(problem.shared.size(), 0);
+  do {
+    std::vector<double> score = quick_bound(problem, criteria, shared, desk);
+    if (!score.empty()) all.push_back({shared, std::move(score)});
+  } while (next_combination(problem, shared));
+  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.score[0] < b.score[0]; });
+  return all;
+}
+
+double search_space(const Problem& problem) {
+  double product = 1.0;
+  for (const Slot& slot : problem.shared) product *= static_cast<double>(slot.rows);
+  for (const Stage* stage : problem.stages) {
+    for (const Slot& slot : stage->slots()) product *= static_cast<double>(slot.rows);
+  }
+  return product;
+}
+
+bool has_empty_slot(const Problem& problem) {
+  const auto empty = [](const Slot& slot) { return slot.rows == 0; };
+  return std::any_of(problem.shared.begin(), problem.shared.end(), empty) ||
+         std::any_of(problem.stages.begin(), problem.stages.end(), [&](const Stage* stage) {
+           return std::any_of(stage->slots().begin(), stage->slots().end(), empty);
+         });
+}
+
+/// One solve: every combination of shared choices, cheapest first, with common incumbents.
+class Solve {
+ public:
+  Solve(const Problem& problem, const Options& options)
+      : problem_(problem), criteria_(make_criteria(problem, options)), control_(options), incumbents_(criteria_) {}
+
+  Summary run() {
+    if (problem_.stages.empty()) throw std::invalid_argument("Problem::stages is empty");
+    constexpr double small = 1e3;  // combinations below which the ends and the guides are not worth their while
+    if (criteria_.objectives == 2 && !control_.options().stagewise_front && !has_empty_slot(problem_) &&
+        search_space(problem_) > small) {
+      find_ends();
+    }
+    if (!has_empty_slot(problem_)) search();
+    return summary();
+  }
+
+ private:
+  /// The two ends of a front by themselves: they bound it, and their distance says what rate between the objectives is
+  /// worth a guide.
+  void find_ends() {
+    std::vector<std::vector<double>> ends;
+    for (const std::size_t first : {std::size_t{0}, std::size_t{1}}) {
+      Options options = control_.options();
+      options.ties.insert(options.ties.begin(), options.objectives[1 - first]);
+      options.objectives = {options.objectives[first]};
+      options.confirm = false;
+      options.time_limit_seconds -= control_.seconds();
+      const Summary end = Solve(problem_, options).run();
+      control_.nodes += end.nodes;
+      earlier_evaluations_ += end.evaluations;
+      if (end.builds.empty()) return;
+      std::vector<double> score(criteria_.size());
+      criteria_.scores<double>(end.builds[0].resources, score);
+      ends.push_back(score);
+      incumbents_.offer({std::move(score), end.builds[0]});
+    }
+    const double rise = ends[1][0] - ends[0][0];
+    const double fall = ends[0][1] - ends[1][1];
+    if (rise > 0.0 && fall > 0.0) add_guides(criteria_, rise / fall);
+    for (RankedBuild& ranked : incumbents_.builds()) {
+      ranked.score.resize(criteria_.size());
+      criteria_.scores<double>(ranked.build.resources, ranked.score);
+    }
+  }
+
+  void search() {
+    std::vector<Combination> open = combinations_of(problem_, criteria_, control_.desk(0));
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      if (control_.time_is_up()) {
+        leave_open(open[i].score[0]);
+        return;
+      }
+      if (incumbents_.hopeless(open[i].score, 0.0)) continue;
+      search(open[i]);
+    }
+  }
+
+  void search(const Combination& combination) {
+    std::vector<StagePlan> plans = make_plans(problem_, combination.shared, criteria_, control_.desk(0));
+    if (plans.empty()) return;
+    priced_stages_.resize(plans.size());
+    for (std::size_t i = 0; i < plans.size(); ++i) {
+      priced_ = priced_ || plans[i].any_priced;
+      priced_stages_[i] = priced_stages_[i] || plans[i].any_priced;
+    }
+    const bool front = criteria_.objectives > 1;
+    if (criteria_.objectives == 2 && control_.options().stagewise_front) {
+      Frontier frontier(problem_, criteria_, plans, incumbents_, control_);
+      if (frontier.applicable()) {
+        stagewise_ = true;
+        if (frontier.run()) return;
+        if (!frontier.undecided() || control_.time_is_up()) return leave_open(combination.score[0]);
+      }
+    }
+    constexpr double front_spacing = 1e-3;
+    const double gap = front ? std::max(front_spacing, control_.options().gap) : control_.options().gap;
+    incumbents_.tolerance = priced_ ? 0.5 * gap : 0.0;
+    // A point that stands for designs a little better than itself may be too heavy for a later stage where they are
+    // not. What stays undecided for that reason is decided with points that stand for less.
+    constexpr int refinements = 4;
+    constexpr double finer = 1.0 / 16.0;
+    double leaf_tolerance = 0.25 * gap;
+    SearchResult result;
+    for (int attempt = 0; attempt <= refinements; ++attempt) {
+      result = BranchAndBound(problem_, criteria_, plans, incumbents_, control_, leaf_tolerance).run();
+      if (result.complete || control_.time_is_up()) break;
+      leaf_tolerance *= finer;
+    }
+    if (!result.complete) leave_open(result.lower_bound);
+  }
+
+  void leave_open(double lower_bound) {
+    complete_ = false;
+    open_bound_ = std::min(open_bound_, lower_bound);
+  }
+
+  Summary summary() {
+    Summary out;
+    out.combinations = search_space(problem_);
+    out.nodes = control_.nodes;
+    out.evaluations = control_.evaluations() + earlier_evaluations_;
+    const double best = incumbents_.best();
+    // What the tolerance gave up may be better by so much.
+    const double settled = std::isfinite(best) ? best - incumbents_.tolerance * std::fabs(best) : infinity;
+    out.lower_bound = std::min(settled, open_bound_);
+    for (const RankedBuild& ranked : incumbents_.builds()) out.builds.push_back(ranked.build);
+    if (criteria_.objectives == 1 && out.builds.size() > 1) out.builds.resize(1);
+    out.gap = std::isfinite(best) ? (best - out.lower_bound) / std::max(std::fabs(best), 1e-300) : infinity;
+    const bool closed = complete_ || (criteria_.objectives == 1 && out.gap <= control_.options().gap);
+    out.status = !closed ? Status::limit : out.builds.empty() ? Status::infeasible : Status::optimal;
+    out.seconds = control_.seconds();
+    out.method = method();
+    if (priced_ && control_.options().confirm && criteria_.objectives == 1 && !out.builds.empty()) {
+      out.confirmations = confirm(problem_, criteria_, out.builds.front(), priced_stages_);
+      out.method += confirmation_sentence(out.confirmations);
+    }
+    return out;
+  }
+
+  [[nodiscard]] std::string method() const {
+    std::string text =
+        "best-first branch and bound with outward-rounded interval bounds over row sets and boxes, labels between "
+        "stages with dominance in proved directions only, every shared choice tried";
+    if (stagewise_) text += "; the front stage by stage, with the designs of a stage found once for all labels";
+    if (priced_) text += "; continuous variables that move the objective by SLSQP and Ipopt proposals inside the bound";
+    return text;
+  }
+
+  const Problem& problem_;
+  Criteria criteria_;
+  SearchControl control_;
+  Incumbents incumbents_;
+  std::uint64_t earlier_evaluations_ = 0;
+  bool complete_ = true;
+  bool priced_ = false;
+  bool stagewise_ = false;  ///< frontier.h was used
+  std::vector<bool> priced_stages_;
+  double open_bound_ = infinity;
+};
+
+}  // namespace
+
+Summary solve(const Problem& problem, const Options& options) { return Solve(problem, options).run(); }
+
+}  // namespace millwright::solver

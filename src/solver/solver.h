@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Exact optimum and exact Pareto front of a chain of stages. Options in, summary out.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solver/stage.h"
+
+namespace millwright::solver {
+
+struct Progress {
+  double lower_bound = 0.0;
+  double incumbent = 0.0;  ///< +infinity while none is known
+  double elapsed_seconds = 0.0;
+  std::uint64_t nodes = 0;
+};
+
+struct Options {
+  std::vector<std::size_t> objectives{0};  ///< resource indices: one for an optimum, two or more for a front
+  std::vector<double> weights;    ///< for a weighted single objective over all resources; empty = objectives[0] alone
+  std::vector<std::size_t> ties;  ///< resources compared next when the objective is equal, in order
+  double gap = 1e-6;              ///< relative gap at which the proof counts as complete
+  double time_limit_seconds = std::numeric_limits<double>::infinity();
+  bool stagewise_front = true;  ///< fronts in two objectives by frontier.h where it applies, else always label by label
+  bool confirm = true;          ///< ask the local solvers about an answer with priced variables (confirmation.h)
+  unsigned threads = 1;         ///< the answer does not depend on it
+  const std::atomic<bool>* stop = nullptr;  ///< set by Ctrl-C: end as for the time limit
+  std::function<void(const Progress&)> progress;
+};
+
+/// The choices of one stage in a build.
+struct StageChoice {
+  std::vector<Row> rows;
+  std::vector<double> variables;
+  std::vector<double> inherited;  ///< the state this stage received
+};
+
+struct Build {
+  std::vector<Row> shared;
+  std::vector<StageChoice> stages;
+  std::vector<double> resources;  ///< totals
+  double worst_utilisation = 0.0;
+};
+
+enum class Status { optimal, infeasible, limit };
+
+/// What local solvers, started from the answer, said of its continuous variables (confirmation.h). The objectives are
+/// totals of the whole build; NaN when a solver ended without a feasible point.
+struct Confirmation {
+  std::size_t stage = 0;          ///< whose variables move the objective
+  std::vector<double> variables;  ///< of that stage, as answered
+  std::vector<double> variables_by_ipopt, variables_by_nlopt;
+  double objective = 0.0, objective_by_ipopt = 0.0, objective_by_nlopt = 0.0;
+};
+
+struct Summary {
+  Status status = Status::infeasible;
+  std::vector<Build> builds;  ///< one for an optimum; the whole front, ascending in the first objective
+  double lower_bound = 0.0;   ///< of the objective (single objective)
+  double gap = 0.0;           ///< (incumbent - lower_bound)/|incumbent|
+  double combinations = 0.0;  ///< size of the discrete search space
+  std::uint64_t nodes = 0;
+  std::uint64_t evaluations = 0;
+  std::string method;                       ///< a sentence for the certificate
+  std::vector<Confirmation> confirmations;  ///< of a single objective that continuous variables move; else empty
+  double seconds = 0.0;
+};
+
+/// Solves the problem exactly (see branch_and_bound.h and labels.h for how).
+Summary solve(const Problem& problem, const Options& options);
+
+}  // namespace millwright::solver

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the search knows of a problem.
+//
+// A problem is a chain of stages. Each stage has slots (tables of which one row is chosen), continuous variables, and
+// constraints written as utilisations (demand/capacity, satisfied when <= 1). It receives a state vector from the stage
+// before it, adds to the resources (cost, mass, ...: additive, smaller is better) and hands a new state vector on. A
+// few choices are shared by all stages; the search tries every combination of them.
+//
+//     shared choices ------------+----------------+----------------+
+//                                v                v                v
+//     first state --> [ stage 0 ] --state--> [ stage 1 ] --state--> [ stage 2 ] --> ...
+//                       slots, variables, constraints, resources
+//
+// A stage answers three questions, and nothing else is asked of it:
+//   evaluate  one design: exact utilisations, resources and the state handed on;
+//   bound     a set of designs (row sets times intervals): intervals that contain every member's answer;
+//   slopes    a set of designs: intervals that contain every member's derivatives with respect to one continuous input.
+// Nothing about the direction in which anything matters is assumed: monotonicity is proved from `slopes` or not used.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "scalar/interval.h"
+
+namespace millwright::solver {
+
+using scalar::Interval;
+using Row = std::uint32_t;
+
+/// A table of which exactly one row is chosen.
+struct Slot {
+  std::string name;
+  Row rows = 0;
+};
+
+/// A continuous design variable in SI with its bounds.
+struct Variable {
+  std::string name;
+  double lower = 0.0;
+  double upper = 0.0;
+};
+
+/// One design of one stage. `shared` holds the chosen row of every shared choice.
+struct Point {
+  std::span<const Row> shared;
+  std::span<const double> inherited;  ///< state handed on by the stage before
+  std::span<const Row> rows;          ///< one per slot
+  std::span<const double> variables;  ///< one per continuous variable
+};
+
+/// A set of designs of one stage: all combinations of the rows alive and all values in the intervals.
+struct Box {
+  std::span<const Row> shared;  ///< shared choices are always fixed
+  std::span<const Interval> inherited;
+  std::span<const std::span<const Row>> rows;  ///< rows alive of each slot, ascending, never empty
+  std::span<const Interval> variables;
+};
+
+/// What a stage answers. T is double for a design and Interval for a set of designs or for slopes.
+template <class T>
+struct Answer {
+  std::vector<T> utilisation;  ///< one per constraint; satisfied when <= 1
+  std::vector<T> resources;    ///< one per resource of the problem; this stage's own share
+  std::vector<T> handed_on;    ///< the state for the next stage, as long as `inherited`
+};
+
+/// With respect to what a slope is taken.
+struct Input {
+  enum class Kind { variable, inherited } kind = Kind::variable;
+  std::size_t index = 0;
+};
+
+/// A part of the problem with its own choices. Implementations are immutable and may be called from several threads.
+class Stage {
+ public:
+  virtual ~Stage() = default;
+
+  [[nodiscard]] virtual const std::string& name() const = 0;
+  [[nodiscard]] virtual std::span<const Slot> slots() const = 0;
+  [[nodiscard]] virtual std::span<const Variable> variables() const = 0;
+  [[nodiscard]] virtual std::size_t constraints() const = 0;
+
+  /// Exact answer for one design. A quantity that cannot be computed makes its utilisation 1e9 or more (never NaN).
+  virtual void evaluate(const Point& point, Answer<double>& answer) const = 0;
+
+  /// Intervals that contain the answers of every design in the box.
+  virtual void bound(const Box& box, Answer<Interval>& answer) const = 0;
+
+  /// Intervals that contain the derivatives of every answer with respect to `input`, over the box.
+  virtual void slopes(const Box& box, Input input, Answer<Interval>& answer) const = 0;
+
+  /// Exact derivatives at one design: the same as `slopes` on a degenerate box, but in double (for local solvers).
+  virtual void gradient(const Point& point, Input input, Answer<double>& answer) const = 0;
+
+  /// Whether two rows of two slots can never be in one design together (a fit that needs nothing else). The search uses
+  /// it to discard combinations early; `bound` must agree. Default: everything may fit.
+  [[nodiscard]] virtual bool fits(std::span<const Row> /*shared*/,
+                                  std::size_t /*slot_a*/,
+                                  Row /*row_a*/,
+                                  std::size_t /*slot_b*/,
+                                  Row /*row_b*/) const {
+    return true;
+  }
+};
+
+/// Something additive over stages: cost, mass, power... Smaller is better.
+struct Resource {
+  std::string name;
+  double limit = std::numeric_limits<double>::infinity();  ///< total must not exceed this
+};
+
+/// A whole problem: stages from the tool to the base.
+struct Problem {
+  std::vector<Slot> shared;          ///< choices every stage sees
+  std::vector<double> first_state;   ///< what the first stage inherits
+  std::vector<const Stage*> stages;  ///< not owned
+  std::vector<Resource> resources;   ///< every stage's answer has one entry for each
+};
+
+}  // namespace millwright::solver

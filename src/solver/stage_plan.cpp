@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/stage_plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/relaxation.h"
+
+namespace millwright::solver {
+namespace {
+
+constexpr int slices = 4;                  // a slice of a variable that is tested for being empty of feasible designs
+constexpr std::size_t state_nodes = 200;   // spent on the best value of one state component
+constexpr std::size_t score_nodes = 4000;  // spent on the least of one score
+
+/// Cuts slices of one variable off, from below or from above, while nothing in them is feasible. False when all of the
+/// interval is cut off.
+bool cut_slices(const StagePlan& plan,
+                std::span<const Interval> inherited,
+                Region& region,
+                std::size_t variable,
+                bool from_below,
+                Desk& desk) {
+  const Interval whole = region.variables[variable];
+  std::vector<Interval> trial = region.variables;
+  const double step = (whole.upper - whole.lower) / slices;
+  for (int i = 0; i < slices; ++i) {
+    Interval& slice = trial[variable];
+    const bool last = i + 1 == slices;
+    if (from_below) {
+      slice = {whole.lower + i * step, last ? whole.upper : whole.lower + (i + 1) * step};
+    } else {
+      slice = {last ? whole.lower : whole.upper - (i + 1) * step, whole.upper - i * step};
+    }
+    const auto& answer = desk.bound(*plan.stage, plan.shared, inherited, region, trial);
+    if (worst_lower(answer.utilisation) <= 1.0) {
+      (from_below ? region.variables[variable].lower : region.variables[variable].upper) =
+          from_below ? slice.lower : slice.upper;
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+void read_bounds(const StagePlan& plan, const Answer<Interval>& answer, Bounds& bounds) {
+  std::vector<Interval> score(plan.criteria->size());
+  plan.criteria->scores<Interval>(answer.resources, score);
+  bounds.score.resize(score.size());
+  for (std::size_t k = 0; k < score.size(); ++k) bounds.score[k] = score[k].lower;
+  bounds.handed_on = answer.handed_on;
+  bounds.utilisation = worst_lower(answer.utilisation);
+  bounds.open = 0;
+  for (std::size_t c = 0; c < answer.utilisation.size(); ++c) {
+    if (!(answer.utilisation[c].upper <= 1.0)) bounds.open |= std::uint64_t{1} << (c % 64);
+  }
+}
+
+bool assess(const StagePlan& plan, std::span<const Interval> inherited, Region& region, Bounds& bounds, Desk& desk) {
+  read_bounds(plan, desk.bound(*plan.stage, plan.shared, inherited, region), bounds);
+  if (bounds.utilisation > 1.0) return false;
+  return cut_variables(plan, inherited, region, bounds, desk);
+}
+
+bool cut_variables(
+    const StagePlan& plan, std::span<const Interval> inherited, Region& region, Bounds& bounds, Desk& desk) {
+  if (region.variables.empty() || bounds.open == 0) return true;
+  bool cut = false;
+  for (std::size_t v = 0; v < region.variables.size(); ++v) {
+    const Interval before = region.variables[v];
+    if (!(before.upper > before.lower)) continue;
+    if (!cut_slices(plan, inherited, region, v, true, desk)) return false;
+    if (!cut_slices(plan, inherited, region, v, false, desk)) return false;
+    cut = cut || region.variables[v].lower != before.lower || region.variables[v].upper != before.upper;
+  }
+  if (cut) read_bounds(plan, desk.bound(*plan.stage, plan.shared, inherited, region), bounds);
+  return bounds.utilisation <= 1.0;
+}
+
+bool shave(StagePlan& plan, std::span<const Interval> inherited, Desk& desk) {
+  const std::size_t slots = plan.region.rows.size();
+  constexpr int passes = 2;
+  for (int pass = 0; pass < passes; ++pass) {
+    bool changed = false;
+    for (std::size_t slot = 0; slot < slots; ++slot) {
+      const RowSet all = plan.region.rows[slot];
+      std::vector<Row> kept;
+      for (const Row row : *all) {
+        Region trial = plan.region;
+        trial.rows[slot] = only(row);
+        const auto& answer = desk.bound(*plan.stage, plan.shared, inherited, trial);
+        if (worst_lower(answer.utilisation) > 1.0) continue;
+        if (!plan.fits.filter(trial, slot)) continue;
+        kept.push_back(row);
+      }
+      if (kept.empty()) return false;
+      if (kept.size() == all->size()) continue;
+      changed = true;
+      plan.region.rows[slot] = std::make_shared<const std::vector<Row>>(std::move(kept));
+      if (!plan.fits.filter(plan.region, slot)) return false;
+    }
+    if (!changed) break;
+  }
+  const auto& whole = desk.bound(*plan.stage, plan.shared, inherited, plan.region);
+  return worst_lower(whole.utilisation) <= 1.0;
+}
+
+namespace {
+
+void record_profile(StagePlan& plan, Desk& desk) {
+  const auto slots = plan.stage->slots();
+  plan.profile = RowProfile(slots.size(), plan.criteria->size(), plan.stage->constraints());
+  Bounds whole;
+  read_bounds(plan, desk.bound(*plan.stage, plan.shared, plan.best_inherited, plan.region), whole);
+  for (std::size_t slot = 0; slot < slots.size(); ++slot) {
+    for (const Row row : *plan.region.rows[slot]) {
+      Region trial = plan.region;
+      trial.rows[slot] = only(row);
+      Bounds bounds;
+      read_bounds(plan, desk.bound(*plan.stage, plan.shared, plan.best_inherited, trial), bounds);
+      plan.profile.record(slot, row, slots[slot].rows, bounds.score, desk.interval);
+    }
+  }
+  plan.profile.finish(plan.region, whole.score);
+}
+
+/// The states that can arrive, from the tool to the base; false when a stage has no feasible design.
+bool find_states(const Problem& problem, std::vector<StagePlan>& plans, Desk& desk) {
+  std::vector<Interval> state(problem.first_state.begin(), problem.first_state.end());
+  for (StagePlan& plan : plans) {
+    plan.inherited = state;
+    if (!plan.fits.filter(plan.region, plan.region.rows.size())) return false;
+    if (!shave(plan, plan.inherited, desk)) return false;
+    state = desk.bound(*plan.stage, plan.shared, plan.inherited, plan.region).handed_on;
+  }
+  return true;
+}
+
+/// Directions, from the base to the tool.
+void find_directions(std::vector<StagePlan>& plans, Desk& desk) {
+  std::vector<Direction> next(plans.empty() ? 0 : plans.front().inherited.size(), Direction::irrelevant);
+  for (auto plan = plans.rbegin(); plan != plans.rend(); ++plan) {
+    plan->after = next;
+    const MonotonicityQuestion question{
+        plan->stage, plan->shared, plan->criteria, &plan->region, plan->inherited, plan->after};
+    for (std::size_t c = 0; c < next.size(); ++c) {
+      // A state that is known exactly needs no direction.
+      const bool known = plan->inherited[c].lower == plan->inherited[c].upper;
+      plan->before.push_back(known ? Direction::irrelevant : prove_direction(question, c, desk));
+    }
+    for (std::size_t v = 0; v < plan->region.variables.size(); ++v) {
+      const bool fixed = plan->region.variables[v].lower == plan->region.variables[v].upper;
+      plan->priced.push_back(!fixed && !moves_feasibility_only(question, v, desk));
+      plan->any_priced = plan->any_priced || plan->priced.back();
+    }
+    next = plan->before;
+  }
+}
+
+/// The best state that can follow a stage whose best inherited state is known.
+std::vector<Interval> best_after(const StagePlan& plan, Desk& desk) {
+  std::vector<Interval> state = desk.bound(*plan.stage, plan.shared, plan.best_inherited, plan.region).handed_on;
+  for (std::size_t c = 0; c < state.size(); ++c) {
+    const Direction direction = plan.after[c];
+    if (direction == Direction::equal_only || state[c].lower == state[c].upper) continue;
+    if (direction == Direction::irrelevant) {
+      state[c] = state[c].lower;
+      continue;
+    }
+    const double least = relax(plan, {RelaxedTarget::Kind::state, c}, state_nodes, desk).least;
+    if (!std::isfinite(least)) continue;  // no design is feasible: the search for the least score will say so
+    const bool smaller = direction == Direction::smaller_is_better;
+    state[c] = smaller ? std::max(state[c].lower, least) : std::min(state[c].upper, -least);
+  }
+  return state;
+}
+
+/// Least of each score, with the frontier of the first; false when the stage has no feasible design.
+bool find_least(StagePlan& plan, Desk& desk) {
+  const std::size_t scores = plan.criteria->size();
+  plan.least.resize(scores);
+  for (std::size_t k = 0; k < scores; ++k) {
+    const bool worth_a_search =
+        k < plan.criteria->objectives || plan.criteria->limit[k] < 1e300 || k + plan.criteria->guides >= scores;
+    Relaxation relaxation =
+        relax(plan, {RelaxedTarget::Kind::score, k}, worth_a_search ? score_nodes : state_nodes, desk);
+    if (relaxation.open.empty()) return false;
+    plan.least[k] = relaxation.least;
+    if (k == 0) plan.frontier = std::move(relaxation.open);
+  }
+  std::stable_sort(plan.frontier.begin(), plan.frontier.end(), [](const OpenRegion& a, const OpenRegion& b) {
+    return a.bounds.score[0] < b.bounds.score[0];
+  });
+  return true;
+}
+
+}  // namespace
+
+std::vector<StagePlan> make_plans(const Problem& problem,
+                                  std::span<const Row> shared,
+                                  const Criteria& criteria,
+                                  Desk& desk) {
+  std::vector<StagePlan> plans;
+  for (const Stage* stage : problem.stages) plans.emplace_back(*stage, shared, criteria);
+  if (!find_states(problem, plans, desk)) return {};
+  find_directions(plans, desk);
+  std::vector<Interval> best(problem.first_state.begin(), problem.first_state.end());
+  for (StagePlan& plan : plans) {
+    plan.best_inherited = best;
+    if (!shave(plan, plan.best_inherited, desk)) return {};
+    record_profile(plan, desk);
+    best = best_after(plan, desk);
+    if (!find_least(plan, desk)) return {};
+  }
+  std::vector<double> rest(criteria.size(), 0.0);
+  for (auto plan = plans.rbegin(); plan != plans.rend(); ++plan) {
+    plan->rest = rest;
+    for (std::size_t k = 0; k < rest.size(); ++k) rest[k] += plan->least[k];
+  }
+  return plans;
+}
+
+}  // namespace millwright::solver

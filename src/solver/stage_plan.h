@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Everything that is found out about one stage, for one combination of shared choices, before the search proper: which
+// rows can be in a feasible design at all, which pairs fit, what states can arrive, which state components have a
+// proved direction, which variables only decide feasibility, and the least this stage and all after it will add to
+// each score.
+//
+// The least is found at the best state that can arrive (`best_inherited`): the good end of each component with a proved
+// direction, the whole range of the others. What is infeasible or dear there is so for every label.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "solver/box.h"
+#include "solver/criteria.h"
+#include "solver/fits.h"
+#include "solver/monotonicity.h"
+#include "solver/row_profile.h"
+
+namespace millwright::solver {
+
+/// What `bound` says of a region, in terms of the search.
+struct Bounds {
+  std::vector<double> score;        ///< least of this stage's own share of each score
+  std::vector<Interval> handed_on;  ///< state handed on
+  double utilisation = 0.0;         ///< least worst utilisation
+  std::uint64_t open = 0;           ///< constraints (modulo 64) neither certainly satisfied nor violated
+};
+
+struct OpenRegion {
+  Region region;
+  Bounds bounds;
+};
+
+struct StagePlan {
+  const Stage* stage = nullptr;
+  std::span<const Row> shared;
+  const Criteria* criteria = nullptr;
+  Fits fits;
+  Region region;                         ///< rows and intervals that can be in a feasible design
+  std::vector<Interval> inherited;       ///< every state that can arrive
+  std::vector<Interval> best_inherited;  ///< the best that can arrive
+  std::vector<Direction> before, after;  ///< of the inherited and of the handed-on components
+  std::vector<bool> priced;              ///< per variable: it moves a score or a state that matters
+  bool any_priced = false;
+  RowProfile profile;
+  std::vector<double> least;         ///< of this stage, per score
+  std::vector<double> rest;          ///< of all later stages, per score
+  std::vector<OpenRegion> frontier;  ///< regions that cover all designs, ascending in the first score
+
+  StagePlan(const Stage& s, std::span<const Row> shared_rows, const Criteria& c)
+      : stage(&s), shared(shared_rows), criteria(&c), fits(s, shared_rows), region(whole_region(s)) {}
+};
+
+/// What an answer of `bound` says.
+void read_bounds(const StagePlan& plan, const Answer<Interval>& answer, Bounds& bounds);
+
+/// Cuts slices in which nothing is feasible off the variables' intervals. False: nothing in the region is feasible at
+/// any of the inherited states.
+bool cut_variables(
+    const StagePlan& plan, std::span<const Interval> inherited, Region& region, Bounds& bounds, Desk& desk);
+
+/// Asks `bound`, then cuts the variables' intervals.
+bool assess(const StagePlan& plan, std::span<const Interval> inherited, Region& region, Bounds& bounds, Desk& desk);
+
+/// Removes the rows that cannot be in a feasible design at any of the inherited states; false when a slot is empty.
+bool shave(StagePlan& plan, std::span<const Interval> inherited, Desk& desk);
+
+/// The plans of all stages; empty when it is proved that some stage has no feasible design at all.
+std::vector<StagePlan> make_plans(const Problem& problem,
+                                  std::span<const Row> shared,
+                                  const Criteria& criteria,
+                                  Desk& desk);
+
+}  // namespace millwright::solver

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+// Builds a CsvTable: checks the text, reads the header, gathers the records and reports those that do not fit it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "text/csv.h"
+#include "text/csv_header.h"
+#include "text/csv_scanner.h"
+#include "text/text_check.h"
+
+namespace millwright::text {
+
+namespace {
+
+/// Longer header lines are refused, so that working out the places of their cells stays quick.
+constexpr std::size_t header_length_limit = std::size_t{128} << 10U;
+constexpr std::size_t text_size_limit = std::numeric_limits<std::uint32_t>::max() - 8;
+
+/// An empty cell, quoted or not.
+bool is_blank(std::string_view cell) {
+  const std::size_t first = cell.find_first_not_of(" \t\r\n");
+  if (first == std::string_view::npos) return true;
+  return cell.substr(first, cell.find_last_not_of(" \t\r\n") + 1 - first) == "\"\"";
+}
+
+}  // namespace
+
+class CsvReader {
+ public:
+  CsvReader(std::shared_ptr<const SourceText> text, Diagnostics& diagnostics) : diagnostics_(diagnostics) {
+    table_.text_ = std::move(text);
+    table_.header_span_ = whole(table_.text_);
+  }
+
+  CsvTable read() {
+    const std::string_view contents = table_.text_->contents();
+    if (contents.size() > text_size_limit) {
+      error(whole(table_.text_), fmt::format("is too large for a table: {} bytes", contents.size()));
+      return std::move(table_);
+    }
+    // Cells with bad bytes would only be complained about a second time.
+    if (!check_text(table_.text_, diagnostics_)) return std::move(table_);
+    check_line_ends(contents);
+    CsvPreamble preamble = read_preamble(table_.text_);
+    table_.comments_ = std::move(preamble.comments);
+    table_.separator_ = preamble.separator;
+    if (preamble.header_begin >= contents.size()) {
+      error(whole(table_.text_), contents.empty() ? "is empty: a header was expected" : "has no header");
+      return std::move(table_);
+    }
+    CsvScanner scanner(table_.text_, preamble.separator, preamble.header_begin, diagnostics_);
+    if (read_header(scanner, preamble.header_begin)) read_rows(scanner);
+    table_.unescaped_ = std::move(scanner.unescaped());
+    return std::move(table_);
+  }
+
+ private:
+  void error(SourceSpan where, std::string message, std::string hint = {}) {
+    diagnostics_.error(std::move(where), std::move(message), std::move(hint));
+  }
+
+  void check_line_ends(std::string_view contents) {
+    for (std::size_t at = contents.find('\r'); at != std::string_view::npos; at = contents.find('\r', at + 1)) {
+      if (at + 1 == contents.size() || contents[at + 1] == '\n') continue;
+      error(span_at(table_.text_, at, 1),
+            "carriage return inside a line",
+            "lines end with LF or CR LF; save the file anew with such line ends");
+      return;
+    }
+  }
+
+  std::string_view slice(const std::vector<std::uint32_t>& starts, std::size_t cell) const {
+    const std::string_view contents = table_.text_->contents();
+    return contents.substr(starts[cell], starts[cell + 1] - 1 - starts[cell]);
+  }
+
+  bool read_header(CsvScanner& scanner, std::size_t begin) {
+    std::vector<std::uint32_t>& starts = table_.starts_;
+    if (!scanner.next(starts)) return false;
+    table_.header_span_ = span_at(table_.text_, begin, 1);
+    std::size_t count = starts.size() - 1;
+    while (count > 1 && is_blank(slice(starts, count - 1))) --count;
+    if (count > CsvTable::column_limit || scanner.position() - begin > header_length_limit) {
+      error(table_.header_span_,
+            fmt::format(
+                "a header of {} columns and {} bytes: this is not a catalogue", count, scanner.position() - begin),
+            fmt::format("at most {} columns and {} bytes", CsvTable::column_limit, header_length_limit));
+      return false;
+    }
+    table_.header_span_ = span_at(table_.text_, begin, scanner.position() - 1 - begin);
+    // cell() and its kin need the columns to know where a record ends; while they are read, the header is the record.
+    std::vector<CsvColumn> columns(count);
+    table_.columns_.resize(count);
+    starts.resize(count + 1);
+    table_.unescaped_ = scanner.unescaped();
+    for (std::size_t column = 0; column < count; ++column) columns[column] = header_cell(column);
+    table_.columns_ = std::move(columns);
+    starts.clear();
+    check_names();
+    if (table_.columns_.size() == 1 && table_.columns_[0].name.find('\t') != std::string::npos) {
+      error(
+          table_.header_span_, "cells separated by tabs", "save the table with commas or semicolons between the cells");
+    }
+    return true;
+  }
+
+  CsvColumn header_cell(std::size_t column) {
+    const std::string_view content = table_.cell(0, column);
+    const std::string_view contents = table_.text_->contents();
+    const bool exact = content.data() >= contents.data() && content.data() <= contents.data() + contents.size();
+    const std::size_t offset =
+        exact && !content.empty() ? static_cast<std::size_t>(content.data() - contents.data()) : table_.starts_[column];
+    return read_header_cell(table_.text_, offset, content, exact, diagnostics_);
+  }
+
+  void check_names() {
+    std::map<std::string_view, const CsvColumn*> known;
+    for (const CsvColumn& column : table_.columns_) {
+      const auto [first, added] = known.emplace(column.name, &column);
+      if (added || column.name.empty()) continue;
+      Diagnostic diagnostic;
+      diagnostic.where = column.name_span;
+      diagnostic.message = "two columns of the name " + quoted(column.name);
+      diagnostic.related = first->second->name_span;
+      diagnostic.related_message = "the first is here";
+      diagnostics_.add(std::move(diagnostic));
+    }
+  }
+
+  void read_rows(CsvScanner& scanner) {
+    std::vector<std::uint32_t>& starts = table_.starts_;
+    const std::size_t columns = table_.columns_.size();
+    const std::string_view contents = table_.text_->contents();
+    while (!scanner.at_end()) {
+      const std::size_t before = starts.size();
+      const char lead = contents[scanner.position()];
+      const bool first_is_empty = lead == table_.separator_ || lead <= ' ' || lead == '"';
+      const bool good = scanner.next(starts);
+      const std::size_t cells = starts.size() - before - 1;
+      if (good && cells == columns && !first_is_empty) continue;
+      if (!good || !accept(before, cells)) starts.resize(before);
+    }
+  }
+
+  /// Judges a record with a first cell that may be empty or of another length than the header; cuts empty surplus cells
+  /// off.
+  bool accept(std::size_t first, std::size_t cells) {
+    const std::vector<std::uint32_t>& starts = table_.starts_;
+    const std::size_t columns = table_.columns_.size();
+    std::size_t used = cells;
+    while (used > 0 && is_blank(slice(starts, first + used - 1))) --used;
+    if (used == 0) return false;
+    if (cells >= columns && used <= columns) {
+      table_.starts_.resize(first + columns + 1);
+      return true;
+    }
+    report_length(first, cells);
+    return false;
+  }
+
+  void report_length(std::size_t first, std::size_t cells) {
+    const std::vector<std::uint32_t>& starts = table_.starts_;
+    const std::size_t columns = table_.columns_.size();
+    if (diagnostics_.is_full(table_.text_.get())) return error(whole(table_.text_), "row of another length");
+    const std::string message = fmt::format("row of {} cells, but the header has {}", cells, columns);
+    const std::string_view contents = table_.text_->contents();
+    if (contents[starts[first]] == '#') {
+      return error(span_at(table_.text_, starts[first], 1), message, "comment lines stand before the header only");
+    }
+    if (cells < columns) {
+      const std::string_view last = slice(starts, first + cells - 1);
+      const std::size_t end = starts[first + cells] - 1 - (!last.empty() && last.back() == '\r' ? 1 : 0);
+      return error(span_at(table_.text_, end, 1),
+                   message,
+                   fmt::format("the cell of {} and what follows is missing", quoted(table_.columns_[cells].name)));
+    }
+    const std::string_view surplus = slice(starts, first + columns);
+    error(span_at(table_.text_, starts[first + columns], surplus.size()),
+          message,
+          table_.separator_ == ',' ? "a value that holds a comma is put in quotes; decimals are written with a point"
+                                   : "a value that holds a semicolon is put in quotes");
+  }
+
+  Diagnostics& diagnostics_;
+  CsvTable table_;
+};
+
+CsvTable read_csv(std::shared_ptr<const SourceText> text, Diagnostics& diagnostics) {
+  return CsvReader(std::move(text), diagnostics).read();
+}
+
+std::optional<CsvTable> read_csv_file(const std::string& path, Diagnostics& diagnostics) {
+  std::shared_ptr<const SourceText> text = SourceText::load(path, diagnostics);
+  if (!text) return std::nullopt;
+  return read_csv(std::move(text), diagnostics);
+}
+
+}  // namespace millwright::text

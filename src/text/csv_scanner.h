@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the cells of CSV records begin and end. Most bytes of a table are plain; they are skipped eight at a time, and
+// only separators, line ends and quotes are looked at.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "text/diagnostic.h"
+#include "text/source_text.h"
+
+namespace millwright::text {
+
+class CsvScanner {
+ public:
+  /// Reads records from `begin` on. The text must be smaller than 4 GiB.
+  CsvScanner(std::shared_ptr<const SourceText> text, char separator, std::size_t begin, Diagnostics& diagnostics);
+
+  bool at_end() const { return position_ >= bytes_.size(); }
+  std::size_t position() const { return position_; }
+
+  /// Appends to `starts` where each cell of the next record begins, and one past the character that ends the last one.
+  /// A record with bad quotes is reported, skipped and gives false; `starts` then holds a part of it.
+  bool next(std::vector<std::uint32_t>& starts);
+
+  /// Content of cells with doubled quotes, by where the cell begins.
+  std::unordered_map<std::uint32_t, std::string>& unescaped() { return unescaped_; }
+
+ private:
+  std::uint64_t mask_at(std::size_t offset) const;
+  std::size_t next_special();
+  void seek(std::size_t offset);
+  bool quoted_cell(std::size_t cell_begin, std::size_t quote);
+  bool check_after_quote(std::size_t opening, std::size_t closing);
+  void unescape(std::size_t cell_begin, std::size_t opening, std::size_t closing);
+  bool give_up_line(std::size_t offset);
+
+  std::shared_ptr<const SourceText> text_;
+  std::string_view bytes_;
+  Diagnostics& diagnostics_;
+  std::uint64_t separators_;
+  char separator_;
+  std::size_t position_;
+  std::size_t block_ = 0;
+  std::uint64_t mask_ = 0;
+  int unclosed_ = 0;
+  std::unordered_map<std::uint32_t, std::string> unescaped_;
+};
+
+}  // namespace millwright::text

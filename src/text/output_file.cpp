@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "text/output_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+namespace millwright::text {
+
+namespace {
+
+std::string directory_of(const std::string& path) {
+  const std::size_t slash = path.rfind('/');
+  return slash == std::string::npos ? "./" : path.substr(0, slash + 1);
+}
+
+/// A file in the directory of the target that vanishes unless it is renamed.
+class TemporaryFile {
+ public:
+  /// Opened by hand and not with mkstemp, which ignores the permissions that the process gives new files.
+  explicit TemporaryFile(const std::string& directory) {
+    constexpr int attempts = 1000;
+    for (int i = 0; i < attempts && descriptor_ < 0; ++i) {
+      path_ = fmt::format("{}.millwright-{}-{}.tmp", directory, ::getpid(), i);
+      descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+      if (descriptor_ < 0 && errno != EEXIST) return;
+    }
+    exists_ = descriptor_ >= 0;
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  ~TemporaryFile() {
+    const int reason = errno;  // what went wrong is reported after this has cleaned up
+    if (descriptor_ >= 0) ::close(descriptor_);
+    if (exists_) ::unlink(path_.c_str());
+    errno = reason;
+  }
+
+  bool is_open() const { return descriptor_ >= 0; }
+  bool set_mode(mode_t mode) const { return ::fchmod(descriptor_, mode) == 0; }
+
+  bool write(std::string_view contents) const {
+    while (!contents.empty()) {
+      const ssize_t written = ::write(descriptor_, contents.data(), contents.size());
+      if (written < 0 && errno == EINTR) continue;
+      if (written < 0) return false;
+      contents.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return true;
+  }
+
+  /// Flushes (a full disk may show only here) and takes the target's place.
+  bool replace(const std::string& target) {
+    if (::fsync(descriptor_) != 0 || ::rename(path_.c_str(), target.c_str()) != 0) return false;
+    exists_ = false;
+    return true;
+  }
+
+ private:
+  std::string path_;
+  int descriptor_ = -1;
+  bool exists_ = false;
+};
+
+/// Makes the rename itself durable. Some file systems cannot; the contents are safe all the same.
+void flush_directory(const std::string& directory) {
+  const int descriptor = ::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  ::fsync(descriptor);
+  ::close(descriptor);
+}
+
+/// Why the target cannot be replaced; empty if it can, or is not there yet.
+std::string objection(const std::string& path, const struct stat& status) {
+  if (S_ISDIR(status.st_mode)) return "is a directory and cannot be written";
+  if (S_ISLNK(status.st_mode)) return "is a symbolic link; name the file itself";
+  if (!S_ISREG(status.st_mode)) return "is not a regular file and cannot be replaced";
+  if (::access(path.c_str(), W_OK) != 0) return fmt::format("cannot be written: {}", std::strerror(errno));
+  return {};
+}
+
+}  // namespace
+
+bool write_file_atomically(const std::string& path, std::string_view contents, Diagnostics& diagnostics) {
+  const auto refuse = [&](const std::string& reason) {
+    diagnostics.error(whole(SourceText::from_string(path, {})), reason);
+    return false;
+  };
+  if (path.empty() || path.back() == '/' || path.find('\0') != std::string::npos) return refuse("is no name of a file");
+  struct stat status {};
+  const bool exists = ::lstat(path.c_str(), &status) == 0;
+  if (!exists && errno != ENOENT) return refuse(fmt::format("cannot be written: {}", std::strerror(errno)));
+  if (const std::string reason = exists ? objection(path, status) : std::string(); !reason.empty())
+    return refuse(reason);
+
+  const std::string directory = directory_of(path);
+  TemporaryFile file(directory);
+  const bool written = file.is_open() && (!exists || file.set_mode(status.st_mode & 07777U)) && file.write(contents) &&
+                       file.replace(path);
+  if (!written) return refuse(fmt::format("cannot be written: {}", std::strerror(errno)));
+  flush_directory(directory);
+  return true;
+}
+
+}  // namespace millwright::text

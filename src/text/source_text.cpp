@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "text/source_text.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <limits>
+
+#include "text/diagnostic.h"
+#include "text/text_check.h"
+#include "text/utf8.h"
+
+namespace millwright::text {
+
+namespace {
+
+constexpr std::size_t sniffed_bytes = std::size_t{64} << 10U;
+
+int to_int(std::size_t number) {
+  return static_cast<int>(std::min<std::size_t>(number, std::numeric_limits<int>::max()));
+}
+
+/// A file descriptor that closes itself.
+class File {
+ public:
+  explicit File(const std::string& path)
+      // Without O_NONBLOCK, opening a named pipe would wait for ever for its writer.
+      : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {}
+  File(const File&) = delete;
+  File& operator=(const File&) = delete;
+  ~File() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  bool is_open() const { return descriptor_ >= 0; }
+  int descriptor() const { return descriptor_; }
+
+  /// Appends up to `wanted` bytes; fewer only at the end of the file. False on a read error.
+  bool append_to(std::string& bytes, std::size_t wanted) const {
+    const std::size_t before = bytes.size();
+    bytes.resize(before + wanted);
+    std::size_t got = 0;
+    while (got < wanted) {
+      const ssize_t step = ::read(descriptor_, bytes.data() + before + got, wanted - got);
+      if (step < 0 && errno == EINTR) continue;
+      if (step < 0) return false;
+      if (step == 0) break;
+      got += static_cast<std::size_t>(step);
+    }
+    bytes.resize(before + got);
+    return true;
+  }
+
+ private:
+  int descriptor_;
+};
+
+std::string kind_of(mode_t mode) {
+  if (S_ISDIR(mode)) return "a directory";
+  if (S_ISFIFO(mode)) return "a pipe";
+  if (S_ISSOCK(mode)) return "a socket";
+  return "a device";
+}
+
+}  // namespace
+
+SourceText::SourceText(std::string path, std::string contents) : path_(std::move(path)), bytes_(std::move(contents)) {
+  if (bytes_.compare(0, 3, "\xEF\xBB\xBF") == 0) begin_ = 3;
+}
+
+std::shared_ptr<const SourceText> SourceText::from_string(std::string path, std::string contents) {
+  return std::make_shared<const SourceText>(std::move(path), std::move(contents));
+}
+
+std::shared_ptr<const SourceText> SourceText::load(const std::string& path,
+                                                   Diagnostics& diagnostics,
+                                                   std::uintmax_t size_limit) {
+  const auto refuse = [&](const std::string& reason, const std::string& hint = {}) {
+    diagnostics.error(whole(from_string(path, {})), reason, hint);
+    return nullptr;
+  };
+  const File file(path.find('\0') == std::string::npos ? path : std::string{});
+  if (!file.is_open()) return refuse(fmt::format("cannot be opened: {}", std::strerror(errno)));
+  struct stat status {};
+  if (::fstat(file.descriptor(), &status) != 0) return refuse(std::strerror(errno));
+  if (!S_ISREG(status.st_mode)) return refuse("is " + kind_of(status.st_mode) + ", not a file");
+
+  std::string bytes;
+  if (!file.append_to(bytes, sniffed_bytes)) return refuse(fmt::format("cannot be read: {}", std::strerror(errno)));
+  const bool complete = bytes.size() < sniffed_bytes;
+  if (!looks_like_text(from_string(path, bytes), complete, diagnostics)) return nullptr;
+  const auto size = std::max<std::uintmax_t>(static_cast<std::uintmax_t>(status.st_size), bytes.size());
+  const auto too_large = [&](std::uintmax_t found) {
+    return refuse(fmt::format("is too large: {} bytes or more, the limit is {}", found, size_limit),
+                  "is this the right file?");
+  };
+  if (size > size_limit) return too_large(size);
+  // The size may be out of date (a file that grows, or one in /proc), so read until the end or the limit.
+  bytes.reserve(static_cast<std::size_t>(size) + 1);
+  for (std::size_t before = 0; before != bytes.size();) {
+    before = bytes.size();
+    const std::size_t missing = size > before ? static_cast<std::size_t>(size) - before : sniffed_bytes;
+    if (!file.append_to(bytes, missing)) return refuse(fmt::format("cannot be read: {}", std::strerror(errno)));
+    if (bytes.size() > size_limit) return too_large(bytes.size());
+  }
+  return from_string(path, std::move(bytes));
+}
+
+void SourceText::index_lines() const {
+  std::call_once(indexed_, [this] {
+    const std::string_view text = contents();
+    line_begins_.push_back(0);
+    for (std::size_t at = text.find('\n'); at != std::string_view::npos; at = text.find('\n', at + 1)) {
+      line_begins_.push_back(at + 1);
+    }
+  });
+}
+
+int SourceText::line_count() const {
+  index_lines();
+  const bool ends_with_newline = line_begins_.back() == contents().size();
+  return to_int(line_begins_.size() - (ends_with_newline ? 1 : 0));
+}
+
+std::string_view SourceText::line(int number) const {
+  index_lines();
+  if (number < 1 || static_cast<std::size_t>(number) > line_begins_.size()) return {};
+  const auto index = static_cast<std::size_t>(number) - 1;
+  const std::size_t begin = line_begins_[index];
+  const std::size_t end = index + 1 < line_begins_.size() ? line_begins_[index + 1] - 1 : contents().size();
+  std::string_view line = contents().substr(begin, end - begin);
+  if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+  return line;
+}
+
+Position SourceText::position(std::size_t offset) const {
+  index_lines();
+  const std::string_view text = contents();
+  offset = std::min(offset, text.size());
+  const auto after = std::upper_bound(line_begins_.begin(), line_begins_.end(), offset);
+  const std::size_t begin = *(after - 1);
+  return {to_int(static_cast<std::size_t>(after - line_begins_.begin())),
+          to_int(count_characters(text.substr(begin, offset - begin)) + 1)};
+}
+
+SourceSpan whole(std::shared_ptr<const SourceText> text) { return {std::move(text), 0, 0, 0}; }
+
+SourceSpan span_at(const std::shared_ptr<const SourceText>& text, std::size_t offset, std::size_t bytes) {
+  const std::string_view contents = text->contents();
+  offset = std::min(offset, contents.size());
+  std::string_view covered = contents.substr(offset, bytes);
+  covered = covered.substr(0, covered.find_first_of("\r\n"));
+  const Position place = text->position(offset);
+  return {text, place.line, place.column, to_int(count_characters(covered))};
+}
+
+}  // namespace millwright::text

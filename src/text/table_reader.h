@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reads a table key by key, complains about what does not fit, and in the end about the keys that nobody asked for.
+//
+//   TableReader axis(node, "axis 'x'", diagnostics);
+//   const auto name = axis.string("name", Presence::required);
+//   const auto count = axis.integer("count").value_or(1);
+//   axis.finish();
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "text/diagnostic.h"
+#include "text/node.h"
+
+namespace millwright::text {
+
+enum class Presence { optional, required };
+
+class TableReader {
+ public:
+  /// `title` names the table in messages ("axis 'x'", "[objective]"). A node that is no table is reported and then
+  /// treated as an empty table without missing keys. The node must outlive the reader.
+  TableReader(const Node& table, std::string title, Diagnostics& diagnostics);
+
+  const Node& node() const { return table_; }
+  const std::string& title() const { return title_; }
+
+  /// Whether the key is there; it counts as known from now on, as it does with every question below.
+  bool has(std::string_view key);
+
+  /// Any kind of value; null if missing.
+  const Node* find(std::string_view key, Presence presence = Presence::optional);
+
+  /// A value of one kind; nothing if it is missing (reported if required) or of another kind (reported at the value).
+  std::optional<std::string> string(std::string_view key, Presence presence = Presence::optional);
+  std::optional<double> number(std::string_view key, Presence presence = Presence::optional);
+  std::optional<std::int64_t> integer(std::string_view key, Presence presence = Presence::optional);
+  std::optional<bool> boolean(std::string_view key, Presence presence = Presence::optional);
+  const Node* table(std::string_view key, Presence presence = Presence::optional);
+  const Node* array(std::string_view key, Presence presence = Presence::optional);
+
+  /// One value, or a list of values: `frame = "NEMA17"` is `frame = ["NEMA17"]`. Empty if missing.
+  std::vector<const Node*> list(std::string_view key, Presence presence = Presence::optional);
+  /// The same, each of them text.
+  std::vector<std::string> strings(std::string_view key, Presence presence = Presence::optional);
+
+  /// One of a fixed set of words.
+  std::optional<std::string> word(std::string_view key,
+                                  const std::vector<std::string>& allowed,
+                                  Presence presence = Presence::optional);
+
+  /// Reports each key that nobody asked for, with the nearest known one.
+  void finish();
+
+ private:
+  const Node* of_kind(std::string_view key, NodeKind kind, Presence presence);
+  void remember(std::string_view key);
+
+  const Node& table_;
+  std::string title_;
+  Diagnostics& diagnostics_;
+  std::vector<std::string> known_;
+};
+
+/// Reports at the node that another kind of value was expected, with a hint how to write it.
+void report_kind(const Node& node, std::string_view what, NodeKind expected, Diagnostics& diagnostics);
+
+}  // namespace millwright::text

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/program.h"
+#include "catch.h"
+
+namespace millwright::app {
+namespace {
+
+struct Case {
+  std::vector<std::string> words;
+  const char* complaint;
+};
+
+TEST_CASE("Every mistake on the command line is exit code 2 with a hint, and prints nothing") {
+  const Workshop shop;
+  shop.write("m.toml", one_slide);
+  const std::vector<Case> cases = {
+      {{}, "hint: commands: solve, pareto, check"},
+      {{"slove", "m.toml"}, "there is no command 'slove'\n  hint: did you mean 'solve'?"},
+      {{"catalogue", "lst"}, "there is no command 'catalogue lst'\n  hint: did you mean 'list'?"},
+      {{"solve"}, "PROBLEM is required"},
+      {{"solve", "m.toml", "b.toml"}, "not expected: b.toml"},
+      {{"solve", "m.toml", "--minimze", "mass"}, "there is no option '--minimze'"},
+      {{"solve", "m.toml", "--minimise", "weight"}, "weight not in {cost,mass}"},
+      {{"solve", "m.toml", "--minimise", "cost,mass"}, "hint: 'millwright pareto' gives the front of two"},
+      {{"pareto", "m.toml", "--minimise", "cost"}, "hint: write --minimise cost,mass"},
+      {{"solve", "m.toml", "--threads", "0"}, "--threads"},
+      {{"solve", "m.toml", "--threads", "x"}, "--threads"},
+      {{"solve", "m.toml", "--time-limit", "-3"}, "-3 is not a number above 0"},
+      {{"solve", "m.toml", "--time-limit", "nan"}, "nan is not a number above 0"},
+      {{"solve", "m.toml", "--gap", "2"}, "--gap"},
+      {{"solve", "m.toml", "--set", "stroke"}, "'=' is missing"},
+      {{"solve", "m.toml", "--json"}, "--json"},
+      {{"formulas", "no_such_formula"}, "hint: 'millwright formulas' lists all"},
+      {{"catalogue", "list", "stepers"}, "hint: did you mean 'steppers'?"},
+      {{"catalogue", "show", "no-such-part"}, "no-such-part"},
+  };
+  for (const Case& each : cases) {
+    const Outcome outcome = shop.run(each.words);
+    CAPTURE(each.complaint, outcome.err);
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.says(each.complaint));
+    CHECK(outcome.out.empty());
+  }
+}
+
+TEST_CASE("Help and version") {
+  const Workshop shop;
+  CHECK(shop.run({"--version"}).exit_code == 0);
+  CHECK(shop.run({"--version"}).out == "millwright 0.1.0\n");
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{{"--help"},
+                                                                                     {"solve", "--help"},
+                                                                                     {"pareto", "--help"},
+                                                                                     {"check", "--help"},
+                                                                                     {"audit", "--help"},
+                                                                                     {"calc", "--help"},
+                                                                                     {"formulas", "--help"},
+                                                                                     {"catalogue", "--help"},
+                                                                                     {"catalogue", "lint", "--help"}}) {
+    const Outcome outcome = shop.run(words);
+    CHECK(outcome.exit_code == 0);
+    CHECK(outcome.prints("Examples:\n  millwright "));
+    CHECK(outcome.err.empty());
+  }
+}
+
+TEST_CASE("The version is that of the project") {
+  std::ifstream stream(MILLWRIGHT_SOURCE_DIR "/CMakeLists.txt");
+  const std::string text((std::istreambuf_iterator<char>(stream)), {});
+  const Workshop shop;
+  const std::string version = shop.run({"--version"}).out.substr(11);
+  CHECK(text.find("project(millwright VERSION " + version.substr(0, version.size() - 1) + " ") != std::string::npos);
+}
+
+}  // namespace
+}  // namespace millwright::app

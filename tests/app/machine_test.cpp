@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+// solve, check, pareto and audit from the outside: exit codes, JSON, and the way from solve to check and back.
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "app/program.h"
+#include "catch.h"
+
+namespace millwright::app {
+namespace {
+
+using Json = nlohmann::json;
+
+TEST_CASE("What solve writes, check reads, and it is the same machine") {
+  const Workshop shop;
+  shop.write("m.toml", one_slide);
+  const Outcome solved = shop.run({"solve", "m.toml", "--bom", "b.csv", "--json", "-"});
+  REQUIRE(solved.exit_code == 0);
+  CHECK(solved.err.empty());
+  const Json build = Json::parse(solved.out);
+  CHECK(build.at("schema") == "millwright.result/1");
+  CHECK(build.at("command") == "solve");
+  CHECK(build.at("problem") == Json{{"title", "One slide"}, {"file", "m.toml"}});
+  CHECK(build.at("status") == "optimal");
+  CHECK(build.at("objective").at("name") == "cost");
+  CHECK(build.at("objective").at("value").get<double>() ==
+        Approx(build.at("totals").at("cost").at("value").get<double>()));
+  CHECK(build.at("objective").at("lower_bound").get<double>() <=
+        build.at("objective").at("value").get<double>() * (1.0 + 1e-12));
+  double price = 0.0;
+  std::vector<std::string> slots;
+  for (const Json& part : build.at("build").at("parts")) {
+    price += part.at("price").get<double>();
+    slots.push_back(part.at("slot"));
+    CHECK(part.at("row").get<std::string>().rfind("catalogues/", 0) == 0);
+  }
+  CHECK(price == Approx(build.at("totals").at("cost").at("value").get<double>()));
+  for (const char* slot : {"screw", "nut", "motor", "driver", "coupling", "support_fixed", "supply"})
+    CHECK(std::count(slots.begin(), slots.end(), slot) == 1);
+  for (const Json& check : build.at("checks")) {
+    CAPTURE(check.dump());
+    CHECK((check.at("kind") == "soft" || check.at("verdict") != "violated"));
+    if (check.at("verdict") == "satisfied") CHECK(check.at("utilisation").get<double>() <= 1.0);
+  }
+  CHECK(shop.read("b.csv").rfind("axis,slot,manufacturer,part_number,quantity,length,value\n", 0) == 0);
+
+  const Outcome checked = shop.run({"check", "m.toml", "b.csv", "--json", "-"});
+  CAPTURE(checked.err);
+  REQUIRE(checked.exit_code == 0);
+  const Json again = Json::parse(checked.out);
+  CHECK(again.at("satisfied") == true);
+  CHECK(again.at("completed") == false);
+  CHECK(again.at("totals") == build.at("totals"));
+  CHECK(again.at("checks") == build.at("checks"));
+  CHECK(again.at("build").at("dimensions") == build.at("build").at("dimensions"));
+}
+
+TEST_CASE(
+    "The text goes to standard output when the JSON goes to a file, and both agree with one thread and with two") {
+  const Workshop shop;
+  shop.write("m.toml", one_slide);
+  const Outcome one = shop.run({"solve", "m.toml", "--json", "1.json", "--threads", "1"});
+  const Outcome two = shop.run({"solve", "m.toml", "--json", "2.json", "--threads", "2", "--quiet"});
+  CHECK(one.exit_code == 0);
+  CHECK(one.prints("Cheapest compliant build"));
+  CHECK_FALSE(one.prints("\x1B["));
+  CHECK(one.out.substr(0, one.out.find("\ntime")) == two.out.substr(0, two.out.find("\ntime")));
+  Json first = Json::parse(shop.read("1.json"));
+  Json second = Json::parse(shop.read("2.json"));
+  for (const char* key : {"certificate", "timing_s"}) {
+    first.erase(key);
+    second.erase(key);
+  }
+  CHECK(first == second);
+}
+
+TEST_CASE("A what-if changes the problem without editing it") {
+  const Workshop shop;
+  shop.write("m.toml", one_slide);
+  const Outcome longer = shop.run(
+      {"solve", "m.toml", "--set", "axis.x.stroke=400 mm", "--set", "axis.x.structure_mass=2 kg", "--json", "-"});
+  REQUIRE(longer.exit_code == 0);
+  double length = 0.0;
+  const Json result = Json::parse(longer.out);
+  for (const Json& part : result.at("build").at("parts"))
+    if (part.at("slot") == "screw") length = part.at("length_m");
+  CHECK(length > 0.4);
+  CHECK(shop.read("m.toml") == one_slide);
+}
+
+TEST_CASE("Without any candidate, and without any compliant build, the exit code is 1 and the answer says why") {
+  const Workshop shop;
+  shop.write("frame.toml", one_slide_with("NEMA17", "NEMA8"));
+  shop.write("fast.toml", one_slide_with("time = \"20 s\"", "time = \"0.25 s\""));
+  const Outcome nothing = shop.run({"solve", "frame.toml", "--bom", "b.csv", "--json", "r.json"});
+  if (nothing.exit_code != 0) {  // a catalogue may come to hold one
+    CHECK(nothing.exit_code == 1);
+    CHECK_FALSE(shop.has("b.csv"));
+  }
+  const Outcome fast = shop.run({"solve", "fast.toml", "--json", "-", "--bom", "c.csv"});
+  CHECK(fast.exit_code == 1);
+  CHECK(Json::parse(fast.out).at("status") == "infeasible");
+  CHECK(Json::parse(fast.out).at("objective").at("value").is_null());
+  CHECK_FALSE(shop.has("c.csv"));
+  CHECK(shop.run({"solve", "fast.toml"}).prints("No compliant build exists"));
+}
+
+TEST_CASE("A bill of materials that fails a check has exit code 1 and names the check first") {
+  const Workshop shop;
+  shop.write("m.toml", one_slide);
+  REQUIRE(shop.run({"solve", "m.toml", "--bom", "b.csv"}).exit_code == 0);
+  const Outcome heavy = shop.run({"check", "m.toml", "b.csv", "--set", "axis.x.moves[0].force=20 kN"});
+  CAPTURE(heavy.out, heavy.err);
+  CHECK(heavy.exit_code == 1);
+  CHECK(heavy.prints("Failed checks"));
+  CHECK(heavy.out.find("Failed checks") < heavy.out.find("Parts\n"));
+  const Outcome json = shop.run({"check", "m.toml", "b.csv", "--set", "axis.x.moves[0].force=20 kN", "--json", "-"});
+  CHECK(json.exit_code == 1);
+  CHECK(Json::parse(json.out).at("satisfied") == false);
+  CHECK_FALSE(json.out.find("nan") != std::string::npos);
+}
+
+TEST_CASE("A time limit that is over at once is exit code 3, or the proof was complete by then") {
+  const Workshop shop;
+  const Outcome outcome =
+      shop.run({"solve", MILLWRIGHT_SOURCE_DIR "/problems/sander.toml", "--time-limit", "0.001", "--json", "-"});
+  const Json json = Json::parse(outcome.out);
+  CHECK(outcome.exit_code == 3);
+  CHECK(json.at("status") == "limit");
+}
+
+TEST_CASE("The sander as its paper builds it fails, and says where") {
+  const Workshop shop;
+  const std::string problems = MILLWRIGHT_SOURCE_DIR "/problems/";
+  const Outcome outcome = shop.run({"check", problems + "sander.toml", problems + "sander-bom.csv", "--json", "-"});
+  CAPTURE(outcome.err);
+  REQUIRE(outcome.exit_code == 1);
+  const Json json = Json::parse(outcome.out);
+  bool inertia = false;  // with a real screw mass the X motor fails even ratio 30
+  for (const Json& check : json.at("checks"))
+    inertia =
+        inertia || (check.at("axis") == "x" && check.at("id") == "C-ST-INERTIA" && check.at("verdict") == "violated");
+  CHECK(inertia);
+}
+
+TEST_CASE("The front of a small machine is ascending in cost and descending in mass") {
+  const Workshop shop;
+  shop.write("m.toml", one_slide);
+  const Outcome outcome = shop.run({"pareto", "m.toml", "--minimise", "cost,mass", "--json", "-"});
+  REQUIRE(outcome.exit_code == 0);
+  const Json json = Json::parse(outcome.out);
+  CHECK(json.at("complete") == true);
+  const Json& front = json.at("front");
+  REQUIRE_FALSE(front.empty());
+  for (std::size_t i = 1; i < front.size(); ++i) {
+    CHECK(front[i - 1].at("objectives").at("cost").get<double>() < front[i].at("objectives").at("cost").get<double>());
+    CHECK(front[i - 1].at("objectives").at("mass").get<double>() > front[i].at("objectives").at("mass").get<double>());
+  }
+  const Json cheapest = Json::parse(shop.run({"solve", "m.toml", "--json", "-"}).out);
+  const Json lightest = Json::parse(shop.run({"solve", "m.toml", "--minimise", "mass", "--json", "-"}).out);
+  CHECK(front[0].at("totals").at("cost").at("value").get<double>() ==
+        Approx(cheapest.at("totals").at("cost").at("value").get<double>()));
+  CHECK(front.back().at("totals").at("mass").at("value").get<double>() ==
+        Approx(lightest.at("totals").at("mass").at("value").get<double>()));
+}
+
+TEST_CASE("An audit reports wrong figures and is done") {
+  const Workshop shop;
+  const std::string claims = MILLWRIGHT_SOURCE_DIR "/problems/papers/fdm-printer.toml";
+  const Outcome outcome = shop.run({"audit", claims, "--json", "-"});
+  REQUIRE(outcome.exit_code == 0);
+  const Json json = Json::parse(outcome.out);
+  CHECK(json.at("rows").size() == 28);
+  int counted = 0;
+  for (const auto& [verdict, count] : json.at("counts").items()) counted += count.get<int>();
+  CHECK(counted == 28);
+  for (const Json& row : json.at("rows")) {
+    const auto verdict = row.at("verdict").get<std::string>();
+    if (verdict == "missing-input") continue;
+    CHECK(row.at("ratio").get<double>() ==
+          Approx(row.at("printed").get<double>() / row.at("computed").get<double>()).epsilon(1e-12));
+  }
+  CHECK(shop.run({"audit", claims}).prints("28 results: "));
+  CHECK(shop.run({"audit", claims, "--derive"}).prints("P = V · I = 12 V · 2.5 A = "));
+}
+
+TEST_CASE("The catalogue: families, parts, one part, lint") {
+  const Workshop shop;
+  CHECK(shop.run({"catalogue", "list"}).prints("ball_screws"));
+  CHECK(Json::parse(shop.run({"catalogue", "list", "--json", "-"}).out).at("families").size() == 17);
+  CHECK(shop.run({"catalogue", "list", "drivers"}).prints("TB6600"));
+  const Outcome part = shop.run({"catalogue", "show", "17HS4401S"});
+  CHECK(part.exit_code == 0);
+  CHECK(part.prints("holding_torque"));
+  shop.write("steppers/bad.csv", "manufacturer,part_number,holding_torque\nA,B,1\n");
+  const Outcome lint = shop.run({"catalogue", "lint", "steppers/bad.csv"});
+  CHECK(lint.exit_code == 2);
+  CHECK(lint.prints("steppers/bad.csv:1:26: error: "));
+  CHECK(shop.run({"catalogue", "lint", MILLWRIGHT_SOURCE_DIR "/catalogues"}).exit_code == 0);
+}
+
+}  // namespace
+}  // namespace millwright::app

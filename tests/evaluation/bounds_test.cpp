@@ -1,0 +1,386 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the search trusts: bounds contain every member of a set, slopes every secant, gradients are the derivatives, and
+// what does not fit is not compliant. Tried on random sets of designs of real and written machines.
+#include <fmt/format.h>
+
+#include <map>
+
+#include "catch.h"
+#include "evaluation/machines.h"
+#include "evaluation/random_boxes.h"
+
+using namespace millwright;
+using evaluation::MachineModel;
+using evaluation::StageEntry;
+using solver::Answer;
+using solver::Input;
+
+namespace {
+
+/// One axis of each kind that the sander does not have.
+const char* const belt_machine = R"(
+title = "belt gantry"
+[currency]
+USD = 1.0
+EUR = 1.08
+[supply]
+voltage = ["24 V", "48 V"]
+[[axis]]
+name = "tool"
+direction = "inclined"
+inclination = "30 deg"
+stroke = "200 mm"
+structure_mass = "1 kg"
+guide_friction = 0.1
+guide_drag = "2 N"
+acceleration_time = ["0.02 s", "0.4 s"]
+mechanism = { kind = "screw", screw = ["ball_screws", "lead_screws"], ends = "fixed-fixed", preload = 0.05 }
+motor = { microsteps = 8, brake_torque = "0.1 N.m" }
+guide = { rails = 1, carriages = 1, load_offset_y = "30 mm", load_offset_x = "20 mm", force_height = "50 mm" }
+[[axis.moves]]
+distance = "150 mm"
+speed = "60 mm/s"
+time = "4 s"
+force = "25 N"
+dwell = "1 s"
+[axis.require]
+position_error = { limit = "0.1 mm", over = "300 mm" }
+lost_motion = "0.05 mm"
+[[axis]]
+name = "gantry"
+carries = ["tool"]
+stroke = "600 mm"
+structure_mass = "2 kg"
+guide_friction = 0.02
+acceleration_time = ["0.05 s", "0.6 s"]
+mechanism = { kind = "belt", idler_distance = "100 mm" }
+motor = { microsteps = 16 }
+guide = { rails = 2, carriages = 4, carriage_spacing = "120 mm", rail_spacing = "300 mm", load_offset_y = "40 mm" }
+[[axis.moves]]
+distance = "500 mm"
+time = "1.5 s"
+force = "10 N"
+[axis.require]
+position_error = "0.3 mm"
+lost_motion = "0.2 mm"
+[[axis.members]]
+name = "bar"
+kind = "bar"
+support = "fixed"
+length = "700 mm"
+material = "Al 6061-T6"
+lateral_force = "30 N"
+width = ["8 mm", "60 mm"]
+height = ["8 mm", "60 mm"]
+rides = true
+[[axis.members]]
+name = "rod"
+kind = "shaft"
+length = "700 mm"
+count = 2
+material = "S45C normalised"
+lateral_force = "30 N"
+guide = true
+diameter = ["8 mm", "40 mm"]
+[[axis.members]]
+name = "arm"
+kind = "shaft"
+support = "cantilever"
+length = "300 mm"
+material = "S45C normalised"
+diameter = ["8 mm", "40 mm"]
+[[axis.members]]
+name = "legs"
+kind = "column"
+length = "800 mm"
+count = 4
+material = "S235JR"
+sections = ["steel_sections", "extrusions"]
+extra_force = "100 N"
+[[axis.members]]
+name = "joint"
+kind = "weld"
+material = "S235JR"
+lever_arm = "200 mm"
+joint_width = "30 mm"
+joint_depth = "20 mm"
+leg = ["2 mm", "10 mm"]
+)";
+
+const MachineModel& sander() {
+  static const MachineModel model(shipped_problem("sander"), shipped_catalogue());
+  return model;
+}
+const MachineModel& gantry() {
+  static const MachineModel model(problem_of_text(belt_machine), shipped_catalogue());
+  return model;
+}
+
+std::vector<const StageEntry*> all_stages() {
+  std::vector<const StageEntry*> all;
+  for (const MachineModel* model : {&sander(), &gantry()})
+    for (const StageEntry& entry : model->entries()) all.push_back(&entry);
+  return all;
+}
+
+BoxSampler sampler_of(const StageEntry& entry, unsigned seed) {
+  const bool of_sander = std::any_of(
+      sander().entries().begin(), sander().entries().end(), [&](const StageEntry& e) { return &e == &entry; });
+  const MachineModel& model = of_sander ? sander() : gantry();
+  return {entry.as_stage(), model.machine().supply_voltages.size(), model.problem().first_state.size(), seed};
+}
+
+/// Names of the entries of an answer, for messages.
+template <class T>
+std::vector<std::pair<std::string, T>> flat(const Answer<T>& a) {
+  std::vector<std::pair<std::string, T>> all;
+  for (std::size_t i = 0; i < a.utilisation.size(); ++i)
+    all.emplace_back("utilisation " + std::to_string(i), a.utilisation[i]);
+  for (std::size_t i = 0; i < a.resources.size(); ++i)
+    all.emplace_back("resource " + std::to_string(i), a.resources[i]);
+  for (std::size_t i = 0; i < a.handed_on.size(); ++i) all.emplace_back("state " + std::to_string(i), a.handed_on[i]);
+  return all;
+}
+
+class Findings {
+ public:
+  void add(const std::string& what) {
+    if (++count_ <= 8) text_ += what + "\n";
+  }
+  [[nodiscard]] const std::string& text() const { return text_; }
+  [[nodiscard]] std::size_t count() const { return count_; }
+
+ private:
+  std::string text_;
+  std::size_t count_ = 0;
+};
+
+std::string shown(const std::string& name, double x, const Interval& range) {
+  return fmt::format("{} = {:.17g} outside [{:.17g}, {:.17g}]", name, x, range.lower, range.upper);
+}
+
+}  // namespace
+
+TEST_CASE("The written machine and the sander have every kind of stage") {
+  CHECK(sander().empty_slots().empty());
+  CHECK(gantry().empty_slots().empty());
+  std::map<std::size_t, int> kinds;
+  for (const StageEntry* entry : all_stages()) ++kinds[entry->stage.index()];
+  CHECK(kinds.size() == 5);
+}
+
+TEST_CASE("Bounds of random sets contain their members") {
+  for (const StageEntry* entry : all_stages()) {
+    const solver::Stage& stage = entry->as_stage();
+    BoxSampler sampler = sampler_of(*entry, 11);
+    Findings findings;
+    std::size_t proved = 0;
+    for (int n = 0; n < 2000; ++n) {
+      SampledBox box = sampler.box();
+      Answer<Interval> bounds;
+      stage.bound(box.box(), bounds);
+      REQUIRE(bounds.utilisation.size() == stage.constraints());
+      for (const Interval& u : bounds.utilisation) proved += u.upper <= 1.0 || u.lower > 1.0;
+      const auto ranges = flat(bounds);
+      for (int k = 0; k < 3; ++k) {
+        const SampledPoint member = sampler.point(box);
+        Answer<double> answer;
+        stage.evaluate(member.point(), answer);
+        const auto values = flat(answer);
+        REQUIRE(values.size() == ranges.size());
+        for (std::size_t i = 0; i < values.size(); ++i) {
+          const double x = values[i].second;
+          if (!(ranges[i].second.lower <= x && x <= ranges[i].second.upper))
+            findings.add(shown(values[i].first, x, ranges[i].second));
+        }
+      }
+    }
+    INFO(entry->axis << "." << entry->element << ": " << findings.count() << " outside\n" << findings.text());
+    CHECK(findings.count() == 0);
+    CHECK(proved > 2000);  // the bounds say something
+  }
+}
+
+TEST_CASE("The answer for one design is never NaN") {
+  for (const StageEntry* entry : all_stages()) {
+    BoxSampler sampler = sampler_of(*entry, 12);
+    bool sound = true;
+    for (int n = 0; n < 500; ++n) {
+      const SampledBox box = sampler.box();
+      const SampledPoint member = sampler.point(box);
+      Answer<double> answer;
+      entry->as_stage().evaluate(member.point(), answer);
+      for (const auto& [name, x] : flat(answer)) sound = sound && std::isfinite(x);
+      for (const double u : answer.utilisation) sound = sound && u >= 0.0 && u <= machine::useless_utilisation;
+    }
+    INFO(entry->axis << "." << entry->element);
+    CHECK(sound);
+  }
+}
+
+namespace {
+
+std::vector<Input> inputs_of(const solver::Stage& stage, std::size_t states) {
+  std::vector<Input> inputs;
+  for (std::size_t i = 0; i < stage.variables().size(); ++i) inputs.push_back({Input::Kind::variable, i});
+  for (std::size_t i = 0; i < states; ++i) inputs.push_back({Input::Kind::inherited, i});
+  return inputs;
+}
+double& value_of(SampledPoint& p, Input input) {
+  return input.kind == Input::Kind::variable ? p.variables[input.index] : p.inherited[input.index];
+}
+double at_rest(const SampledPoint& p, Input input) {
+  return input.kind == Input::Kind::variable ? p.variables[input.index] : p.inherited[input.index];
+}
+const Interval& range_of(const SampledBox& b, Input input) {
+  return input.kind == Input::Kind::variable ? b.variables[input.index] : b.inherited[input.index];
+}
+
+}  // namespace
+
+// By the mean value theorem a secant between two members is a value of the slope between them, kinks and steps
+// included: nothing has to be left out but rounding.
+TEST_CASE("Slopes of random sets contain the secants between their members") {
+  for (const StageEntry* entry : all_stages()) {
+    const solver::Stage& stage = entry->as_stage();
+    BoxSampler sampler = sampler_of(*entry, 13);
+    Findings findings;
+    std::size_t looked = 0;
+    for (int n = 0; n < 2000; ++n) {
+      SampledBox box = sampler.box();
+      const auto inputs = inputs_of(stage, box.inherited.size());
+      const Input input = inputs[sampler.below(inputs.size())];
+      const Interval range = range_of(box, input);
+      if (range.upper - range.lower < 1e-6 * range.upper) continue;
+      Answer<Interval> slopes;
+      stage.slopes(box.box(), input, slopes);
+      const auto bounds = flat(slopes);
+      SampledPoint a = sampler.point(box);
+      SampledPoint b = a;
+      value_of(b, input) = sampler.within(range);
+      const double step = value_of(b, input) - value_of(a, input);
+      if (std::abs(step) < 1e-7 * range.upper) continue;
+      Answer<double> at_a, at_b;
+      stage.evaluate(a.point(), at_a);
+      stage.evaluate(b.point(), at_b);
+      const auto va = flat(at_a), vb = flat(at_b);
+      for (std::size_t i = 0; i < va.size(); ++i) {
+        const double x = va[i].second, y = vb[i].second;
+        // Where a utilisation is cut off at 1e9 it has no slope of its own.
+        if (std::max(x, y) >= machine::useless_utilisation) continue;
+        const double noise = 1e-13 * (std::abs(x) + std::abs(y)) / std::abs(step) + 1e-300;
+        const double secant = (y - x) / step;
+        ++looked;
+        if (!(bounds[i].second.lower - noise <= secant && secant <= bounds[i].second.upper + noise))
+          findings.add(shown(va[i].first, secant, bounds[i].second));
+      }
+    }
+    INFO(entry->axis << "." << entry->element << ": " << findings.count() << " outside\n" << findings.text());
+    CHECK(findings.count() == 0);
+    CHECK(looked > 1000);
+  }
+}
+
+TEST_CASE("Gradients are the derivatives") {
+  for (const StageEntry* entry : all_stages()) {
+    const solver::Stage& stage = entry->as_stage();
+    BoxSampler sampler = sampler_of(*entry, 14);
+    Findings findings;
+    std::size_t looked = 0;
+    for (int n = 0; n < 300; ++n) {
+      const SampledPoint p = sampler.point(sampler.box());
+      for (const Input input : inputs_of(stage, p.inherited.size())) {
+        Answer<double> gradient, at;
+        stage.gradient(p.point(), input, gradient);
+        stage.evaluate(p.point(), at);
+        const auto slopes = flat(gradient);
+        const auto values = flat(at);
+        const auto side = [&](double relative) {
+          SampledPoint q = p;
+          value_of(q, input) *= 1.0 + relative;
+          const double step = value_of(q, input) - at_rest(p, input);
+          Answer<double> answer;
+          stage.evaluate(q.point(), answer);
+          auto moved = flat(answer);
+          for (std::size_t i = 0; i < moved.size(); ++i) moved[i].second = (moved[i].second - values[i].second) / step;
+          return moved;
+        };
+        const auto right = side(1e-6), left = side(-1e-6), further = side(-4e-6);
+        for (std::size_t i = 0; i < values.size(); ++i) {
+          const double reach = 1e-6 * at_rest(p, input);
+          const double noise = 4e-15 * std::abs(values[i].second) / reach;
+          const double scale = std::abs(right[i].second) + std::abs(left[i].second) + 1e4 * noise + 1e-18;
+          // A kink or a step within reach shows in one-sided differences that do not agree.
+          if (std::abs(right[i].second - left[i].second) > 1e-4 * scale ||
+              std::abs(further[i].second - left[i].second) > 1e-4 * scale)
+            continue;
+          ++looked;
+          const double central = 0.5 * (right[i].second + left[i].second);
+          if (!(std::abs(slopes[i].second - central) <= 2e-4 * scale))
+            findings.add(
+                fmt::format("{}: gradient {:.10g}, differences {:.10g}", values[i].first, slopes[i].second, central));
+        }
+      }
+    }
+    INFO(entry->axis << "." << entry->element << ": " << findings.count() << " wrong\n" << findings.text());
+    CHECK(findings.count() == 0);
+    CHECK(looked > 1000);
+  }
+}
+
+namespace {
+
+/// Whether all constraints on how the parts of a drive go together hold.
+bool parts_go_together(const StageEntry& entry, const SampledPoint& p) {
+  std::vector<std::span<const Row>> rows;
+  for (const Row& row : p.rows) rows.emplace_back(&row, 1);
+  const evaluation::Selection<double> selection{
+      .shared = p.shared, .rows = rows, .inherited = p.inherited, .variables = p.variables};
+  bool good = true;
+  const auto look = [&](const auto& element) {
+    return [&](const machine::Declaration& declaration, auto when, auto demand, auto capacity) {
+      if (declaration.kind != machine::ConstraintKind::fit || when(element) != machine::Applies::yes) return;
+      good = good && demand(element) <= capacity(element) * (1.0 + 1e-12);
+    };
+  };
+  if (const auto* screw = std::get_if<std::unique_ptr<evaluation::ScrewDriveStage>>(&entry.stage)) {
+    const auto design = (*screw)->design<double>(selection);
+    machine::screw_fit_constraints(look(design));
+  }
+  if (const auto* belt = std::get_if<std::unique_ptr<evaluation::BeltDriveStage>>(&entry.stage)) {
+    const auto design = (*belt)->design<double>(selection);
+    machine::belt_constraints(look(design));
+  }
+  return good;
+}
+
+}  // namespace
+
+// `fits` may only rule out what the fit constraints, which judge in the end, rule out too.
+TEST_CASE("Parts that go together are never said not to fit") {
+  for (const StageEntry* entry : all_stages()) {
+    const solver::Stage& stage = entry->as_stage();
+    if (stage.slots().size() < 2) continue;
+    BoxSampler sampler = sampler_of(*entry, 15);
+    Findings findings;
+    std::size_t unfit = 0, together = 0;
+    for (int n = 0; n < 10000; ++n) {
+      const SampledPoint p = sampler.point(sampler.box());
+      bool fits = true;
+      for (std::size_t a = 0; a < p.rows.size(); ++a)
+        for (std::size_t b = a + 1; b < p.rows.size(); ++b) {
+          const bool ab = stage.fits(p.shared, a, p.rows[a], b, p.rows[b]);
+          if (ab != stage.fits(p.shared, b, p.rows[b], a, p.rows[a])) findings.add("fits depends on the order");
+          fits = fits && ab;
+        }
+      const bool good = parts_go_together(*entry, p);
+      together += good;
+      unfit += !fits;
+      if (good && !fits) findings.add("said not to fit, but every fit constraint holds");
+    }
+    INFO(entry->axis << "." << entry->element << "\n" << findings.text());
+    CHECK(findings.count() == 0);
+    CHECK(unfit > 100);
+    CHECK(together > 5);
+  }
+}

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+// The constraints as a whole: which there are, and that each is said completely.
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "catch.h"
+#include "evaluation/declared_constraints.h"
+#include "scalar/unit.h"
+
+using namespace millwright;
+using machine::ConstraintKind;
+using machine::Declaration;
+
+namespace {
+
+std::set<std::string> ids_of(const DeclaringElement& element) {
+  std::set<std::string> ids;
+  for (const Declaration& d : element.constraints) ids.insert(std::string(d.id));
+  return ids;
+}
+
+void require_ids(const DeclaringElement& element, const std::vector<std::string>& wanted) {
+  const auto ids = ids_of(element);
+  for (const std::string& id : wanted) {
+    INFO(element.name << " has no " << id);
+    CHECK(ids.count(id) == 1);
+  }
+}
+
+const std::vector<std::string> of_every_drive{"C-SYS-TIME",
+                                              "C-SYS-SPEED",
+                                              "C-ST-TORQUE",
+                                              "C-ST-80",
+                                              "C-ST-INERTIA",
+                                              "C-ST-RMS",
+                                              "C-ST-STEPRATE",
+                                              "C-ST-HOLD",
+                                              "C-ST-BACK",
+                                              "C-DR-CURRENT",
+                                              "C-DR-VOLT",
+                                              "C-ACC-RES",
+                                              "C-ACC-TOTAL",
+                                              "C-ACC-LOST"};
+
+}  // namespace
+
+TEST_CASE("Every element declares the constraints that the design rules ask of it") {
+  const auto elements = declaring_elements();
+  REQUIRE(elements.size() == 5);
+  require_ids(elements[0], of_every_drive);
+  require_ids(
+      elements[0],
+      {"C-SYS-TRAVEL",   "C-SCR-VM",      "C-SCR-TMAX",  "C-SCR-SIGMA",      "C-SCR-PB",         "C-SCR-SHS",
+       "C-SCR-SHN",      "C-SCR-BEND",    "C-SCR-BUCK",  "C-SCR-NCRIT",      "C-SCR-TWIST",      "C-SCR-LOCK",
+       "C-SCR-PV",       "C-SCR-VS",      "C-BS-LIFE",   "C-BS-STATIC",      "C-BS-AXIAL",       "C-BS-BUCK",
+       "C-BS-NCRIT",     "C-BS-DN",       "C-CP-TORQUE", "F-COUPLING-MOTOR", "F-COUPLING-SCREW", "F-SUPPORT-FIXED",
+       "F-SUPPORT-FREE", "F-SUPPORT-LOAD"});
+  require_ids(elements[1], of_every_drive);
+  require_ids(elements[1], {"C-BT-TENSION", "C-BT-POWER", "C-BT-TEETH", "C-BT-PRET", "C-BT-MINZ", "F-PULLEY-BORE"});
+  require_ids(elements[2], {"C-GD-LIFE", "C-GD-STATIC", "C-GD-DEFL", "C-GD-STRESS"});
+  require_ids(elements[3],
+              {"C-FR-STRESS", "C-FR-DEFL", "C-FR-BUCK", "C-WELD", "C-SH-DIAM", "C-GD-STRESS", "C-GD-DEFL"});
+  require_ids(elements[4], {"C-PSU-POWER", "F-SUPPLY-VOLTAGE"});
+}
+
+TEST_CASE("No element declares a constraint twice") {
+  for (const DeclaringElement& element : declaring_elements()) {
+    INFO(element.name);
+    CHECK(ids_of(element).size() == element.constraints.size());
+  }
+}
+
+TEST_CASE("A constraint is said completely") {
+  for (const DeclaringElement& element : declaring_elements())
+    for (const Declaration& d : element.constraints) {
+      INFO(element.name << ", " << d.id);
+      CHECK_FALSE(d.title.empty());
+      CHECK_FALSE(d.symbol.empty());
+      CHECK_FALSE(d.source.empty());
+      std::string reason;
+      CHECK(scalar::Unit::parse(d.unit, reason).has_value());
+      CHECK((d.requirement.empty() || machine::find_requirement(d.requirement) != nullptr));
+      CHECK(d.id.substr(0, 2) == (d.kind == ConstraintKind::fit ? "F-" : "C-"));
+      CHECK(std::string(d.file).find(".h") != std::string::npos);
+      CHECK(d.line > 1);
+    }
+}
+
+TEST_CASE("A constraint that two elements share means the same in both") {
+  std::map<std::string_view, Declaration> first;
+  for (const DeclaringElement& element : declaring_elements())
+    for (const Declaration& d : element.constraints) {
+      const auto [known, added] = first.try_emplace(d.id, d);
+      if (added) continue;
+      INFO(d.id);
+      CHECK(known->second.title == d.title);
+      CHECK(known->second.unit == d.unit);
+      CHECK(known->second.requirement == d.requirement);
+      CHECK(known->second.kind == d.kind);
+    }
+}
+
+TEST_CASE("Requirements are unique, and their units parse") {
+  std::set<std::string_view> keys;
+  for (const machine::RequirementDeclaration& r : machine::requirements()) {
+    INFO(r.key);
+    CHECK(keys.insert(r.key).second);
+    std::string reason;
+    CHECK(scalar::Unit::parse(r.unit, reason).has_value());
+    CHECK_FALSE(r.meaning.empty());
+    CHECK(machine::find_requirement(r.key) == &r);
+  }
+  CHECK(machine::find_requirement("no_such_requirement") == nullptr);
+}
+
+// Defaults that the design documents state.
+TEST_CASE("Requirements have the documented defaults") {
+  const machine::Requirements r;
+  using enum machine::Requirement;
+  CHECK(r(torque_margin) == 0.7);
+  CHECK(r(torque_margin_estimate) == 0.5);
+  CHECK(r(load_torque_factor) == 0.8);
+  CHECK(r(inertia_ratio) == 10.0);
+  CHECK(r(screw_safety_factor) == 3.0);
+  CHECK(r(screw_shear_safety_factor) == 4.0);
+  CHECK(r(buckling_factor) == 0.5);
+  CHECK(r(critical_speed_factor) == 0.8);
+  CHECK(r(twist_per_length) == Approx(0.3 * 3.14159265358979 / 180.0));
+  CHECK(r(life) == 3.6e7);
+  CHECK(r(static_safety) == 2.0);
+  CHECK(r(permissible_axial_stress) == 147e6);
+  CHECK(r(supply_reserve) == 1.25);
+  CHECK(r(driver_voltage_factor) == 0.9);
+  CHECK(r(weld_stress) == 80e6);
+  CHECK(r(column_factor) == Approx(1.0 / 3.0));
+  CHECK(r(frame_deflection_ratio) == Approx(1e-3));
+  CHECK(r(guide_shaft_deflection_ratio) == Approx(1.0 / 3000.0));
+  CHECK_FALSE(r.known(position_error));
+  CHECK_FALSE(r.known(lost_motion));
+}

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: Apache-2.0
+// Demand and capacity of every constraint are quantities of one kind, that of the unit in which they are shown: proved
+// by running the declarations on numbers that know their dimension.
+#include <set>
+
+#include "catch.h"
+#include "evaluation/declared_constraints.h"
+#include "scalar/unit.h"
+
+using namespace millwright;
+using scalar::Dimension;
+using scalar::Dimensioned;
+namespace dimension = scalar::dimension;
+using machine::Requirement;
+
+namespace {
+
+Dimensioned length(double v) { return {v, dimension::length}; }
+Dimensioned mass(double v) { return {v, dimension::mass}; }
+Dimensioned torque(double v) { return {v, dimension::torque}; }
+Dimensioned force(double v) { return {v, dimension::force}; }
+Dimensioned pressure(double v) { return {v, dimension::pressure}; }
+Dimensioned inertia(double v) { return {v, dimension::inertia}; }
+Dimensioned speed(double v) { return {v, dimension::speed}; }
+Dimensioned time(double v) { return {v, dimension::time}; }
+Dimensioned rate(double v) { return {v, dimension::angular_speed}; }
+Dimensioned stiffness(double v) { return {v, dimension::stiffness}; }
+Dimensioned ampere(double v) { return {v, dimension::current}; }
+Dimensioned volt(double v) { return {v, dimension::voltage}; }
+
+/// Checks the dimensions and remembers what was looked at.
+template <class Element>
+class DimensionVisitor {
+ public:
+  DimensionVisitor(const Element& element, std::set<std::string>& seen) : element_(element), seen_(seen) {}
+  template <class When, class Demand, class Capacity>
+  void operator()(const machine::Declaration& declaration, When when, Demand demand, Capacity capacity) {
+    if (when(element_) != machine::Applies::yes) return;
+    INFO(declaration.id << " in " << declaration.unit);
+    const Dimensioned asked = demand(element_);
+    const Dimensioned given = capacity(element_);
+    const Dimension shown = scalar::Unit::of(declaration.unit).dimension();
+    CHECK((asked.zero_literal || asked.dimension == shown));
+    CHECK((given.zero_literal || given.dimension == shown));
+    CHECK_FALSE((asked.zero_literal && given.zero_literal));
+    CHECK(std::isfinite(asked.value));
+    CHECK(std::isfinite(given.value));
+    seen_.insert(std::string(declaration.id));
+  }
+
+ private:
+  const Element& element_;
+  std::set<std::string>& seen_;
+};
+
+machine::MotionData motion(bool vertical) {
+  machine::Move move;
+  move.distance = 0.3;
+  move.time = 2.0;
+  move.force = 40.0;
+  move.dwell = 0.5;
+  machine::MotionData data{.moves = {move}, .inclination = vertical ? std::acos(0.0) : 0.0};
+  data.guide_friction = 0.05;
+  data.guide_drag = 3.0;
+  return data;
+}
+
+machine::Requirements with_accuracy() {
+  machine::Requirements require;
+  require.set(Requirement::position_error, 1e-4);
+  require.set(Requirement::lost_motion, 5e-5);
+  return require;
+}
+
+machine::ScrewReading<Dimensioned> screw(machine::ScrewKind kind) {
+  machine::ScrewFigures<Dimensioned> f;
+  f.nominal_diameter = length(0.016);
+  f.mean_diameter = length(0.014);
+  f.root_diameter = length(0.012);
+  f.nut_thread_diameter = length(0.016);
+  f.pitch = f.lead = length(0.004);
+  f.flank_angle = Dimensioned(0.26);
+  f.thread_depth = length(0.002);
+  f.friction = Dimensioned(0.1);
+  f.yield_strength = pressure(345e6);
+  f.nut_yield_strength = pressure(150e6);
+  f.mass_per_length = {1.2, dimension::mass_per_length};
+  f.nut_mass = mass(0.2);
+  f.nut_length = length(0.03);
+  f.lead_error_300 = length(5e-5);
+  f.backlash = length(2e-5);
+  f.drag_torque = torque(0.02);
+  f.allowable_pressure = pressure(10e6);
+  f.pv_limit = {2e6, dimension::pressure * dimension::speed};
+  f.sliding_speed_limit = speed(0.5);
+  f.dynamic_rating = force(8000.0);
+  f.static_rating = force(12000.0);
+  f.nut_stiffness = stiffness(2e8);
+  f.speed_value_limit = {5.2, dimension::speed};
+  f.largest_length = length(1.5);
+  f.elastic_modulus = pressure(206e9);
+  f.shear_modulus = pressure(79e9);
+  f.density = {7850.0, dimension::density};
+  return machine::screw_reading(f,
+                                {.kind = kind,
+                                 .stroke = 0.3,
+                                 .overtravel = 0.01,
+                                 .end_allowance = 0.08,
+                                 .preload_fraction = kind == machine::ScrewKind::ball ? 0.05 : 0.0});
+}
+
+machine::MotorReading<Dimensioned> motor() {
+  machine::MotorFigures<Dimensioned> f;
+  f.holding_torque = torque(1.2);
+  f.detent_torque = torque(0.04);
+  f.rated_current = ampere(3.0);
+  f.resistance = {0.8, dimension::resistance};
+  f.inductance = {2.5e-3, dimension::inductance};
+  f.rotor_inertia = inertia(3e-5);
+  f.rotor_teeth = Dimensioned(50.0);
+  f.driver_peak_current = ampere(4.2);
+  f.driver_largest_voltage = volt(50.0);
+  f.driver_least_voltage = volt(18.0);
+  f.voltage = volt(36.0);
+  f.current_factor = Dimensioned(1.0);
+  CHECK(machine::modelled_torque(f, ampere(3.0), rate(60.0)).dimension == dimension::torque);
+  return machine::motor_reading(f, Dimensioned(0.5));
+}
+
+void check_screw_drive(machine::ScrewKind kind, bool vertical, std::set<std::string>& seen) {
+  const machine::ScrewDriveData data{.motion = motion(vertical),
+                                     .require = with_accuracy(),
+                                     .stroke = 0.3,
+                                     .vertical = vertical,
+                                     .preloaded = kind == machine::ScrewKind::ball};
+  machine::ScrewDrive<Dimensioned> d;
+  d.data = &data;
+  d.kind = kind;
+  d.screw = screw(kind);
+  d.motor = motor();
+  d.coupling = {inertia(1e-6), torque(5.0), torque(60.0), rate(600.0), length(0.005), length(0.012)};
+  d.support_fixed = {length(0.008), force(1000.0), stiffness(1e8), rate(400.0), Dimensioned(0.0)};
+  d.support_free = d.support_fixed;
+  d.motor_shaft = length(0.008);
+  d.available_torque = [](const Dimensioned& omega) {
+    CHECK(omega.dimension == dimension::angular_speed);
+    return torque(0.8);
+  };
+  d.carried_mass = mass(20.0);
+  d.acceleration_time = time(0.2);
+  d.derive();
+  CHECK(d.input_power.dimension == dimension::power_output);
+  CHECK(d.moved_mass.dimension == dimension::mass);
+  machine::screw_drive_constraints(DimensionVisitor(d, seen));
+}
+
+void check_belt_drive(bool vertical, std::set<std::string>& seen) {
+  const machine::BeltDriveData data{
+      .motion = motion(vertical), .require = with_accuracy(), .stroke = 0.3, .vertical = vertical};
+  machine::BeltDrive<Dimensioned> d;
+  d.data = &data;
+  d.belt = {{0.02, dimension::mass_per_length},
+            force(200.0),
+            force(25000.0),
+            Dimensioned(14.0),
+            speed(20.0),
+            length(0.8),
+            mass(0.016),
+            length(0.35),
+            Dimensioned(20.0),
+            length(0.0127),
+            inertia(2e-6),
+            inertia(2e-6),
+            length(0.0127),
+            length(0.005)};
+  d.motor = motor();
+  d.motor_shaft = length(0.005);
+  d.available_torque = [](const Dimensioned&) { return torque(0.8); };
+  d.carried_mass = mass(2.0);
+  d.acceleration_time = time(0.1);
+  d.derive();
+  CHECK(d.input_power.dimension == dimension::power_output);
+  machine::belt_drive_constraints(DimensionVisitor(d, seen));
+}
+
+void check_guide(double carriages, bool vertical, std::set<std::string>& seen) {
+  machine::GuideData data{.choice = {}, .motion = motion(vertical), .require = {}};
+  data.choice.carriages = carriages;
+  data.choice.carriage_spacing = 0.1;
+  data.choice.rail_spacing = 0.2;
+  data.choice.load_offset_x = 0.02;
+  data.choice.load_offset_y = 0.03;
+  data.choice.force_height = 0.05;
+  machine::GuideSystem<Dimensioned> d;
+  d.data = &data;
+  d.guide.dynamic_rating = force(8000.0);
+  d.guide.static_rating = force(12000.0);
+  d.guide.rating_distance = length(5e4);
+  d.guide.roll_moment_rating = d.guide.pitch_moment_rating = d.guide.yaw_moment_rating = torque(90.0);
+  d.guide.carriage_mass = mass(1.0);
+  d.guide.rail_mass = mass(3.0);
+  d.guide.rail_length = length(0.6);
+  d.guide.largest_rail_length = length(2.0);
+  d.guide.shaft_diameter = length(0.016);
+  d.unsupported_shaft = machine::Applies::yes;
+  d.carried_mass = mass(20.0);
+  d.acceleration_time = time(0.1);
+  d.derive();
+  machine::guide_constraints(DimensionVisitor(d, seen));
+}
+
+void check_member(machine::MemberKind kind, machine::BeamSupport support, bool guide, std::set<std::string>& seen) {
+  machine::MemberData data;
+  data.member.kind = kind;
+  data.member.support = support;
+  data.member.length = 0.5;
+  data.member.lateral_force = 20.0;
+  data.member.is_guide = guide;
+  data.member.lever_arm = 0.1;
+  data.member.joint_width = data.member.joint_depth = 0.04;
+  data.elastic_modulus = 206e9;
+  data.yield_strength = 235e6;
+  data.density = 7850.0;
+  machine::StructureMember<Dimensioned> d;
+  d.data = &data;
+  d.section = {{1e-3, dimension::area},
+               {1e-7, dimension::second_moment_of_area},
+               {5e-8, dimension::second_moment_of_area},
+               length(0.06),
+               length(0.03),
+               {8.0, dimension::mass_per_length}};
+  d.carried_mass = mass(20.0);
+  d.diameter = length(0.02);
+  d.width = length(0.02);
+  d.height = length(0.03);
+  d.leg = length(0.005);
+  d.derive();
+  CHECK(d.mass.dimension == dimension::mass);
+  machine::member_constraints(DimensionVisitor(d, seen));
+}
+
+}  // namespace
+
+TEST_CASE("Demand and capacity of every constraint have the dimension of its unit") {
+  std::vector<std::set<std::string>> seen(5);
+  for (const bool vertical : {false, true}) {
+    check_screw_drive(machine::ScrewKind::sliding, vertical, seen[0]);
+    check_screw_drive(machine::ScrewKind::ball, vertical, seen[0]);
+    check_belt_drive(vertical, seen[1]);
+    check_guide(4.0, vertical, seen[2]);
+    check_guide(1.0, vertical, seen[2]);
+  }
+  using machine::BeamSupport;
+  using machine::MemberKind;
+  for (const auto support : {BeamSupport::supported, BeamSupport::fixed, BeamSupport::cantilever})
+    for (const auto kind : {MemberKind::round_shaft,
+                            MemberKind::rectangular_bar,
+                            MemberKind::section_beam,
+                            MemberKind::column,
+                            MemberKind::weld})
+      check_member(kind, support, false, seen[3]);
+  check_member(MemberKind::round_shaft, BeamSupport::fixed, true, seen[3]);
+  evaluation::supply_constraints(DimensionVisitor(
+      evaluation::Supply<Dimensioned>{
+          {120.0, dimension::power_output}, {350.0, dimension::power_output}, volt(36.0), volt(36.0)},
+      seen[4]));
+  // Nothing was left out.
+  const auto elements = declaring_elements();
+  for (std::size_t i = 0; i < elements.size(); ++i)
+    for (const auto& declaration : elements[i].constraints) {
+      INFO(elements[i].name << ", " << declaration.id);
+      CHECK(seen[i].count(std::string(declaration.id)) == 1);
+    }
+}

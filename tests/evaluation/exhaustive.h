@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Every build of a machine, tried one by one: all rows of all slots, the ramp time on a grid that is refined where it
+// matters (which ramp complies is all the same: cost, mass and what is handed on do not depend on it). Asks a stage for
+// nothing but the answer to one design.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "evaluation/machine_model.h"
+
+namespace millwright {
+
+struct BuildValue {
+  double cost = 0.0, mass = 0.0;
+};
+
+class Exhaustive {
+ public:
+  explicit Exhaustive(const evaluation::MachineModel& model) : problem_(model.problem()) {
+    for (solver::Row v = 0; v < problem_.shared.front().rows; ++v) {
+      shared_ = {v};
+      descend(0, problem_.first_state, {});
+      greedy();
+    }
+  }
+
+  std::vector<BuildValue> builds;     ///< compliant ones
+  std::optional<double> greedy_cost;  ///< stage by stage the cheapest that complies
+  [[nodiscard]] double least(double BuildValue::*what) const {
+    double best = std::numeric_limits<double>::infinity();
+    for (const BuildValue& b : builds) best = std::min(best, b.*what);
+    return best;
+  }
+  /// Ascending in cost, strictly falling in mass.
+  [[nodiscard]] std::vector<BuildValue> front() const {
+    std::vector<BuildValue> sorted = builds, result;
+    std::sort(sorted.begin(), sorted.end(), [](const BuildValue& a, const BuildValue& b) {
+      return std::abs(a.cost - b.cost) > 1e-9 ? a.cost < b.cost : a.mass < b.mass;
+    });
+    for (const BuildValue& b : sorted)
+      if (result.empty() || b.mass < result.back().mass - 1e-9) result.push_back(b);
+    return result;
+  }
+
+ private:
+  struct Step {
+    std::vector<double> state;
+    BuildValue own;
+  };
+
+  void descend(std::size_t stage, const std::vector<double>& state, BuildValue so_far) {
+    if (stage == problem_.stages.size()) {
+      builds.push_back(so_far);
+      return;
+    }
+    for (const Step& step : steps(stage, state))
+      descend(stage + 1, step.state, {so_far.cost + step.own.cost, so_far.mass + step.own.mass});
+  }
+
+  void greedy() {
+    std::vector<double> state = problem_.first_state;
+    double cost = 0.0;
+    for (std::size_t stage = 0; stage < problem_.stages.size(); ++stage) {
+      const auto all = steps(stage, state);
+      if (all.empty()) return;
+      const auto best = std::min_element(
+          all.begin(), all.end(), [](const Step& a, const Step& b) { return a.own.cost < b.own.cost; });
+      cost += best->own.cost;
+      state = best->state;
+    }
+    if (!greedy_cost || cost < *greedy_cost) greedy_cost = cost;
+  }
+
+  std::vector<Step> steps(std::size_t index, const std::vector<double>& state) {
+    const solver::Stage& stage = *problem_.stages[index];
+    std::vector<Step> all;
+    std::vector<solver::Row> rows(stage.slots().size(), 0);
+    for (;;) {
+      if (auto step = design(stage, state, rows)) all.push_back(std::move(*step));
+      std::size_t slot = 0;
+      while (slot < rows.size() && ++rows[slot] == stage.slots()[slot].rows) rows[slot++] = 0;
+      if (slot == rows.size()) return all;
+    }
+  }
+
+  std::optional<Step> design(const solver::Stage& stage,
+                             const std::vector<double>& state,
+                             const std::vector<solver::Row>& rows) {
+    solver::Answer<double> answer;
+    std::vector<double> x;
+    for (const auto& v : stage.variables()) x.push_back(v.lower);
+    const auto worst = [&] {
+      stage.evaluate({shared_, state, rows, x}, answer);
+      return *std::max_element(answer.utilisation.begin(), answer.utilisation.end());
+    };
+    double least = worst();
+    if (!x.empty()) {
+      const double lower = stage.variables()[0].lower, upper = stage.variables()[0].upper;
+      const auto at = [&](double time) {
+        x[0] = std::clamp(time, lower, upper);
+        return worst();
+      };
+      constexpr int grid = 12;
+      int best = 0;
+      for (int i = 0; i <= grid && least > 1.0; ++i)
+        if (const double u = at(lower * std::pow(upper / lower, i / double(grid))); u < least) {
+          least = u;
+          best = i;
+        }
+      // Between the neighbours of the best point by golden sections, if that could decide.
+      if (least > 1.0 && least < 1.4) {
+        double a = lower * std::pow(upper / lower, std::max(best - 1, 0) / double(grid));
+        double b = lower * std::pow(upper / lower, std::min(best + 1, grid) / double(grid));
+        for (int i = 0; i < 40 && least > 1.0; ++i) {
+          const double c = b - 0.618 * (b - a), d = a + 0.618 * (b - a);
+          const double uc = at(c), ud = at(d);
+          least = std::min({least, uc, ud});
+          (uc < ud ? b : a) = uc < ud ? d : c;
+        }
+      }
+    }
+    // Parts that fit exactly sit at their limit.
+    if (least > 1.0) return std::nullopt;
+    return Step{answer.handed_on, {answer.resources[0], answer.resources[1]}};
+  }
+
+  const solver::Problem& problem_;
+  std::vector<solver::Row> shared_;
+};
+
+}  // namespace millwright

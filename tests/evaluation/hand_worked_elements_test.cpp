@@ -1,0 +1,359 @@
+// SPDX-License-Identifier: Apache-2.0
+// A belt axis, guides, members and the supply worked by hand, on the figures of tiny_catalogue.h. The right-hand sides
+// use <cmath> and nothing of the project.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "catch.h"
+#include "evaluation/tiny_catalogue.h"
+
+using namespace millwright;
+using evaluation::Check;
+using evaluation::Design;
+using evaluation::MachineModel;
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double g = 9.80665;
+
+const catalogue::Catalogue& parts() {
+  static const TinyCatalogue tiny;
+  return tiny.parts();
+}
+
+/// Row of the candidate that has all these part numbers.
+solver::Row row_of(const evaluation::SlotTable& table, const std::vector<std::string>& numbers) {
+  for (solver::Row row = 0; row < table.rows(); ++row) {
+    std::vector<std::string> found;
+    for (const auto& use : table.candidate(row).parts)
+      found.emplace_back(parts().table(use.family).part_number(use.row));
+    if (std::all_of(numbers.begin(), numbers.end(), [&](const std::string& n) {
+          return std::find(found.begin(), found.end(), n) != found.end();
+        }))
+      return row;
+  }
+  FAIL("no candidate " << numbers.front());
+  return 0;
+}
+
+struct Chosen {
+  std::string axis, element;
+  std::vector<std::vector<std::string>> parts;  ///< per slot
+  std::vector<double> variables;
+};
+
+/// A design of chosen parts; stages that are not named take their first rows and least variables.
+Design design_of(const MachineModel& model, const std::vector<Chosen>& choices, solver::Row voltage = 0) {
+  solver::Build build;
+  build.shared = {voltage};
+  for (const auto& entry : model.entries()) {
+    solver::StageChoice stage;
+    stage.rows.assign(entry.tables().size(), 0);
+    for (const auto& v : entry.as_stage().variables()) stage.variables.push_back(v.lower);
+    for (const Chosen& chosen : choices)
+      if (chosen.axis == entry.axis && chosen.element == entry.element) {
+        for (std::size_t slot = 0; slot < chosen.parts.size(); ++slot)
+          stage.rows[slot] = row_of(entry.tables()[slot], chosen.parts[slot]);
+        if (!chosen.variables.empty()) stage.variables = chosen.variables;
+      }
+    build.stages.push_back(stage);
+  }
+  return model.design(build);
+}
+
+void expect(const Design& design, const std::string& element, const std::string& id, double value, double limit) {
+  for (const Check& c : design.checks) {
+    if (c.id != id || c.element != element) continue;
+    INFO(element << " " << id << " [" << c.unit << "]");
+    CHECK(c.value == Approx(value).epsilon(1e-9));
+    CHECK(c.limit == Approx(limit).epsilon(1e-9));
+    return;
+  }
+  FAIL("no check " << id << " of " << element);
+}
+
+std::string axis_text(const std::string& direction, const std::string& guide, const std::string& members) {
+  return fmt::format(R"(
+[currency]
+USD = 1.0
+[supply]
+voltage = ["24 V"]
+[[axis]]
+name = "x"
+direction = "{}"
+stroke = "500 mm"
+structure_mass = "20 kg"
+mechanism = {{ kind = "belt", idler_distance = "80 mm" }}
+{}
+[[axis.moves]]
+distance = "400 mm"
+time = "1 s"
+force = "50 N"
+dwell = "1 s"
+{}
+)",
+                     direction,
+                     guide.empty() ? std::string() : "guide = " + guide,
+                     members);
+}
+
+}  // namespace
+
+TEST_CASE("A belt axis worked by hand") {
+  const MachineModel model(problem_of_text(R"(
+[currency]
+USD = 1.0
+[supply]
+voltage = ["24 V"]
+[[axis]]
+name = "x"
+stroke = "500 mm"
+structure_mass = "2 kg"
+guide_friction = 0.02
+guide_drag = "1 N"
+acceleration_time = ["0.2 s", "0.3 s"]
+mechanism = { kind = "belt", idler_distance = "80 mm" }
+motor = { microsteps = 16 }
+[[axis.moves]]
+distance = "400 mm"
+time = "1 s"
+force = "5 N"
+dwell = "0.5 s"
+[axis.require]
+position_error = "0.5 mm"
+lost_motion = "0.1 mm"
+)"),
+                           parts());
+  const Design d = design_of(model, {{"x", "drive", {{"GT3-9", "G20-5", "I20"}, {"M17", "D2"}}, {0.2}}});
+
+  const double span = 0.5 + 0.02 + 0.08, r = 0.01;
+  const double belt = 0.02 * (2.0 * span + pi / 2.0 * 0.04);
+  const double m = 2.0 + belt, v = 0.4 / 0.8, a = v / 0.2;
+  const double friction = 1.0 + 0.02 * m * g;
+  const double force = m * a + friction + 5.0;
+  const double rotating = 60e-7 + 20e-7 + 10e-7;
+  const double torque = force * r / 0.95 + rotating * a / r;
+
+  // 21.6 V of 24 are usable. At 50 rad/s: K = 0.5/(2 sqrt 2) N.m/A, E = K w = 8.84 V, X = 50*50*2.8 mH = 7 ohm; 2 A
+  // need sqrt((3 + 8.84)^2 + 14^2) = 18.3 V: the current is reached. Losses 0.5 (0.03 + 0.0005*50) N.m.
+  const double K = 0.5 / (2.0 * std::sqrt(2.0));
+  REQUIRE(std::hypot(3.0 + K * 50.0, 14.0) < 21.6);
+  const double available = K * 2.0 - 0.5 * (0.03 + 0.0005 * 50.0);
+  expect(d, "drive", "C-ST-TORQUE", torque / available, 0.5);
+  expect(d, "drive", "C-ST-80", (friction + 5.0) * r / 0.95, 0.4);
+  const double load_inertia = 30e-7 + m * r * r;
+  expect(d, "drive", "C-ST-INERTIA", load_inertia * 1e4, 10.0 * 60e-7 * 1e4);
+
+  // Pretension 1.1 F and what the belt's own turning takes; service factor 1.4; ten of twenty teeth in mesh.
+  const double turning = 0.02 * v * v, pretension = 1.1 * force + turning;
+  expect(d, "drive", "C-BT-TENSION", 1.4 * (pretension + force / 2.0), 180.0);
+  expect(d, "drive", "C-BT-POWER", 1.4 * force * v, (180.0 - turning) * v);
+  expect(d, "drive", "C-BT-TEETH", 6.0, 10.0);
+  expect(d, "drive", "C-BT-PRET", force + turning, pretension);
+  expect(d, "drive", "C-BT-MINZ", 16.0, 20.0);
+  expect(d, "drive", "F-PULLEY-BORE", 5.0, 5.0);
+  expect(d, "drive", "F-PULLEY-BORE-MIN", 5.0, 5.0);
+
+  // Pulses: 50 rad/s of 200*16 microsteps a turn; 0.8 of 30 kHz is the slowest limit of the axis.
+  expect(d, "drive", "C-ST-STEPRATE", 50.0 / (2.0 * pi) * 3.2, 24.0);
+  expect(d, "drive", "C-SYS-SPEED", 500.0, 24e3 / 3200.0 * 2.0 * pi * r * 1e3);
+  expect(d, "drive", "C-ST-HOLD", 5.0 * r * 0.95, 0.5 * K * 2.0);
+
+  // Both strands, each at most half the loop: k = 4 EA/(2 span).
+  const double stiffness = 4.0 * 60000.0 / (2.0 * span), reversal = 2.0 * friction / stiffness;
+  expect(d, "drive", "C-ACC-LOST", reversal * 1e6, 100.0);
+  const double travel = 2.0 * pi * r, step = travel / 200.0;
+  const double lag = travel / (2.0 * pi) * std::asin((friction + 5.0) * r / 0.95 / (K * 2.0)) / 50.0;
+  expect(d,
+         "drive",
+         "C-ACC-TOTAL",
+         (2e-4 * 0.5 + reversal + lag + std::hypot(0.05 * step, 0.5 * step / 16.0)) * 1e6,
+         500.0);
+  expect(d, "drive", "C-ACC-RES", step / 16.0 * 1e6, 250.0);
+
+  CHECK(d.cost == Approx(5.0 * (2.0 * span + pi / 2.0 * 0.04) + 4.0 + 3.0 + 9.0 + 6.0 + 15.0));
+  CHECK(d.mass == Approx(belt + 0.02 + 0.015 + 0.3 + 0.1 + 0.4));
+}
+
+TEST_CASE("Guides worked by hand") {
+  const std::string four =
+      "{ rails = 2, carriages = 4, carriage_spacing = \"100 mm\", rail_spacing = \"200 mm\", load_offset_x = \"20 "
+      "mm\", "
+      "load_offset_y = \"30 mm\", force_height = \"50 mm\" }";
+  const double rail = 0.5 + 0.02 + 0.1 + 0.045;
+  const double m = 20.0 + 4 * 0.05, G = m * g;
+  const double pitch = G * 0.02 + 50.0 * 0.05;
+  // Distance for 90 % of the carriages: 50 km (C/(1.5 P))^3; mean speed 0.4 m in the 2 s of the cycle.
+  const auto life_hours = [](double rating, double load, double speed) {
+    return 50e3 * std::pow(rating / (1.5 * load), 3) / speed / 3600.0;
+  };
+  SECTION("four carriages, horizontal: weight, pitch and roll") {
+    const Design d = design_of(MachineModel(problem_of_text(axis_text("horizontal", four, "")), parts()),
+                               {{"x", "guide", {{"R12"}}, {}}});
+    const double P = G / 4.0 + pitch / 0.2 + G * 0.03 / 0.4;
+    expect(d, "guide", "C-GD-STATIC", 2.0 * P, 5000.0);
+    expect(d, "guide", "C-GD-LIFE", 10000.0, life_hours(3000.0, P, 0.2));
+    expect(d, "guide", "C-SYS-RAIL", rail * 1e3, 2000.0);
+  }
+  SECTION("four carriages, vertical: the weight pulls along, and across when it hangs to the side") {
+    const Design d = design_of(MachineModel(problem_of_text(axis_text("vertical", four, "")), parts()),
+                               {{"x", "guide", {{"R12"}}, {}}});
+    expect(d, "guide", "C-GD-STATIC", 2.0 * (pitch / 0.2 + G * 0.03 / 0.2), 5000.0);
+  }
+  SECTION("on a slope of 30 degrees most of the weight presses on the guides") {
+    const Design d =
+        design_of(MachineModel(problem_of_text(axis_text("inclined\"\ninclination = \"30 deg", four, "")), parts()),
+                  {{"x", "guide", {{"R12"}}, {}}});
+    const double across = G * std::cos(pi / 6.0), along = G * 0.5;
+    expect(d,
+           "guide",
+           "C-GD-STATIC",
+           2.0 * (across / 4.0 + pitch / 0.2 + across * 0.03 / 0.4 + along * 0.03 / 0.2),
+           5000.0);
+  }
+  SECTION("bushings on two round shafts held at their ends") {
+    const std::string bushings =
+        "{ kinds = [\"linear ball bush\"], rails = 2, carriages = 4, carriage_spacing = \"100 mm\", rail_spacing = "
+        "\"200 "
+        "mm\" }";
+    const Design d = design_of(MachineModel(problem_of_text(axis_text("horizontal", bushings, "")), parts()),
+                               {{"x", "guide", {{"LB16"}}, {}}});
+    // Half of weight and process force on each shaft, at two places 100 mm apart in the middle.
+    const double F = ((20.0 + 0.4) * g + 50.0) / 2.0, L = 0.5 + 0.02 + 0.1 + 0.04, a = (L - 0.1) / 2.0;
+    const double I = pi / 64.0 * std::pow(0.016, 4);
+    expect(d,
+           "guide",
+           "C-GD-DEFL",
+           F / 2.0 * a * (3.0 * L * L - 4.0 * a * a) / (24.0 * 206e9 * I) * 1e3,
+           L * 1e3 / 3000.0);
+    expect(d, "guide", "C-GD-STRESS", F / 2.0 * a * 32.0 / (pi * std::pow(0.016, 3)) * 1e-6, 345.0 / 3.0);
+  }
+  SECTION("a single carriage takes the moments itself") {
+    const std::string one =
+        "{ rails = 1, carriages = 1, load_offset_x = \"20 mm\", load_offset_y = \"30 mm\", force_height = \"50 mm\" }";
+    const double weight = (20.0 + 0.4) * g;
+    const double roll = weight * 0.03, pitching = weight * 0.02 + 50.0 * 0.05;
+    const Design d = design_of(MachineModel(problem_of_text(axis_text("horizontal", one, "")), parts()),
+                               {{"x", "guide", {{"R20"}}, {}}});
+    const double P = weight + 25000.0 * (roll / 250.0 + pitching / 200.0);
+    expect(d, "guide", "C-GD-STATIC", 2.0 * P, 25000.0);
+    expect(d, "guide", "C-GD-LIFE", 10000.0, life_hours(15000.0, P, 0.2));
+    const Design upright = design_of(MachineModel(problem_of_text(axis_text("vertical", one, "")), parts()),
+                                     {{"x", "guide", {{"R20"}}, {}}});
+    expect(upright, "guide", "C-GD-STATIC", 2.0 * 25000.0 * (pitching / 200.0 + roll / 200.0), 25000.0);
+  }
+}
+
+TEST_CASE("Members worked by hand") {
+  const std::string member = "[[axis.members]]\nmaterial = \"steel\"\n";
+  const auto built = [&](const std::string& name, const std::string& text, const Chosen& chosen) {
+    const MachineModel model(problem_of_text(axis_text("horizontal", "", member + "name = \"" + name + "\"\n" + text)),
+                             parts());
+    return design_of(model, {chosen});
+  };
+  const double E = 200e9, weight = 20.0 * g;
+  SECTION("two fixed round shafts with a side load") {
+    const Design d = built("rod",
+                           "kind = \"shaft\"\nsupport = \"fixed\"\nguide = true\nlength = \"700 mm\"\ncount = 2\n"
+                           "lateral_force = \"30 N\"\ndiameter = [\"10 mm\", \"30 mm\"]\n",
+                           {"x", "rod", {}, {0.02}});
+    const double L = 0.7, A = pi / 4.0 * 4e-4, I = pi / 64.0 * 16e-8, w = 8000.0 * A * g, F = weight / 2.0;
+    const double M = F * L / 8.0 + w * L * L / 12.0, side = 15.0 * L / 8.0;
+    const double down = F * L * L * L / (192.0 * E * I) + w * std::pow(L, 4) / (384.0 * E * I);
+    const double across = 15.0 * L * L * L / (192.0 * E * I);
+    const double Z = pi / 32.0 * 8e-6;
+    expect(d, "rod", "C-GD-STRESS", (M + side) / Z * 1e-6, 80.0);
+    expect(d, "rod", "C-GD-DEFL", std::hypot(down, across) * 1e3, 700.0 / 3000.0);
+    expect(d, "rod", "C-SH-DIAM", std::cbrt(32.0 * std::hypot(M, side) / (pi * 80e6)) * 1e3, 20.0);
+    CHECK(d.mass - 2.0 * 8000.0 * A * L ==
+          Approx(design_of(MachineModel(problem_of_text(axis_text("horizontal", "", "")), parts()), {}).mass));
+  }
+  SECTION("a supported bar with a side load") {
+    const Design d = built("bar",
+                           "kind = \"bar\"\nlength = \"600 mm\"\nlateral_force = \"40 N\"\nextra_force = \"100 N\"\n"
+                           "width = [\"10 mm\", \"40 mm\"]\nheight = [\"10 mm\", \"40 mm\"]\n",
+                           {"x", "bar", {}, {0.02, 0.03}});
+    const double L = 0.6, b = 0.02, h = 0.03, w = 8000.0 * b * h * g, F = weight + 100.0;
+    const double strong = b * h * h * h / 12.0, weak = h * b * b * b / 12.0;
+    const double M = F * L / 4.0 + w * L * L / 8.0, side = 40.0 * L / 4.0;
+    const double down = F * L * L * L / (48.0 * E * strong) + 5.0 * w * std::pow(L, 4) / (384.0 * E * strong);
+    const double across = 40.0 * L * L * L / (48.0 * E * weak);
+    expect(d, "bar", "C-FR-STRESS", (M * h / 2.0 / strong + side * b / 2.0 / weak) * 1e-6, 120.0);
+    expect(d, "bar", "C-FR-DEFL", std::hypot(down, across) * 1e3, 0.6);
+  }
+  SECTION("a cantilever of a catalogue section") {
+    const Design d =
+        built("arm",
+              "kind = \"beam\"\nsupport = \"cantilever\"\nlength = \"300 mm\"\nsections = [\"steel_sections\"]\n",
+              {"x", "arm", {{"box60"}}, {}});
+    const double L = 0.3, I = 5e-7, w = 8.0 * g;
+    expect(d, "arm", "C-FR-STRESS", (weight * L + w * L * L / 2.0) * 0.03 / I * 1e-6, 120.0);
+    expect(d,
+           "arm",
+           "C-FR-DEFL",
+           (weight * std::pow(L, 3) / (3.0 * E * I) + w * std::pow(L, 4) / (8.0 * E * I)) * 1e3,
+           0.3);
+  }
+  SECTION("four columns: a slender and a stocky one") {
+    const auto column = [&](const char* length, const char* section) {
+      return built("legs",
+                   fmt::format("kind = \"column\"\nlength = \"{}\"\ncount = 4\nextra_force = \"100 N\"\nsections = "
+                               "[\"steel_sections\"]\n",
+                               length),
+                   {"x", "legs", {{section}}, {}});
+    };
+    // Radius of gyration sqrt(10000/200) = 7.07 mm: 1 m is slender (141 > 128), 0.5 m is not (71).
+    expect(column("1000 mm", "box20"), "legs", "C-FR-BUCK", (weight + 100.0) / 4.0, pi * pi * E * 1e-8 / 3.0);
+    const double yield = 240e6, area = 200e-6;
+    const double johnson = area * yield * (1.0 - yield * 0.25 / (4.0 * pi * pi * E * 1e-8 / area));
+    expect(column("500 mm", "box20"), "legs", "C-FR-BUCK", (weight + 100.0) / 4.0, johnson / 3.0);
+  }
+  SECTION("a weld all around a rectangle") {
+    const Design d =
+        built("joint",
+              "kind = \"weld\"\nlever_arm = \"200 mm\"\njoint_width = \"30 mm\"\njoint_depth = \"20 mm\"\nleg "
+              "= [\"2 mm\", \"8 mm\"]\n",
+              {"x", "joint", {}, {0.005}});
+    const double t = 0.005 / std::sqrt(2.0);
+    const double direct = weight / (t * 0.1);
+    const double bending = weight * 0.2 / (t * (0.03 * 0.02 + 0.02 * 0.02 / 3.0));
+    expect(d, "joint", "C-WELD", std::hypot(direct, bending) * 1e-6, 80.0);
+    // Two legs of 5 mm make a triangle along 100 mm.
+    const Design bare = design_of(MachineModel(problem_of_text(axis_text("horizontal", "", "")), parts()), {});
+    CHECK(d.mass - bare.mass == Approx(0.5 * 25e-6 * 0.1 * 8000.0));
+    CHECK(d.cost - bare.cost == Approx(2.0 * 0.5 * 25e-6 * 0.1 * 8000.0));
+  }
+}
+
+TEST_CASE("What rides on an axis burdens its guide, what stands does not") {
+  const std::string guide = "{ carriages = 4, carriage_spacing = \"100 mm\", rail_spacing = \"200 mm\" }";
+  const auto load = [&](const char* rides) {
+    const std::string bar = fmt::format(
+        "[[axis.members]]\nname = \"bar\"\nmaterial = \"steel\"\nkind = \"bar\"\nlength = \"500 mm\"\nrides = "
+        "{}\nwidth = \"40 mm\"\nheight = \"50 mm\"\n",
+        rides);
+    const Design d = design_of(MachineModel(problem_of_text(axis_text("horizontal", guide, bar)), parts()),
+                               {{"x", "guide", {{"R12"}}, {}}});
+    for (const Check& c : d.checks)
+      if (c.id == "C-GD-STATIC") return c.value;
+    return 0.0;
+  };
+  CHECK(load("false") == Approx(2.0 * (20.2 * g / 4.0)));
+  CHECK(load("true") == Approx(2.0 * ((20.2 + 0.5 * 0.04 * 0.05 * 8000.0) * g / 4.0)));
+}
+
+TEST_CASE("A machine whose member has no known material says so") {
+  const MachineModel model(problem_of_text(axis_text(
+                               "horizontal",
+                               "",
+                               "[[axis.members]]\nname = \"bar\"\nmaterial = \"unobtainium\"\nkind = \"bar\"\nlength = "
+                               "\"500 mm\"\nwidth = \"40 mm\"\nheight = \"50 mm\"\n")),
+                           parts());
+  const auto empty = model.empty_slots();
+  REQUIRE(empty.size() == 1);
+  CHECK(empty[0].axis == "x");
+  CHECK(empty[0].slot == "bar");
+  CHECK(empty[0].reason.find("unobtainium") != std::string::npos);
+}

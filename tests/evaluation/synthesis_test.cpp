@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+// The best builds of small machines against all of their builds, tried one by one.
+#include <fmt/format.h>
+
+#include <random>
+
+#include "catch.h"
+#include "evaluation/exhaustive.h"
+#include "evaluation/synthesis.h"
+#include "evaluation/tiny_catalogue.h"
+
+using namespace millwright;
+using evaluation::MachineModel;
+using evaluation::SearchOptions;
+using evaluation::Synthesis;
+
+namespace {
+
+/// A cross table: x on y. `load` on x, `force` on y.
+machine::Problem cross_table(double load, double force) {
+  return problem_of_text(fmt::format(R"(
+[currency]
+USD = 1.0
+[supply]
+voltage = ["24 V", "36 V"]
+[[axis]]
+name = "x"
+stroke = "300 mm"
+structure_mass = "{} kg"
+guide_friction = 0.05
+acceleration_time = ["0.02 s", "0.5 s"]
+mechanism = {{ kind = "screw", screw = ["ball_screws", "lead_screws"], ends = "fixed-supported" }}
+motor = {{ microsteps = 8 }}
+guide = {{ kinds = ["profile rail"], carriages = 4, carriage_spacing = "100 mm", rail_spacing = "200 mm" }}
+[[axis.moves]]
+distance = "200 mm"
+time = "6 s"
+force = "60 N"
+[[axis]]
+name = "y"
+carries = ["x"]
+stroke = "200 mm"
+structure_mass = "4 kg"
+guide_friction = 0.3
+acceleration_time = ["0.02 s", "0.3 s"]
+mechanism = {{ kind = "screw", screw = ["ball_screws", "lead_screws"], ends = "fixed-free" }}
+motor = {{ microsteps = 8 }}
+guide = {{ kinds = ["profile rail"], carriages = 4, carriage_spacing = "100 mm", rail_spacing = "200 mm" }}
+[[axis.moves]]
+distance = "150 mm"
+time = "3 s"
+force = "{} N"
+)",
+                                     load,
+                                     force));
+}
+
+Vary random_prices(unsigned seed) {
+  return [seed](const std::string& part, PriceAndMass usual) {
+    std::seed_seq seeds(part.begin(), part.end());
+    std::vector<unsigned> word(1);
+    seeds.generate(word.begin(), word.end());
+    std::mt19937 random(word[0] ^ (seed * 2654435761U));
+    const auto factor = [&](double most) {
+      return std::pow(most, 2.0 * static_cast<double>(random() >> 8U) / 16777216.0 - 1.0);
+    };
+    return PriceAndMass{usual.price * factor(3.0), usual.mass * factor(4.0)};
+  };
+}
+
+Synthesis solved(const MachineModel& model, std::vector<std::string> objectives, unsigned threads = 1) {
+  SearchOptions options;
+  options.objectives = std::move(objectives);
+  options.threads = threads;
+  return evaluation::synthesise(model, options);
+}
+
+// Sanitisers make every evaluation some ten times as slow.
+#if defined(__SANITIZE_ADDRESS__)
+constexpr unsigned machines = 5;
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+constexpr unsigned machines = 5;
+#else
+constexpr unsigned machines = 12;
+#endif
+#else
+constexpr unsigned machines = 12;
+#endif
+
+void require_compliant(const evaluation::Design& design) {
+  CHECK(design.satisfied());
+  for (const auto& check : design.checks) {
+    INFO(check.axis << " " << check.id);
+    CHECK(check.verdict != evaluation::Verdict::not_evaluated);
+    if (check.kind != machine::ConstraintKind::soft) CHECK(check.utilisation <= 1.0 + 1e-9);
+  }
+  double cost = 0.0, mass = 0.0;
+  for (const auto& part : design.parts) {
+    cost += part.price;
+    mass += part.mass;
+  }
+  CHECK(design.cost == Approx(cost));
+  CHECK(design.mass == Approx(mass));
+}
+
+void require_same(const std::vector<evaluation::Design>& a, const std::vector<evaluation::Design>& b) {
+  REQUIRE(a.size() == b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    CHECK(a[i].cost == b[i].cost);
+    CHECK(a[i].mass == b[i].mass);
+    REQUIRE(a[i].parts.size() == b[i].parts.size());
+    for (std::size_t k = 0; k < a[i].parts.size(); ++k) CHECK(a[i].parts[k].part_number == b[i].parts[k].part_number);
+    for (std::size_t k = 0; k < a[i].dimensions.size(); ++k)
+      CHECK(a[i].dimensions[k].value == b[i].dimensions[k].value);
+  }
+}
+
+}  // namespace
+
+// Prices and masses of the parts are drawn for each machine; the loads run from easy to impossible. The exhaustive
+// search also keeps the drivers that the model leaves out because another one covers them.
+TEST_CASE("Cheapest, lightest and front of small machines equal those of all builds") {
+  int infeasible = 0, fronts = 0;
+  for (unsigned seed = 0; seed < machines; ++seed) {
+    const TinyCatalogue tiny(random_prices(seed));
+    const machine::Problem problem =
+        cross_table(4.0 + 3.0 * (seed % 7), seed % 5 == 4 ? 3000.0 : 20.0 + 45.0 * (seed % 4));
+    machine::Problem everything = problem;
+    for (machine::Axis& axis : everything.axes) axis.keep_every_candidate = true;
+    const MachineModel model(problem, tiny.parts());
+    const MachineModel whole(everything, tiny.parts());
+    const Exhaustive all(whole);
+    INFO("machine " << seed << ", " << all.builds.size() << " compliant builds");
+    const Synthesis cost = solved(model, {"cost"});
+    const Synthesis mass = solved(model, {"mass"});
+    const Synthesis front = solved(model, {"cost", "mass"});
+    if (all.builds.empty()) {
+      ++infeasible;
+      CHECK(cost.status == solver::Status::infeasible);
+      CHECK(mass.designs.empty());
+      CHECK(front.designs.empty());
+      continue;
+    }
+    REQUIRE(cost.designs.size() == 1);
+    REQUIRE(mass.designs.size() == 1);
+    CHECK(cost.status == solver::Status::optimal);
+    CHECK(cost.designs[0].cost == Approx(all.least(&BuildValue::cost)).epsilon(2e-6));
+    CHECK(mass.designs[0].mass == Approx(all.least(&BuildValue::mass)).epsilon(2e-6));
+    CHECK(cost.lower_bound <= cost.designs[0].cost * (1.0 + 1e-9));
+    require_compliant(cost.designs[0]);
+    require_compliant(mass.designs[0]);
+    const auto expected = all.front();
+    REQUIRE(front.designs.size() == expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      CHECK(front.designs[i].cost == Approx(expected[i].cost).epsilon(1e-9));
+      CHECK(front.designs[i].mass == Approx(expected[i].mass).epsilon(1e-9));
+      require_compliant(front.designs[i]);
+    }
+    fronts += expected.size() > 1;
+    require_same(cost.designs, solved(model, {"cost"}, 2).designs);
+    require_same(front.designs, solved(model, {"cost", "mass"}, 2).designs);
+  }
+  // The machines are of the kinds that matter.
+  CHECK(infeasible >= 1);
+  CHECK(fronts >= 2);
+}
+
+// The cheap motor of x is a lump of 15 kg; carrying it, y needs a motor that costs more than a light one for x.
+TEST_CASE("Choosing axis by axis fails where mass couples the axes, and the search does not") {
+  const TinyCatalogue tiny([](const std::string& part, PriceAndMass usual) {
+    return part == "M17" ? PriceAndMass{usual.price, 15.0} : usual;
+  });
+  machine::Problem problem = cross_table(4.0, 60.0);
+  problem.axes[1].guide_friction = 0.9;
+  problem.axes[1].motor.frames = {"NEMA23"};
+  const MachineModel model(problem, tiny.parts());
+  const Exhaustive all(model);
+  REQUIRE_FALSE(all.builds.empty());
+  REQUIRE(all.greedy_cost.has_value());
+  const double best = all.least(&BuildValue::cost);
+  CHECK(*all.greedy_cost > best * 1.01);
+  const Synthesis result = solved(model, {"cost"});
+  REQUIRE(result.designs.size() == 1);
+  CHECK(result.designs[0].cost == Approx(best).epsilon(2e-6));
+  require_compliant(result.designs[0]);
+}
+
+TEST_CASE("A complete machine has every slot of every axis and a supply") {
+  const TinyCatalogue tiny;
+  const MachineModel model(cross_table(5.0, 60.0), tiny.parts());
+  const Synthesis result = solved(model, {"cost"});
+  REQUIRE(result.designs.size() == 1);
+  const auto has = [&](const std::string& axis, const std::string& slot) {
+    return std::count_if(result.designs[0].parts.begin(), result.designs[0].parts.end(), [&](const auto& line) {
+      return line.axis == axis && line.slot == slot;
+    });
+  };
+  for (const char* slot : {"screw", "nut", "motor", "driver", "coupling", "support_fixed", "guide"}) {
+    CHECK(has("x", slot) == 1);
+    CHECK(has("y", slot) == 1);
+  }
+  CHECK(has("x", "support_free") == 1);
+  CHECK(has("y", "support_free") == 0);  // its end is free
+  CHECK(has("machine", "supply") == 1);
+}

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+// The reports of a small machine made by hand.
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "catch.h"
+#include "report/bom_csv.h"
+#include "report/design_text.h"
+#include "report/json.h"
+#include "report/machine_text.h"
+#include "scalar/unit.h"
+
+namespace millwright::report {
+namespace {
+
+using evaluation::Check;
+using evaluation::Verdict;
+using machine::ConstraintKind;
+using Json = nlohmann::json;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+const double undefined = std::nan("");
+
+Check check_of(
+    const char* id, double value, double limit, Verdict verdict, ConstraintKind kind = ConstraintKind::hard) {
+  Check check;
+  check.axis = "x";
+  check.element = "drive";
+  check.id = id;
+  check.title = std::string("title of ") + id;
+  check.kind = kind;
+  check.value = value;
+  check.limit = limit;
+  check.unit = "MPa";
+  check.utilisation = value / limit;
+  check.verdict = verdict;
+  check.source = "book, p. 1";
+  return check;
+}
+
+MachineResult result_of_three_checks() {
+  evaluation::Design design;
+  design.currency = "USD";
+  evaluation::PartLine screw;
+  screw.axis = "x";
+  screw.slot = "screw";
+  screw.family = "lead_screws";
+  screw.manufacturer = "Maker, \"Best\" Ltd";
+  screw.part_number = "T10-2";
+  screw.length = 0.384;
+  screw.price = 5.0;
+  screw.unit_price = 5.0;
+  screw.currency = "USD";
+  screw.mass = 0.2;
+  screw.estimate = true;
+  screw.where = "catalogues/lead_screws/generic.csv:7";
+  design.parts.push_back(screw);
+  design.dimensions.push_back({"x", "acceleration_time", 0.1 + 0.2, "s"});
+  design.dimensions.push_back({"x", "shaft.diameter", 0.0125, "m"});
+  design.checks = {check_of("C-LOW", 10.0, 100.0, Verdict::satisfied),
+                   check_of("C-OPEN", undefined, 100.0, Verdict::not_evaluated, ConstraintKind::soft),
+                   check_of("C-BAD", 120.0, 100.0, Verdict::violated),
+                   check_of("C-SOFT", 150.0, 100.0, Verdict::violated, ConstraintKind::soft),
+                   check_of("C-NEVER", 1.0, 0.0, Verdict::violated)};
+  design.cost = 7.5;  // 2.5 more than the parts: a member made to measure
+  design.mass = 0.5;
+  MachineResult result;
+  result.title = "Small";
+  result.file = "small.toml";
+  result.axes = {"x"};
+  result.objectives = {"cost"};
+  result.bom_file = "bom.csv";
+  result.status = Status::optimal;
+  result.lower_bound = 7.5;
+  result.designs = {design};
+  return result;
+}
+
+TEST_CASE("Checks are sorted by utilisation, what is not evaluated last") {
+  const MachineResult result = result_of_three_checks();
+  std::vector<std::string> ids;
+  for (const Check* check : checks_of(result.designs.front(), "x")) ids.push_back(check->id);
+  CHECK(ids == std::vector<std::string>{"C-NEVER", "C-SOFT", "C-BAD", "C-LOW", "C-OPEN"});
+}
+
+TEST_CASE("A check's report lists what fails first, and soft checks are no failures") {
+  const std::string text = check_text(result_of_three_checks(), {});
+  CHECK(text.find("It fails 2 of 5 checks.") != std::string::npos);
+  const std::string summary = text.substr(0, text.find("Governing check"));
+  CHECK(summary.find("C-BAD") != std::string::npos);
+  CHECK(summary.find("120.0 %") != std::string::npos);
+  CHECK(summary.find("C-SOFT") == std::string::npos);
+  CHECK(text.find("C-SOFT*") != std::string::npos);
+  CHECK(text.find("open: a figure that the check needs is not known") != std::string::npos);
+  CHECK(text.find("nan") == std::string::npos);
+}
+
+TEST_CASE("Utilisation just over the limit does not look like the limit") {
+  Check check = check_of("C", 100.001, 100.0, Verdict::violated);
+  CHECK(utilisation_text(check) == "> 100 %");
+  check.utilisation = 1.0;
+  CHECK(utilisation_text(check) == "100.0 %");
+  check.utilisation = infinity;
+  CHECK(utilisation_text(check) == "> 999 %");
+  check.verdict = Verdict::not_evaluated;
+  CHECK(utilisation_text(check) == "-");
+}
+
+TEST_CASE("Estimates are marked, members made to measure are not forgotten") {
+  const MachineResult result = result_of_three_checks();
+  const std::string text = parts_text(result, result.designs.front(), {});
+  CHECK(text.find("~5.00") != std::string::npos);
+  CHECK(text.find("~ the price, or a figure of the part that matters, is an estimate") != std::string::npos);
+  CHECK(text.find("384 mm") != std::string::npos);
+  CHECK(text.find("Members made to measure, by their mass: 2.50 USD, 0.300 kg") != std::string::npos);
+  CHECK(text.find("Total: 7.50 USD, 0.500 kg") != std::string::npos);
+}
+
+TEST_CASE("JSON has neither infinity nor NaN, and the stable names") {
+  const std::string text = solve_json(result_of_three_checks());
+  CHECK(text.find("Infinity") == std::string::npos);
+  const Json json = Json::parse(text);
+  CHECK(json.at("schema") == "millwright.result/1");
+  CHECK(json.at("status") == "optimal");
+  CHECK(json.at("objective") ==
+        Json{{"name", "cost"}, {"value", 7.5}, {"unit", "USD"}, {"lower_bound", 7.5}, {"gap", 0.0}});
+  CHECK(json.at("totals").at("mass") == Json{{"value", 0.5}, {"unit", "kg"}});
+  const Json& part = json.at("build").at("parts")[0];
+  for (const char* key : {"axis",
+                          "slot",
+                          "family",
+                          "manufacturer",
+                          "part_number",
+                          "quantity",
+                          "unit_price",
+                          "currency",
+                          "mass_kg",
+                          "row"})
+    CHECK(part.contains(key));
+  const Json& worst = json.at("checks")[0];
+  CHECK(worst.at("id") == "C-NEVER");
+  CHECK(worst.at("utilisation").is_null());
+  CHECK(worst.at("kind") == "hard");
+  CHECK(json.at("checks")[4].at("verdict") == "not evaluated");
+  CHECK(json.at("checks")[4].at("value").is_null());
+  CHECK(Json::parse(check_json(result_of_three_checks())).at("satisfied") == false);
+  CHECK(Json::parse(front_json(result_of_three_checks())).at("front").size() == 1);
+}
+
+TEST_CASE("No build: said with the reason, in text and JSON") {
+  MachineResult result = result_of_three_checks();
+  result.designs.clear();
+  result.status = Status::infeasible;
+  result.missing = {{"x", "motor", "no NEMA99"}};
+  CHECK(solve_text(result, {}).find("axis x: no candidate for slot motor (no NEMA99)") != std::string::npos);
+  CHECK(check_text(result, {}).find("slot motor") != std::string::npos);
+  CHECK(front_text(result, {}).find("slot motor") != std::string::npos);
+  const Json json = Json::parse(solve_json(result));
+  CHECK(json.at("objective").at("value").is_null());
+  CHECK(json.at("missing")[0].at("slot") == "motor");
+}
+
+TEST_CASE("A limit is said with the gap") {
+  MachineResult result = result_of_three_checks();
+  result.status = Status::limit;
+  result.lower_bound = 6.0;
+  result.gap = 0.2;
+  const std::string text = solve_text(result, {});
+  CHECK(text.find("Best build found before the limit: 7.50 USD") != std::string::npos);
+  CHECK(text.find("not below 6.00 USD, gap 20.00 %") != std::string::npos);
+  CHECK(text.find("Not proved") != std::string::npos);
+}
+
+TEST_CASE("The bill of materials quotes what it must and keeps every bit of a dimension") {
+  const MachineResult result = result_of_three_checks();
+  CHECK(bom_csv(result.designs.front()) ==
+        "axis,slot,manufacturer,part_number,quantity,length,value\n"
+        "x,screw,\"Maker, \"\"Best\"\" Ltd\",T10-2,1,384 mm,\n"
+        "x,acceleration_time,,,,,0.30000000000000004 s\n"
+        "x,shaft.diameter,,,,,12.5 mm\n");
+  CHECK(csv_cell("plain") == "plain");
+  CHECK(csv_cell("# no comment") == "\"# no comment\"");
+  CHECK(csv_cell("line\nbreak") == "\"line\nbreak\"");
+}
+
+TEST_CASE("A length survives the way through millimetres bit for bit") {
+  std::string reason;
+  for (double metres = 1e-4; metres < 3.0; metres *= 1.0173) {
+    const auto back = scalar::parse_quantity(exact_quantity(metres, "mm", "m"), scalar::Unit::of("mm"), reason);
+    REQUIRE(back);
+    CHECK(back->si == metres);
+  }
+}
+
+}  // namespace
+}  // namespace millwright::report

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The search against exhaustive enumeration (enumeration.h) on seeded random stacks: optimum by cost, optimum by mass
+// and the (cost, mass) front.
+#include "catch.h"
+#include "solver/enumeration.h"
+
+namespace {
+
+using namespace zoo;
+
+#if defined(__SANITIZE_ADDRESS__)
+constexpr unsigned instances = 300;
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+constexpr unsigned instances = 300;
+#else
+constexpr unsigned instances = 2000;
+#endif
+#else
+constexpr unsigned instances = 2000;  // 300 under the sanitizers, which are many times slower
+#endif
+
+bool same(double a, double b, double tolerance) { return std::fabs(a - b) <= tolerance * std::fabs(b); }
+
+Options by(std::vector<std::size_t> objectives, std::vector<std::size_t> ties) {
+  Options options;
+  options.objectives = std::move(objectives);
+  options.ties = std::move(ties);
+  options.gap = 1e-7;
+  options.confirm = false;  // thousands of Ipopt runs; confirmation_test.cpp tries it
+  return options;
+}
+
+/// The builds are a front: feasible, none better than the exact front, and the exact front nowhere better by more than
+/// the spacing (0 without a free diameter).
+void check_front(const Summary& found, const std::vector<Total>& exact, bool priced) {
+  const double spacing = priced ? 1.001e-3 : 1e-10;
+  if (!priced) REQUIRE(found.builds.size() == exact.size());
+  for (const Total& point : exact) {
+    REQUIRE(std::any_of(found.builds.begin(), found.builds.end(), [&](const Build& build) {
+      return build.resources[0] <= point.cost * (1.0 + spacing) && build.resources[1] <= point.mass * (1.0 + spacing);
+    }));
+  }
+  for (const Build& build : found.builds) {
+    REQUIRE(std::any_of(exact.begin(), exact.end(), [&](const Total& point) {
+      return point.cost <= build.resources[0] * (1.0 + 1e-9) && point.mass <= build.resources[1] * (1.0 + 1e-9);
+    }));
+  }
+}
+
+/// Every stage evaluated from the first state on: utilisations, totals and states as stated.
+void check_build(const Stack& stack, const Build& build) {
+  std::vector<double> state = stack.problem.first_state;
+  std::vector<double> total(stack.problem.resources.size(), 0.0);
+  double worst = 0.0;
+  Answer<double> answer;
+  for (std::size_t i = 0; i < stack.axes.size(); ++i) {
+    const StageChoice& choice = build.stages[i];
+    REQUIRE(choice.inherited == state);
+    stack.axes[i]->evaluate(Point{build.shared, state, choice.rows, choice.variables}, answer);
+    for (const double u : answer.utilisation) worst = std::max(worst, u);
+    for (std::size_t r = 0; r < total.size(); ++r) total[r] += answer.resources[r];
+    REQUIRE(stack.axes[i]->fits(build.shared, 1, choice.rows[1], 2, choice.rows[2]));
+    state = answer.handed_on;
+  }
+  REQUIRE(worst <= 1.0);
+  REQUIRE(worst == build.worst_utilisation);
+  REQUIRE(total == build.resources);
+  REQUIRE(total[1] <= stack.problem.resources[1].limit);
+}
+
+/// Both methods for fronts find the same points.
+void check_same_front(const Stack& stack, const Summary& front) {
+  Options options = by({0, 1}, {});
+  options.stagewise_front = false;
+  const Summary other = solve(stack.problem, options);
+  REQUIRE(other.status == front.status);
+  if (stack.priced) return;  // points within the spacing of each other may differ
+  REQUIRE(other.builds.size() == front.builds.size());
+  for (std::size_t i = 0; i < front.builds.size(); ++i) {
+    REQUIRE(same(front.builds[i].resources[0], other.builds[i].resources[0], 1e-11));
+    REQUIRE(same(front.builds[i].resources[1], other.builds[i].resources[1], 1e-11));
+  }
+}
+
+void check_stack(const Stack& stack, const Everything& all) {
+  const Summary cheapest = solve(stack.problem, by({0}, {1}));
+  const Summary lightest = solve(stack.problem, by({1}, {0}));
+  const Summary front = solve(stack.problem, by({0, 1}, {}));
+  const Status expected = all.designs.empty() ? Status::infeasible : Status::optimal;
+  REQUIRE(cheapest.status == expected);
+  REQUIRE(lightest.status == expected);
+  REQUIRE(front.status == expected);
+  check_same_front(stack, front);
+  if (all.designs.empty()) return;
+  const double tolerance = stack.priced ? 2e-7 : 1e-10;
+  REQUIRE(same(cheapest.builds[0].resources[0], all.least(&Total::cost), tolerance));
+  REQUIRE(same(lightest.builds[0].resources[1], all.least(&Total::mass), tolerance));
+  REQUIRE(cheapest.lower_bound <= all.least(&Total::cost) * (1.0 + 1e-12));
+  check_build(stack, cheapest.builds[0]);
+  check_build(stack, lightest.builds[0]);
+  check_front(front, all.front(), stack.priced);
+  for (const Build& build : front.builds) check_build(stack, build);
+}
+
+TEST_CASE("Cost, mass and front of 2000 random stacks equal exhaustive enumeration") {
+  unsigned tested = 0;
+  unsigned infeasible = 0;
+  unsigned greedy_fails = 0;
+  unsigned priced = 0;
+  unsigned not_monotone = 0;
+  for (unsigned seed = 1; tested < instances; ++seed) {
+    const Stack stack = random_stack(seed);
+    const Everything all = Enumeration(stack).run();
+    if (all.margin < 1e-9) continue;  // on the edge bisection to 1e-9 decides nothing
+    CAPTURE(seed, stack.priced, stack.monotone);
+    check_stack(stack, all);
+    ++tested;
+    priced += stack.priced ? 1 : 0;
+    not_monotone += stack.monotone ? 0 : 1;
+    if (all.designs.empty())
+      ++infeasible;
+    else if (!all.greedy_cost || *all.greedy_cost > all.least(&Total::cost) * (1.0 + 1e-9))
+      ++greedy_fails;
+  }
+  CHECK(infeasible >= instances / 5);
+  CHECK(greedy_fails >= instances * 3 / 10);
+  CHECK(priced >= instances / 10);
+  CHECK(not_monotone >= instances / 5);
+}
+
+TEST_CASE("The number of threads does not change anything in the answer") {
+  for (unsigned seed = 1; seed <= 60; ++seed) {
+    const Stack stack = random_stack(seed);
+    for (const auto& objectives : {std::vector<std::size_t>{0}, std::vector<std::size_t>{0, 1}}) {
+      Options options = by(objectives, {});
+      const Summary one = solve(stack.problem, options);
+      for (const unsigned threads : {2U, 3U}) {
+        options.threads = threads;
+        const Summary more = solve(stack.problem, options);
+        CAPTURE(seed, threads);
+        REQUIRE(more.status == one.status);
+        REQUIRE(more.nodes == one.nodes);
+        REQUIRE(more.builds.size() == one.builds.size());
+        for (std::size_t b = 0; b < one.builds.size(); ++b) {
+          REQUIRE(more.builds[b].resources == one.builds[b].resources);
+          REQUIRE(more.builds[b].shared == one.builds[b].shared);
+          for (std::size_t i = 0; i < one.builds[b].stages.size(); ++i) {
+            REQUIRE(more.builds[b].stages[i].rows == one.builds[b].stages[i].rows);
+            REQUIRE(more.builds[b].stages[i].variables == one.builds[b].stages[i].variables);
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("The order of rows in the tables does not change what the answer is worth") {
+  for (unsigned seed = 1; seed <= 100; ++seed) {
+    const Stack stack = random_stack(seed);
+    Stack turned;
+    turned.problem = stack.problem;
+    turned.problem.stages.clear();
+    for (const auto& stage : stack.axes) {
+      Axis axis = stage->axis();
+      std::reverse(axis.screws.begin(), axis.screws.end());
+      std::rotate(axis.motors.begin(), axis.motors.begin() + 1, axis.motors.end());
+      std::rotate(axis.motor_bore.begin(), axis.motor_bore.begin() + 1, axis.motor_bore.end());
+      std::reverse(axis.couplings.begin(), axis.couplings.end());
+      turned.axes.push_back(std::make_unique<AxisStage>(std::move(axis)));
+      turned.problem.stages.push_back(turned.axes.back().get());
+    }
+    const Summary a = solve(stack.problem, by({0}, {1}));
+    const Summary b = solve(turned.problem, by({0}, {1}));
+    CAPTURE(seed);
+    REQUIRE(a.status == b.status);
+    if (a.builds.empty()) continue;
+    const double tolerance = stack.priced ? 1e-7 : 1e-12;
+    REQUIRE(same(a.builds[0].resources[0], b.builds[0].resources[0], tolerance));
+    if (!stack.priced) REQUIRE(same(a.builds[0].resources[1], b.builds[0].resources[1], tolerance));
+  }
+}
+
+TEST_CASE("The zoo's own bounds and slopes enclose what they claim") {
+  for (unsigned seed = 1; seed <= 50; ++seed) {
+    const Stack stack = random_stack(seed);
+    std::mt19937 rng(seed);
+    for (const auto& stage : stack.axes) {
+      std::vector<std::vector<Row>> all;
+      std::vector<std::span<const Row>> spans;
+      for (const Slot& slot : stage->slots()) {
+        all.emplace_back();
+        for (Row row = 0; row < slot.rows; ++row) all.back().push_back(row);
+      }
+      for (const auto& rows : all) spans.emplace_back(rows);
+      std::vector<Interval> variables;
+      for (const Variable& v : stage->variables()) variables.emplace_back(v.lower, v.upper);
+      const std::vector<Interval> inherited{Interval(0.0, 5.0), Interval(0.0, 100.0)};
+      const std::vector<Row> shared(stack.problem.shared.size(), 1);
+      Answer<Interval> box;
+      Answer<double> point;
+      const Box question{shared, inherited, spans, variables};
+      const auto inside = [&](const auto& outer, const auto& inner) {
+        REQUIRE(outer.size() == inner.size());
+        for (std::size_t i = 0; i < outer.size(); ++i) REQUIRE(contains(outer[i], inner[i]));
+      };
+      for (int sample = 0; sample < 10; ++sample) {
+        std::vector<Row> rows;
+        for (const auto& slot : all) rows.push_back(slot[rng() % slot.size()]);
+        std::vector<double> x;
+        for (const Interval& v : variables) x.push_back(uniform(rng, v.lower, v.upper));
+        const std::vector<double> state{uniform(rng, 0.0, 5.0), uniform(rng, 0.0, 100.0)};
+        stage->bound(question, box);
+        stage->evaluate(Point{shared, state, rows, x}, point);
+        inside(box.utilisation, point.utilisation);
+        inside(box.resources, point.resources);
+        inside(box.handed_on, point.handed_on);
+        for (const Input input : {Input{Input::Kind::variable, 0}, Input{Input::Kind::inherited, 0}}) {
+          stage->slopes(question, input, box);
+          stage->gradient(Point{shared, state, rows, x}, input, point);
+          inside(box.utilisation, point.utilisation);
+          inside(box.handed_on, point.handed_on);
+        }
+      }
+    }
+  }
+}
+
+}  // namespace

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Staircases and archives against their definitions, by trying every point.
+#include "solver/staircase.h"
+
+#include <random>
+
+#include "catch.h"
+#include "solver/archive.h"
+
+namespace {
+
+using namespace millwright::solver;
+
+std::vector<Pair> some_points(std::mt19937& rng, std::size_t count) {
+  std::vector<Pair> points;
+  for (std::size_t i = 0; i < count; ++i) {
+    points.push_back({static_cast<double>(rng() % 12), static_cast<double>(rng() % 12)});
+  }
+  return points;
+}
+
+bool any_at_most(const std::vector<Pair>& points, double first, double second) {
+  for (const Pair& p : points) {
+    if (p.first <= first && p.second <= second) return true;
+  }
+  return false;
+}
+
+bool any_at_least(const std::vector<Pair>& points, double first, double second) {
+  for (const Pair& p : points) {
+    if (p.first >= first && p.second >= second) return true;
+  }
+  return false;
+}
+
+TEST_CASE("A staircase bounds the same region as all its points") {
+  std::mt19937 rng(7);
+  for (int trial = 0; trial < 300; ++trial) {
+    const std::vector<Pair> points = some_points(rng, rng() % 15);
+    const std::vector<Pair> lower = lower_staircase(points);
+    const std::vector<Pair> upper = upper_staircase(points);
+    for (int x = -1; x <= 13; ++x) {
+      for (int y = -1; y <= 13; ++y) {
+        REQUIRE(any_at_most(lower, x, y) == any_at_most(points, x, y));
+        REQUIRE(above_staircase(lower, x, y) == any_at_most(points, x, y));
+        REQUIRE(below_staircase(upper, x, y) == any_at_least(points, x, y));
+      }
+    }
+  }
+}
+
+TEST_CASE("Merged sums and differences of staircases stay bounds") {
+  std::mt19937 rng(8);
+  for (int trial = 0; trial < 200; ++trial) {
+    const std::vector<Pair> a = some_points(rng, 1 + rng() % 8);
+    const std::vector<Pair> b = some_points(rng, 1 + rng() % 8);
+    std::vector<Pair> sums;
+    std::vector<Pair> differences;
+    for (const Pair& x : a) {
+      for (const Pair& y : b) {
+        sums.push_back({x.first + y.first, x.second + y.second});
+        differences.push_back({x.first - y.first, x.second - y.second});
+      }
+    }
+    for (const std::size_t most : {2U, 3U, 100U}) {
+      const std::vector<Pair> sum = sum_of_staircases(lower_staircase(a), lower_staircase(b), most);
+      const std::vector<Pair> difference = difference_of_staircases(upper_staircase(a), lower_staircase(b), most);
+      REQUIRE(sum.size() <= most);
+      for (int x = -13; x <= 26; ++x) {
+        for (int y = -13; y <= 26; ++y) {
+          const bool in_sum = any_at_most(sums, x, y);
+          const bool in_difference = any_at_least(differences, x, y);
+          if (most == 100) {
+            REQUIRE(above_staircase(sum, x, y) == in_sum);
+            REQUIRE(below_staircase(difference, x, y) == in_difference);
+          } else {
+            REQUIRE((!in_sum || above_staircase(sum, x, y)));
+            REQUIRE((!in_difference || below_staircase(difference, x, y)));
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("An archive answers as a search through all its members does") {
+  std::mt19937 rng(9);
+  for (int trial = 0; trial < 50; ++trial) {
+    Archive archive(3);
+    std::vector<std::vector<double>> members;
+    for (int step = 0; step < 300; ++step) {
+      std::vector<double> point(3);
+      for (double& x : point) x = static_cast<double>(rng() % 20);
+      bool expected = false;
+      for (const auto& member : members) {
+        expected = expected || (member[0] <= point[0] && member[1] <= point[1] && member[2] <= point[2]);
+      }
+      REQUIRE(archive.dominates(point) == expected);
+      if (rng() % 3 != 0) continue;
+      archive.add(point);
+      members.push_back(point);
+    }
+    REQUIRE(archive.size() == members.size());
+  }
+}
+
+}  // namespace

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "text/csv.h"
+
+#include <cmath>
+
+#include "catch.h"
+
+using namespace millwright::text;
+
+namespace {
+
+CsvTable read(const std::string& contents, Diagnostics& diagnostics) {
+  return read_csv(SourceText::from_string("c.csv", contents), diagnostics);
+}
+
+CsvTable read_clean(const std::string& contents) {
+  Diagnostics diagnostics;
+  CsvTable table = read(contents, diagnostics);
+  INFO(format(diagnostics));
+  CHECK(diagnostics.count() == 0);
+  return table;
+}
+
+std::vector<std::string> row(const CsvTable& table, std::size_t number) {
+  std::vector<std::string> cells;
+  for (std::size_t i = 0; i < table.columns().size(); ++i) cells.emplace_back(table.cell(number, i));
+  return cells;
+}
+
+/// Place and message of each error, "2:5 message".
+std::vector<std::string> errors(const std::string& contents) {
+  Diagnostics diagnostics;
+  const CsvTable table = read(contents, diagnostics);
+  for (std::size_t i = 0; i < table.columns().size(); ++i) {
+    if (table.columns()[i].name[0] == 'n') table.number_column(i, diagnostics);
+  }
+  std::vector<std::string> result;
+  for (const Diagnostic& d : diagnostics.all()) {
+    result.push_back(std::to_string(d.where.line) + ":" + std::to_string(d.where.column) + " " + d.message);
+  }
+  return result;
+}
+
+using Words = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE("a catalogue file is read") {
+  const CsvTable table = read_clean(
+      "# Steppers, as sold in 2024\n#   prices without tax\n\n"
+      "manufacturer,part_number,holding_torque [N.cm],price\n"
+      "StepperOnline,23HS22,126,24.33\n"
+      "\"Maker, Sons\",\"5\"\" rotor\", 12.5 ,\n");
+  REQUIRE(table.comments().size() == 2);
+  CHECK(table.comments()[0].text == "Steppers, as sold in 2024");
+  CHECK(table.comments()[1].text == "prices without tax");
+  CHECK(table.comments()[1].span.line == 2);
+  REQUIRE(table.columns().size() == 4);
+  const CsvColumn& torque = table.columns()[2];
+  CHECK(torque.name == "holding_torque");
+  CHECK(torque.unit == "N.cm");
+  CHECK(torque.name_span.line == 4);
+  CHECK(torque.name_span.column == 26);
+  CHECK(torque.name_span.length == 14);
+  CHECK(torque.unit_span.column == 42);
+  CHECK(torque.unit_span.length == 4);
+  CHECK_FALSE(table.columns()[3].unit);
+  CHECK(table.find_column("price") == 3);
+  CHECK_FALSE(table.find_column("colour"));
+  CHECK(table.header_span().line == 4);
+  REQUIRE(table.row_count() == 2);
+  CHECK(row(table, 1) == Words{"Maker, Sons", "5\" rotor", "12.5", ""});
+  CHECK(table.cell_span(1, 0).column == 2);
+  CHECK(table.cell_span(1, 2).line == 6);
+  CHECK(table.cell_span(1, 2).column == 28);
+  CHECK(table.cell_span(1, 2).length == 4);
+  CHECK(table.row_span(1).line == 6);
+  CHECK(table.text_column(1) == std::vector<std::string_view>{"23HS22", "5\" rotor"});
+  Diagnostics diagnostics;
+  const auto prices = table.number_column(3, diagnostics);
+  CHECK(prices[0] == 24.33);
+  CHECK(std::isnan(prices[1]));
+  CHECK(table.number(0, 2, diagnostics) == 126.0);
+  CHECK_FALSE(table.number(1, 3, diagnostics));
+  CHECK(diagnostics.count() == 0);
+}
+
+TEST_CASE("line ends, byte order mark, last line without end") {
+  for (const std::string& end : {std::string("\n"), std::string("\r\n")}) {
+    for (const std::string& last : {std::string(), end}) {
+      const CsvTable table = read_clean(
+          "\xEF\xBB\xBF"
+          "a,b" +
+          end + "1,x" + end + end + "2,y" + last);
+      CHECK(table.columns()[0].name == "a");
+      REQUIRE(table.row_count() == 2);
+      CHECK(row(table, 0) == Words{"1", "x"});
+      CHECK(row(table, 1) == Words{"2", "y"});
+      CHECK(table.cell_span(1, 1).line == 4);
+      CHECK(table.cell_span(1, 1).column == 3);
+      CHECK(table.cell_span(1, 1).length == 1);
+    }
+  }
+}
+
+TEST_CASE("quoted cells may hold separators, quotes and line ends") {
+  const CsvTable table = read_clean("a,b\n\"two\nlines, \"\"x\"\"\",2\r\n \"\" , \" y \" \n");
+  REQUIRE(table.row_count() == 2);
+  CHECK(row(table, 0) == Words{"two\nlines, \"x\"", "2"});
+  CHECK(table.cell_span(0, 1).line == 3);
+  CHECK(table.cell_span(0, 1).column == 15);
+  CHECK(row(table, 1) == Words{"", " y "});
+  CHECK(table.cell_span(1, 1).line == 4);
+}
+
+TEST_CASE("positions count characters behind tabs and µ") {
+  CHECK(errors("a,n\nµ°\t,x\n") == Words{"2:5 n: not a number: 'x'"});
+  CHECK(errors("a;n\r\n\"€,;\";x\r\n") == Words{"2:7 n: not a number: 'x'"});
+}
+
+TEST_CASE("the separator is told from the header") {
+  CHECK(read_clean("a;b;c\n1,5;2;3\n").separator() == ';');
+  CHECK(read_clean("a,b;c,d\n1,2,3\n").separator() == ',');
+  CHECK(read_clean("\"a;b;c\",d\n1,2\n").separator() == ',');
+  CHECK(read_clean("a [N;m;s],b\n1,2\n").columns()[0].unit == "N;m;s");
+  CHECK(read_clean("one\n1\n").separator() == ',');
+  CHECK(read_clean("# a;b;c;d\nx,y\n1,2\n").separator() == ',');
+  const CsvTable named = read_clean("sep=;\r\na;b\r\n1;2\r\n");
+  CHECK(named.separator() == ';');
+  CHECK(named.columns().size() == 2);
+}
+
+TEST_CASE("decimal commas count where semicolons separate") {
+  const CsvTable table = read_clean("n;m\n1,5;2.5\n\"-2,25\";3\n4;\n");
+  Diagnostics diagnostics;
+  CHECK(table.number_column(0, diagnostics) == std::vector<double>{1.5, -2.25, 4});
+  CHECK(table.number_column(1, diagnostics)[1] == 3);
+  CHECK(diagnostics.count() == 0);
+  CHECK(errors("n;a\n1,5;\n2.5;\n3.5;\n4,5;\n") == Words{"3:1 n: decimal commas and decimal points in one column"});
+  CHECK(errors("n;a\n1.234,5;\n") == Words{"2:1 n: not a number: '1.234,5'"});
+}
+
+TEST_CASE("a comma in a comma-separated number is refused, with a hint") {
+  Diagnostics diagnostics;
+  const CsvTable table = read("name,torque [N.m]\nA,\"1,5\"\n", diagnostics);
+  CHECK(std::isnan(table.number_column(1, diagnostics)[0]));
+  CHECK(format(diagnostics) ==
+        "c.csv:2:4: error: torque: not a number: '1,5'\n"
+        "    2 | A,\"1,5\"\n"
+        "      |    ^~~ hint: decimal comma: write 1.5, or separate the cells of this file by ;\n"
+        "1 error\n");
+}
+
+TEST_CASE("the letter O is pointed at") {
+  Diagnostics diagnostics;
+  const CsvTable table = read("part,torque [N.cm]\r\nA,126\r\nB,\t1O.5\r\n", diagnostics);
+  const auto column = table.number_column(1, diagnostics);
+  CHECK(column[0] == 126);
+  CHECK(std::isnan(column[1]));
+  CHECK(format(diagnostics) ==
+        "c.csv:3:4: error: torque: not a number: '1O.5'\n"
+        "    3 | B,    1O.5\n"
+        "      |       ^~~~ hint: letter O where a zero was meant: 10.5\n"
+        "1 error\n");
+}
+
+TEST_CASE("rows that do not fit the header") {
+  CHECK(errors("a,b,c\n1,2\n1,2,3,4\n1,2,3\n") ==
+        Words{"2:4 row of 2 cells, but the header has 3", "3:7 row of 4 cells, but the header has 3"});
+  CHECK(errors("a,b,c\n1,2\r\n# later\n") ==
+        Words{"2:4 row of 2 cells, but the header has 3", "3:1 row of 1 cells, but the header has 3"});
+  Diagnostics diagnostics;
+  const CsvTable table = read("a,b\n1\n2,3\n", diagnostics);
+  CHECK(table.row_count() == 1);
+  CHECK(table.cell(0, 1) == "3");
+  CHECK(diagnostics.all()[0].hint == "the cell of 'b' and what follows is missing");
+}
+
+TEST_CASE("empty rows and empty surplus cells of spreadsheets are ignored") {
+  const CsvTable table = read_clean("a,b,,\n1,2,,\n,,,\n\"\",\"\"\n   \n3,4\n5,6,,,,,\n,7,,\n");
+  CHECK(table.columns().size() == 2);
+  REQUIRE(table.row_count() == 4);
+  CHECK(row(table, 1) == Words{"3", "4"});
+  CHECK(row(table, 2) == Words{"5", "6"});
+  CHECK(row(table, 3) == Words{"", "7"});
+  CHECK(read_clean("a\n1\n\n2\n").row_count() == 2);
+}
+
+TEST_CASE("bad quotes are reported and the rows after them are read") {
+  CHECK(errors("a,b\n5\" pipe,1\n2,3\n") == Words{"2:2 quote inside a cell that is not quoted"});
+  CHECK(errors("a,b\n\"x\"y,1\n2,3\n") == Words{"2:4 text after the closing quote of a cell"});
+  CHECK(errors("a,b\n\"x,1\n2,3\n") == Words{"2:1 quote is never closed"});
+  Diagnostics diagnostics;
+  const CsvTable table = read("a,b\n1,\"x\n2,3\n", diagnostics);
+  REQUIRE(table.row_count() == 1);
+  CHECK(table.cell(0, 0) == "2");
+}
+
+TEST_CASE("headers that are wrong") {
+  CHECK(errors("a,b,a\n") == Words{"1:5 two columns of the name 'a'"});
+  CHECK(errors("a,,c\n") == Words{"1:3 a column without a name"});
+  CHECK(errors("a,[mm]\n") == Words{"1:3 a column without a name"});
+  CHECK(errors("a,b [mm\n") == Words{"1:5 the unit of a column must end with ']', and nothing may follow it"});
+  CHECK(errors("a,b [mm] x\n") == Words{"1:5 the unit of a column must end with ']', and nothing may follow it"});
+  CHECK(errors("a,b mm]\n") == Words{"1:3 ']' without '['"});
+  CHECK(errors("a\tb\tc\n1\t2\t3\n") == Words{"1:1 cells separated by tabs"});
+  CHECK(errors("") == Words{"0:0 is empty: a header was expected"});
+  CHECK(errors("\xEF\xBB\xBF") == Words{"0:0 is empty: a header was expected"});
+  CHECK(errors("# only\n\n# comments\n") == Words{"0:0 has no header"});
+  CHECK(errors("a,\"b\n1,2\n") == Words{"1:3 quote is never closed"});
+  CHECK(read_clean("a []\n").columns()[0].unit == "");
+  const CsvColumn quoted_name = read_clean("x,\"torque, \"\"peak\"\" [N.m]\"\n").columns()[1];
+  CHECK(quoted_name.name == "torque, \"peak\"");
+  CHECK(quoted_name.unit == "N.m");
+  CHECK(quoted_name.unit_span.column == 3);
+}
+
+TEST_CASE("old Macintosh line ends are named") {
+  CHECK(errors("a,b\r1,2\r") == Words{"1:4 carriage return inside a line"});
+}
+
+TEST_CASE("bytes that are not text are reported at their place") {
+  CHECK(errors(std::string("a,b\n1,\0002\n", 9)) == Words{"2:3 NUL byte"});
+  CHECK(errors("a,b\n1,\xE9\n") == Words{"2:3 byte \\xE9 is not UTF-8"});
+  CHECK(errors(std::string(100000, '\x01')) ==
+        Words{"0:0 not a text file: control character \\x01 in line 1, column 1"});
+}
+
+TEST_CASE("hostile tables end quickly in one clear error") {
+  std::string wide;
+  for (int i = 0; i < 1000000; ++i) wide += "c" + std::to_string(i) + ",";
+  const auto found = errors(wide + "\n" + wide + "\n");
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].substr(0, 32) == "1:1 a header of 1000000 columns ");
+  CHECK(errors("a,n\n1," + std::string(10000000, '9') + "\n") ==
+        Words{"2:3 n: not a number: '" + std::string(40, '9') + "...'"});
+  CHECK(errors("a,b\n" + std::string(10000000, ',') + "x\n") ==
+        Words{"2:3 " + std::string("row of 10000001 cells, but the header has 2")});
+  CHECK(errors("a,b\n" + std::string(3000000, '"')).size() == 1);
+}
+
+TEST_CASE("a million wrong cells are counted, not printed") {
+  std::string contents = "n,a\n";
+  for (int i = 0; i < 1000000; ++i) contents += i % 2 == 0 ? "x,y\n" : "1\n";
+  Diagnostics diagnostics;
+  const CsvTable table = read(contents, diagnostics);
+  table.number_column(0, diagnostics);
+  CHECK(diagnostics.error_count() == 1000000);
+  CHECK(diagnostics.all().size() == 51);
+  // All on one line: the places must not be worked out for each.
+  std::string header;
+  std::string values;
+  for (int i = 0; i < 1000; ++i) {
+    header += "n" + std::to_string(i) + ",";
+    values += "bad" + std::string(5000, 'x') + ",";
+  }
+  const CsvTable one = read(header + "\n" + values + "\n", diagnostics);
+  for (std::size_t i = 0; i < 1000; ++i) one.number_column(i, diagnostics);
+  CHECK(diagnostics.error_count() == 1001000);
+}
