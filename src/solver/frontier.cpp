@@ -28,11 +28,15 @@ Frontier::Frontier(const Problem& problem,
                    Incumbents& incumbents,
                    SearchControl& control)
     : problem_(problem), criteria_(criteria), plans_(plans), incumbents_(incumbents), control_(control) {
+  std::size_t priced = 0;
   for (const StagePlan& plan : plans_) {
-    if (plan.any_priced) applicable_ = false;
     forms_.push_back(find_state_form(plan, control_.desk(0)));
-    applicable_ = applicable_ && forms_.back().additive;
+    applicable_ = applicable_ && (plan.any_priced ? plan.stage->slots().empty() : forms_.back().additive);
+    priced += plan.any_priced ? 1 : 0;
   }
+  // The stages' shares add up; a little is left for rounding.
+  const double tolerance = std::max(control_.options().front_tolerance, control_.options().gap);
+  leaf_tolerance_ = 0.9 * tolerance / static_cast<double>(std::max<std::size_t>(priced, 1));
 }
 
 bool Frontier::run() {
@@ -72,7 +76,8 @@ bool Frontier::pass(bool with_states) {
   labels_.assign(plans_.size() + 1, {});
   labels_[0].push_back(first_label(problem_, criteria_));
   for (std::size_t stage = 0; stage < plans_.size(); ++stage) {
-    if (!advance(stage, Comparison(criteria_, plans_[stage].after, with_states))) return false;
+    const Comparison comparison(criteria_, plans_[stage].after, with_states);
+    if (!(plans_[stage].any_priced ? advance_priced(stage, comparison) : advance(stage, comparison))) return false;
   }
   for (const Label& label : labels_.back()) finish(label);
   return true;
@@ -237,25 +242,35 @@ const LeafAnswer& Frontier::leaf(std::size_t stage, Chunk& chunk, const Combinat
   return place->second;
 }
 
-/// Evaluates a combination exactly; false when it is not feasible.
+/// Takes a combination over if it is feasible.
 bool Frontier::arrive(std::size_t stage, Chunk& chunk, const Combination& combination) {
   const Candidate& candidate = chunk.set.candidates[combination.candidate];
-  const std::uint32_t parent = chunk.labels[combination.label];
-  const Label& from = labels_[stage][parent];
   std::vector<double> variables = candidate.variables;
   if (!candidate.universal) {
     const LeafAnswer& answer = leaf(stage, chunk, combination);
     if (answer.points.empty()) return false;
     variables = answer.points.front().variables;
   }
-  const auto& answer = control_.desk(0).evaluate(*plans_[stage].stage,
-                                                 Point{plans_[stage].shared, from.state, candidate.rows, variables});
+  Label label;
+  if (!evaluate(stage, chunk.labels[combination.label], candidate.rows, std::move(variables), label)) return false;
+  labels_[stage + 1].push_back(std::move(label));
+  return true;
+}
+
+/// Evaluates a design that was proved feasible; false when it breaks a limit of the problem.
+bool Frontier::evaluate(std::size_t stage,
+                        std::uint32_t parent,
+                        const std::vector<Row>& rows,
+                        std::vector<double> variables,
+                        Label& label) {
+  const Label& from = labels_[stage][parent];
+  const auto& answer =
+      control_.desk(0).evaluate(*plans_[stage].stage, Point{plans_[stage].shared, from.state, rows, variables});
   const double worst = worst_of(answer.utilisation);
-  if (!(worst <= 1.0)) {  // proved feasible: only rounding can contradict
+  if (!(worst <= 1.0)) {  // only rounding can contradict
     undecided_ = true;
     return false;
   }
-  Label label;
   label.parent = parent;
   label.stage = stage + 1;
   label.resources = from.resources;
@@ -267,9 +282,8 @@ bool Frontier::arrive(std::size_t stage, Chunk& chunk, const Combination& combin
   std::vector<double> total = label.score;
   for (std::size_t k = 0; k < total.size(); ++k) total[k] += plans_[stage].rest[k];
   if (!incumbents_.within_limits(total)) return false;
-  label.rows = candidate.rows;
+  label.rows = rows;
   label.variables = std::move(variables);
-  labels_[stage + 1].push_back(std::move(label));
   return true;
 }
 

@@ -15,8 +15,13 @@
 // A quick first pass compares scores only, and so finds good builds but proves nothing; the second compares everything
 // that matters and is exact: in the end the builds known are the front.
 //
-// What it cannot do is left to branch_and_bound.h: variables that move scores or states, states that do not simply add
-// up (state_form.h), designs whose feasibility stays undecided.
+// A stage without slots whose variables move scores or states (a shaft of free diameter) is asked label by label: its
+// designs are covered to Options::front_tolerance by real ones (continuous.h), and those become the labels. So with
+// such stages every design is matched within the tolerance by a build of the front or by one that a later stage refuses
+// for being heavier by no more than the tolerance; without them the front is exact.
+//
+// What it cannot do is left to branch_and_bound.h: variables of that kind together with slots, states that do not
+// simply add up (state_form.h), designs whose feasibility stays undecided.
 #pragma once
 
 #include <cstdint>
@@ -61,6 +66,7 @@ class Frontier {
 
   bool pass(bool with_states);
   bool advance(std::size_t stage, const Comparison& comparison);
+  bool advance_priced(std::size_t stage, const Comparison& comparison);
   void find_rest();
   void update_useful();
   std::vector<Chunk> make_chunks(std::size_t stage, const Comparison& comparison) const;
@@ -68,6 +74,12 @@ class Frontier {
   void sort_combinations(const Comparison& comparison);
   void compact(const std::vector<Chunk>& chunks, const Comparison& comparison);
   bool arrive(std::size_t stage, Chunk& chunk, const Combination& combination);
+  bool evaluate(std::size_t stage,
+                std::uint32_t parent,
+                const std::vector<Row>& rows,
+                std::vector<double> variables,
+                Label& label);
+  void keep_undominated(std::vector<Label> labels, std::size_t stage, const Comparison& comparison);
   const LeafAnswer& leaf(std::size_t stage, Chunk& chunk, const Combination& combination);
   void finish(const Label& label);
   Build build_of(const Label& last);
@@ -84,6 +96,7 @@ class Frontier {
   std::vector<std::vector<Label>> labels_;  ///< [stage]
   std::vector<Combination> combinations_;
   std::vector<double> keys_;
+  double leaf_tolerance_ = 0.0;  ///< of one stage with priced variables
   bool applicable_ = true;
   bool undecided_ = false;
 };

@@ -157,8 +157,7 @@ class Solve {
         if (!frontier.undecided() || control_.time_is_up()) return leave_open(combination.score[0]);
       }
     }
-    constexpr double front_spacing = 1e-3;
-    const double gap = front ? std::max(front_spacing, control_.options().gap) : control_.options().gap;
+    const double gap = front ? front_tolerance() : control_.options().gap;
     incumbents_.tolerance = priced_ ? 0.5 * gap : 0.0;
     // A point that stands for designs a little better than itself may be too heavy for a later stage where they are
     // not. What stays undecided for that reason is decided with points that stand for less.
@@ -172,6 +171,10 @@ class Solve {
       leaf_tolerance *= finer;
     }
     if (!result.complete) leave_open(result.lower_bound);
+  }
+
+  [[nodiscard]] double front_tolerance() const {
+    return std::max(control_.options().front_tolerance, control_.options().gap);
   }
 
   void leave_open(double lower_bound) {
@@ -207,6 +210,11 @@ class Solve {
         "best-first branch and bound with outward-rounded interval bounds over row sets and boxes, labels between "
         "stages with dominance in proved directions only, every shared choice tried";
     if (stagewise_) text += "; the front stage by stage, with the designs of a stage found once for all labels";
+    if (priced_ && criteria_.objectives > 1) {
+      text += "; where continuous variables move the objectives the front is covered to " +
+              std::to_string(100.0 * front_tolerance()).substr(0, 4) +
+              " %: what beats it by more holds only for being lighter by no more than that";
+    }
     if (priced_) text += "; continuous variables that move the objective by SLSQP and Ipopt proposals inside the bound";
     return text;
   }

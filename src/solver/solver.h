@@ -25,6 +25,7 @@ struct Options {
   std::vector<double> weights;    ///< for a weighted single objective over all resources; empty = objectives[0] alone
   std::vector<std::size_t> ties;  ///< resources compared next when the objective is equal, in order
   double gap = 1e-6;              ///< relative gap at which the proof counts as complete
+  double front_tolerance = 1e-3;  ///< of a front where continuous variables move the objectives (frontier.h)
   double time_limit_seconds = std::numeric_limits<double>::infinity();
   bool stagewise_front = true;  ///< fronts in two objectives by frontier.h where it applies, else always label by label
   bool confirm = true;          ///< ask the local solvers about an answer with priced variables (confirmation.h)

@@ -94,6 +94,10 @@ class Enumeration {
   std::vector<Step> steps(std::size_t stage, const std::vector<double>& state) {
     const Axis& axis = stack_.axes[stage]->axis();
     std::vector<Step> all;
+    if (axis.only_shaft) {
+      if (auto step = shaft(stage, state)) all.push_back(*step);
+      return all;
+    }
     for (Row i = 0; i < axis.screws.size(); ++i) {
       for (Row j = 0; j < axis.motors.size(); ++j) {
         for (Row k = 0; k < axis.couplings.size(); ++k) {
@@ -105,21 +109,38 @@ class Enumeration {
     return all;
   }
 
+  /// Least diameter at which the stiffness holds; it rises with the diameter.
+  template <class Stiffness>
+  static std::optional<double> least_diameter(Stiffness&& stiffness) {
+    double low = 0.004;
+    double high = 0.04;
+    if (stiffness(high) > 1.0) return std::nullopt;
+    if (stiffness(low) <= 1.0) return low;
+    for (int n = 0; n < 60 && high - low > 1e-14; ++n)
+      (stiffness(0.5 * (low + high)) <= 1.0 ? high : low) = 0.5 * (low + high);
+    return high;
+  }
+
+  std::optional<Step> shaft(std::size_t stage, const std::vector<double>& state) {
+    const auto diameter = least_diameter([&](double d) {
+      evaluate(stage, state, {}, {d});
+      return answer_.utilisation.back();
+    });
+    if (!diameter) return std::nullopt;
+    evaluate(stage, state, {}, {*diameter});
+    return Step{answer_.handed_on, {answer_.resources[0], answer_.resources[1]}};
+  }
+
   std::optional<Step> design(std::size_t stage, const std::vector<double>& state, const std::vector<Row>& rows) {
     const Axis& axis = stack_.axes[stage]->axis();
     std::vector<double> x{axis.time_low};
     if (axis.deflection > 0.0) {
-      const auto stiffness = [&](double diameter) {
-        evaluate(stage, state, rows, {axis.time_low, diameter});
+      const auto diameter = least_diameter([&](double d) {
+        evaluate(stage, state, rows, {axis.time_low, d});
         return answer_.utilisation.back();
-      };
-      double low = 0.004;
-      double high = 0.04;
-      if (stiffness(high) > 1.0) return std::nullopt;
-      if (stiffness(low) <= 1.0) high = low;
-      for (int n = 0; n < 60 && high - low > 1e-14; ++n)
-        (stiffness(0.5 * (low + high)) <= 1.0 ? high : low) = 0.5 * (low + high);
-      x.push_back(high);
+      });
+      if (!diameter) return std::nullopt;
+      x.push_back(*diameter);
     }
     const auto worst = [&](double time) {
       x[0] = time;

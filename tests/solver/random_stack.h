@@ -55,6 +55,7 @@ struct Axis {
   double stroke = 0.3, length = 0.45, move_time = 0.8, carriage = 0.5, force = 20.0, friction = 0.05, gravity = 0.0;
   double least_ratio = 0.0;  ///< > 0: the ballast constraint
   double deflection = 0.0;   ///< > 0: the axis has a shaft
+  bool only_shaft = false;   ///< no drive: a stage without slots that carries the load on its shaft
   double power_limit = 1e9;
   double time_low = 0.02, time_high = 0.3;
   std::vector<double> voltage{1.0};  ///< factor on corner speed and power
@@ -117,9 +118,27 @@ void answer_of(const Axis& axis,
   out.handed_on.assign({mass + own_mass, total_power});
 }
 
+/// A shaft of free diameter that stands under the load and weighs on what comes after.
+template <class T>
+void shaft_answer(const Axis& axis, const T& diameter, const T& carried, const T& power, Answer<T>& out) {
+  using millwright::scalar::square;
+  const double pi = std::numbers::pi;
+  const double length = axis.length;
+  const T i_shaft = square(square(diameter)) * (pi / 64.0);
+  const T mass = square(diameter) * (pi / 4.0 * density * length);
+  out.utilisation.assign(
+      {(carried + 1.0) * (gravity * length * length * length) / (48.0 * elasticity * i_shaft) / axis.deflection});
+  out.resources.assign({mass * shaft_price, mass, T(0.0)});
+  out.handed_on.assign({carried + mass, power});
+}
+
 class AxisStage final : public Stage {
  public:
   explicit AxisStage(Axis axis) : axis_(std::move(axis)) {
+    if (axis_.only_shaft) {
+      variables_ = {{"shaft_diameter", 0.004, 0.04}};
+      return;
+    }
     slots_ = {{"screw", static_cast<Row>(axis_.screws.size())},
               {"motor", static_cast<Row>(axis_.motors.size())},
               {"coupling", static_cast<Row>(axis_.couplings.size())}};
@@ -131,27 +150,30 @@ class AxisStage final : public Stage {
   [[nodiscard]] std::span<const Slot> slots() const override { return slots_; }
   [[nodiscard]] std::span<const Variable> variables() const override { return variables_; }
   [[nodiscard]] std::size_t constraints() const override {
+    if (axis_.only_shaft) return 1;
     return 6U + (axis_.least_ratio > 0.0 ? 1U : 0U) + (axis_.deflection > 0.0 ? 1U : 0U);
   }
   void evaluate(const Point& x, Answer<double>& out) const override {
+    if (axis_.only_shaft) return shaft_answer(axis_, x.variables[0], x.inherited[0], x.inherited[1], out);
     const auto p = parts_of<double>(x.rows[0], x.rows[1], x.rows[2]);
     const double diameter = x.variables.size() > 1 ? x.variables[1] : 0.0;
     answer_of(axis_, voltage(x.shared), p, x.variables[0], diameter, x.inherited[0], x.inherited[1], out);
   }
   void bound(const Box& box, Answer<Interval>& out) const override {
+    if (axis_.only_shaft) return shaft_answer(axis_, box.variables[0], box.inherited[0], box.inherited[1], out);
     const Interval diameter = box.variables.size() > 1 ? box.variables[1] : Interval(0.0);
     answer_of(
         axis_, voltage(box.shared), hull_of(box), box.variables[0], diameter, box.inherited[0], box.inherited[1], out);
   }
   void slopes(const Box& box, Input input, Answer<Interval>& out) const override {
-    const auto p = hull_of(box);
-    const Parts<Dual<Interval>> parts = lift<Dual<Interval>>(p);
+    const auto parts = axis_.only_shaft ? Parts<Dual<Interval>>{} : lift<Dual<Interval>>(hull_of(box));
     thread_local Answer<Dual<Interval>> answer;
     differentiate<Interval>(parts, box.shared, box.variables, box.inherited, input, answer);
     slope_of(answer, out);
   }
   void gradient(const Point& x, Input input, Answer<double>& out) const override {
-    const Parts<Dual<double>> parts = lift<Dual<double>>(parts_of<double>(x.rows[0], x.rows[1], x.rows[2]));
+    const auto parts = axis_.only_shaft ? Parts<Dual<double>>{}
+                                        : lift<Dual<double>>(parts_of<double>(x.rows[0], x.rows[1], x.rows[2]));
     thread_local Answer<Dual<double>> answer;
     differentiate<double>(parts, x.shared, x.variables, x.inherited, input, answer);
     slope_of(answer, out);
@@ -233,6 +255,7 @@ class AxisStage final : public Stage {
     const Dual<B> diameter = variables.size() > 1 ? pick(Input::Kind::variable, 1, variables[1]) : Dual<B>(B(0.0));
     const Dual<B> mass = pick(Input::Kind::inherited, 0, inherited[0]);
     const Dual<B> power = pick(Input::Kind::inherited, 1, inherited[1]);
+    if (axis_.only_shaft) return shaft_answer(axis_, time, mass, power, answer);
     answer_of(axis_, voltage(shared), parts, time, diameter, mass, power, answer);
   }
   template <class B>
