@@ -28,7 +28,7 @@ BeltDriveStage::BeltDriveStage(const machine::Axis& axis,
                                const std::vector<double>& voltages,
                                const catalogue::Catalogue& catalogue,
                                const PriceBook& prices)
-    : data_{.motion = motion_of(axis),
+    : data_{.motion = drive_motion_of(axis),
             .require = axis.require,
             .stroke = axis.stroke,
             .microsteps = axis.motor.microsteps,
@@ -36,6 +36,8 @@ BeltDriveStage::BeltDriveStage(const machine::Axis& axis,
             .efficiency = axis.mechanism.belt_efficiency,
             .vertical = gravity_acts(axis)},
       place_(place),
+      drives_(axis.mechanism.drives),
+      load_share_(axis.mechanism.load_share),
       acceleration_time_(axis.acceleration_time) {
   name_ = axis.name + ".drive";
   tables_.push_back(belt_table(catalogue, axis, prices));
@@ -44,6 +46,7 @@ BeltDriveStage::BeltDriveStage(const machine::Axis& axis,
                                        voltages.size(),
                                        speed_edges(axis, tables_.front()));
   tables_.push_back(motors_->motors().table);
+  for (SlotTable& table : tables_) table.multiply(drives_);
   finish_slots();
   if (!acceleration_time_.fixed())
     variables_.push_back({"acceleration_time", acceleration_time_.lower, acceleration_time_.upper});
@@ -68,6 +71,7 @@ BeltDrive<T> BeltDriveStage::design(const Selection<T>& s) const {
     return motors_->template torque<T>(rows, voltage, omega);
   };
   d.carried_mass = s.inherited[place_.load_state];
+  if (load_share_ != 1.0) d.carried_mass = load_share_ * d.carried_mass;
   d.acceleration_time = variables_.empty() ? T(acceleration_time_.lower) : s.variables[0];
   d.derive();
   return d;
@@ -79,11 +83,11 @@ void BeltDriveStage::answer(const Selection<T>& s, solver::Answer<T>& out) const
   machine::belt_drive_constraints(UtilisationVisitor<T, BeltDrive<T>>(d, out.utilisation));
   out.resources[cost_resource] = total<T>(s, [](const Candidate& c) { return c.price; });
   out.resources[mass_resource] = total<T>(s, [](const Candidate& c) { return c.mass; });
-  out.handed_on[power_state] = s.inherited[power_state] + d.input_power;
+  out.handed_on[power_state] = s.inherited[power_state] + (drives_ == 1.0 ? d.input_power : drives_ * d.input_power);
   out.handed_on[place_.load_state] = T(0.0);
   if (place_.parent_load_state)
     out.handed_on[*place_.parent_load_state] =
-        s.inherited[*place_.parent_load_state] + d.carried_mass +
+        s.inherited[*place_.parent_load_state] + s.inherited[place_.load_state] +
         total<T>(s, [](const Candidate& c) { return c.riding_mass + c.standing_mass; });
 }
 

@@ -37,6 +37,8 @@ class BeltDriveStage final : public ElementStage<BeltDriveStage> {
  private:
   machine::BeltDriveData data_;
   AxisPlace place_;
+  double drives_ = 1.0;
+  double load_share_ = 1.0;  ///< of mass and forces, on the drive that is looked at
   machine::Range acceleration_time_;
   std::unique_ptr<MotorSet> motors_;
 };

@@ -15,7 +15,10 @@ GuideStage::GuideStage(const machine::Axis& axis,
                        AxisPlace place,
                        const catalogue::Catalogue& catalogue,
                        const PriceBook& prices)
-    : data_{.choice = *axis.guide, .motion = motion_of(axis), .require = axis.require},
+    : data_{.choice = *axis.guide,
+            .motion = motion_of(axis),
+            .require = axis.require,
+            .riding_mass = machine::riding_mass_allowance(axis)},
       place_(place),
       acceleration_time_(axis.acceleration_time) {
   name_ = axis.name + ".guide";

@@ -82,9 +82,42 @@ class Holder {
         matches = given[i] == nullptr || is_part(model_.catalogue().table(parts[i].family), parts[i], *given[i]);
       if (matches) rows.push_back(row);
     }
-    if (rows.empty()) report_no_candidate(entry, table, given);
+    if (rows.empty())
+      report_no_candidate(entry, table, given);
+    else
+      report_too_little(entry, table.candidate(rows.front()), given);
     held.allowed.push_back(std::move(rows));
     held.named.push_back(all);
+  }
+
+  /// Fewer or shorter pieces than the axis needs would be another machine than the one that is checked.
+  void report_too_little(const StageEntry& entry,
+                         const Candidate& candidate,
+                         const std::vector<const BomLine*>& given) {
+    for (std::size_t i = 0; i < candidate.parts.size(); ++i) {
+      const PartUse& part = candidate.parts[i];
+      if (given[i] == nullptr) continue;
+      const BomLine& line = *given[i];
+      if (line.quantity && *line.quantity < part.quantity * (1.0 - 1e-9))
+        result_.problems.push_back(
+            {line.where,
+             fmt::format("{} of '{}', and the {} of axis '{}' takes {}",
+                         *line.quantity,
+                         line.part_number,
+                         line.slot,
+                         entry.axis,
+                         part.quantity),
+             "order as many as the problem file has of it (carriages, drives, members), or change the problem"});
+      if (line.length && *line.length < part.length * (1.0 - 1e-9))
+        result_.problems.push_back({line.where,
+                                    fmt::format("'{}' is cut to {:.6g} mm, and the {} of axis '{}' needs {:.6g} mm",
+                                                line.part_number,
+                                                1e3 * *line.length,
+                                                line.slot,
+                                                entry.axis,
+                                                1e3 * part.length),
+                                    "leave the length away to have it computed"});
+    }
   }
 
   void report_no_candidate(const StageEntry& entry, const SlotTable& table, const std::vector<const BomLine*>& given) {

@@ -18,7 +18,10 @@ MemberStage::MemberStage(const machine::Axis& axis,
                          AxisPlace place,
                          const catalogue::Catalogue& catalogue,
                          const PriceBook& prices)
-    : data_{.member = member, .require = axis.require}, place_(place) {
+    : data_{.member = member,
+            .require = axis.require,
+            .riding_mass = member.rides ? 0.0 : machine::riding_mass_allowance(axis)},
+      place_(place) {
   name_ = axis.name + "." + member.name;
   take_material(catalogue.table(Family::materials), prices);
   if (!member.sections.empty()) {

@@ -17,6 +17,15 @@ machine::MotionData motion_of(const machine::Axis& axis) {
           axis.acceleration_time};
 }
 
+machine::MotionData drive_motion_of(const machine::Axis& axis) {
+  machine::MotionData motion = motion_of(axis);
+  const double share = axis.mechanism.load_share;
+  for (machine::Move& move : motion.moves) move.force *= share;
+  motion.guide_drag *= share;
+  motion.counterbalance_force *= share;
+  return motion;
+}
+
 bool gravity_acts(const machine::Axis& axis) { return std::sin(axis.inclination) > 1e-9; }
 
 std::pair<double, double> constant_speed_range(const machine::Axis& axis) {
@@ -60,7 +69,7 @@ ScrewDriveStage::ScrewDriveStage(const machine::Axis& axis,
                                  const std::vector<double>& voltages,
                                  const catalogue::Catalogue& catalogue,
                                  const PriceBook& prices)
-    : data_{.motion = motion_of(axis),
+    : data_{.motion = drive_motion_of(axis),
             .require = axis.require,
             .stroke = axis.stroke,
             .microsteps = axis.motor.microsteps,
@@ -69,6 +78,8 @@ ScrewDriveStage::ScrewDriveStage(const machine::Axis& axis,
             .free_end = axis.mechanism.ends == machine::Ends::fixed_free,
             .preloaded = axis.mechanism.preload_fraction > 0.0},
       place_(place),
+      drives_(axis.mechanism.drives),
+      load_share_(axis.mechanism.load_share),
       acceleration_time_(axis.acceleration_time),
       screws_(screw_table(catalogue, axis, prices)),
       has_free_support_(axis.mechanism.ends != machine::Ends::fixed_free) {
@@ -85,6 +96,7 @@ ScrewDriveStage::ScrewDriveStage(const machine::Axis& axis,
   if (has_free_support_)
     tables_.push_back(
         support_table(catalogue, prices, "support_free", axis.mechanism.ends == machine::Ends::fixed_fixed, stiffness));
+  for (SlotTable& table : tables_) table.multiply(drives_);
   finish_slots();
   if (!acceleration_time_.fixed())
     variables_.push_back({"acceleration_time", acceleration_time_.lower, acceleration_time_.upper});
@@ -128,6 +140,7 @@ ScrewDrive<T> ScrewDriveStage::design(const Selection<T>& s) const {
                                                     read(free_slot, 4)}
                        : machine::SupportReading<T>{T(0.0), T(0.0), T(0.0), d.support_fixed.largest_speed, T(0.0)};
   d.carried_mass = s.inherited[place_.load_state];
+  if (load_share_ != 1.0) d.carried_mass = load_share_ * d.carried_mass;
   d.acceleration_time = variables_.empty() ? T(acceleration_time_.lower) : s.variables[0];
   d.derive();
   return d;
@@ -139,11 +152,11 @@ void ScrewDriveStage::answer(const Selection<T>& s, solver::Answer<T>& out) cons
   machine::screw_drive_constraints(UtilisationVisitor<T, ScrewDrive<T>>(d, out.utilisation));
   out.resources[cost_resource] = total<T>(s, [](const Candidate& c) { return c.price; });
   out.resources[mass_resource] = total<T>(s, [](const Candidate& c) { return c.mass; });
-  out.handed_on[power_state] = s.inherited[power_state] + d.input_power;
+  out.handed_on[power_state] = s.inherited[power_state] + (drives_ == 1.0 ? d.input_power : drives_ * d.input_power);
   out.handed_on[place_.load_state] = T(0.0);
   if (place_.parent_load_state)
     out.handed_on[*place_.parent_load_state] =
-        s.inherited[*place_.parent_load_state] + d.carried_mass +
+        s.inherited[*place_.parent_load_state] + s.inherited[place_.load_state] +
         total<T>(s, [](const Candidate& c) { return c.riding_mass + c.standing_mass; });
 }
 

@@ -20,6 +20,8 @@ struct AxisPlace {
 };
 
 machine::MotionData motion_of(const machine::Axis& axis);
+/// The same for the most loaded of the axis's drives: its share of the forces.
+machine::MotionData drive_motion_of(const machine::Axis& axis);
 bool gravity_acts(const machine::Axis& axis);
 /// Slowest and fastest constant speed of the axis's moves over its ramp times [m/s].
 std::pair<double, double> constant_speed_range(const machine::Axis& axis);
@@ -52,6 +54,8 @@ class ScrewDriveStage final : public ElementStage<ScrewDriveStage> {
  private:
   machine::ScrewDriveData data_;
   AxisPlace place_;
+  double drives_ = 1.0;
+  double load_share_ = 1.0;  ///< of mass and forces, on the drive that is looked at
   machine::Range acceleration_time_;
   ScrewTable screws_;
   std::unique_ptr<MotorSet> motors_;

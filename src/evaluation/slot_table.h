@@ -36,6 +36,20 @@ struct Candidate {
   double standing_mass = 0.0;  ///< kg on the axis's parent; the rest (a driver in its cabinet) burdens nobody
 };
 
+/// So many of a candidate.
+inline Candidate times(double count, Candidate candidate) {
+  for (PartUse& part : candidate.parts) {
+    part.quantity *= count;
+    part.price *= count;
+    part.mass *= count;
+  }
+  candidate.price *= count;
+  candidate.mass *= count;
+  candidate.riding_mass *= count;
+  candidate.standing_mass *= count;
+  return candidate;
+}
+
 class SlotTable {
  public:
   explicit SlotTable(std::string name = {}, std::size_t fields = 0) : name_(std::move(name)), fields_(fields) {}
@@ -50,6 +64,11 @@ class SlotTable {
   [[nodiscard]] const Candidate& candidate(std::size_t row) const { return candidates_[row]; }
   [[nodiscard]] double reading(std::size_t row, std::size_t field) const { return readings_[row * fields_ + field]; }
   [[nodiscard]] std::size_t fields() const { return fields_; }
+
+  /// Takes so many of every candidate; the readings stay those of one.
+  void multiply(double count) {
+    for (Candidate& candidate : candidates_) candidate = times(count, std::move(candidate));
+  }
 
   /// Keeps only the candidates for which keep(row) holds.
   template <class Keep>

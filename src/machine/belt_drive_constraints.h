@@ -88,6 +88,17 @@ void belt_constraints(Visit&& visit) {
       [](const auto& d) { return d.belt.least_teeth; },
       [](const auto& d) { return d.belt.teeth; });
   visit(
+      Declaration{.id = "F-BELT-MASS",
+                  .title = "Belt is no heavier than guides and structure are sized for",
+                  .symbol = "m",
+                  .unit = "kg",
+                  .kind = ConstraintKind::fit,
+                  .source = "millwright_derivations, what rides",
+                  .requirement = "belt_mass_allowance"},
+      always,
+      [](const auto& d) { return d.belt.belt_mass; },
+      [](const auto& d) { return d.require(belt_mass_allowance, dimension::mass); });
+  visit(
       Declaration{.id = "F-PULLEY-BORE",
                   .title = "Motor shaft fits the pulley bore",
                   .symbol = "d",

@@ -44,6 +44,7 @@ struct GuideData {
   GuideChoice choice;
   MotionData motion;
   Requirements require;
+  double riding_mass = 0.0;  ///< kg, allowance for the nut or belt, chosen after the guide
 };
 
 /// Round guide shafts are hardened bearing steel; E as in the materials table, and the core's yield as of the C45 it is
@@ -74,7 +75,7 @@ void GuideSystem<T>::derive() {
   namespace gd = mechanics::guide;
   const auto length = [](double metres) { return in_unit<T>(metres, dimension::length); };
   const GuideChoice& c = data->choice;
-  moved_mass = named("m", carried_mass + guide.carriage_mass);
+  moved_mass = named("m", carried_mass + guide.carriage_mass + in_unit<T>(data->riding_mass, dimension::mass));
   cycle = duty_cycle(data->motion, moved_mass, acceleration_time);
   const T weight = named("G", moved_mass * in_unit<T>(standard_gravity, dimension::acceleration));
   const T none = in_unit<T>(0.0, dimension::force);

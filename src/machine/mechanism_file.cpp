@@ -71,6 +71,21 @@ void read_screw(TableReader& table, QuantityReader& q, Mechanism& mechanism, Dia
              diagnostics);
 }
 
+/// How many drives push side by side, and what the most loaded of them takes.
+void read_drives(QuantityReader& q, Mechanism& mechanism, const Node& node, Diagnostics& diagnostics) {
+  mechanism.drives = q.count_or("drives", 1.0, 1, 8);
+  const double equal = 1.0 / mechanism.drives;
+  mechanism.load_share = q.share_or("load_share", equal);
+  if (const Node* share = node.find("load_share"); share != nullptr && mechanism.load_share < equal * (1.0 - 1e-9))
+    diagnostics.error(
+        share->span(),
+        fmt::format("load_share: {} drives of which the most loaded takes only {:.4g} of the load",
+                    mechanism.drives,
+                    mechanism.load_share),
+        fmt::format(
+            "it is at least 1/{} = {:.4g}; more where the load stands off the middle", mechanism.drives, equal));
+}
+
 /// Without a readable kind, what else is there tells which one was meant.
 std::string guessed_kind(const Node& node) {
   const bool belt =
@@ -102,6 +117,7 @@ Mechanism read_mechanism(const Node& node, const std::string& title, Diagnostics
   const auto said = has_kind ? table.word("kind", {"screw", "belt"}) : std::nullopt;
   const std::string kind = said.value_or(guessed_kind(node));
   if (kind.empty()) return mechanism;  // nothing to judge the other keys by
+  read_drives(q, mechanism, node, diagnostics);
   if (kind == "screw") {
     read_screw(table, q, mechanism, diagnostics);
   } else {

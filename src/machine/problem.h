@@ -45,6 +45,8 @@ enum class MechanismKind { screw, belt };
 
 struct Mechanism {
   MechanismKind kind = MechanismKind::screw;
+  double drives = 1.0;      ///< equal drives side by side (two screws of a gantry), each with its own motor
+  double load_share = 1.0;  ///< of mass and forces that the most loaded of them takes
   // screw
   bool ball_screws = false;
   bool lead_screws = false;
@@ -135,6 +137,14 @@ struct Axis {
   // filled by the reader
   std::optional<std::size_t> carried_by;  ///< index of the parent axis
 };
+
+/// Mass of the nuts or belts for which guides and structure are sized [kg]; each drive is held to its part
+/// (F-NUT-MASS, F-BELT-MASS).
+inline double riding_mass_allowance(const Axis& axis) {
+  return axis.mechanism.drives * axis.require(axis.mechanism.kind == MechanismKind::belt
+                                                  ? Requirement::belt_mass_allowance
+                                                  : Requirement::nut_mass_allowance);
+}
 
 struct CurrencyRate {
   double rate = 1.0;  ///< of one unit, in the problem's currency

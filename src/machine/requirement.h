@@ -41,6 +41,8 @@ enum class Requirement : std::size_t {
   supply_reserve,
   coupling_shock_factor,
   overtravel,
+  nut_mass_allowance,
+  belt_mass_allowance,
   position_error,
   position_error_over,
   lost_motion,

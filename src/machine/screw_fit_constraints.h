@@ -36,6 +36,17 @@ void screw_fit_constraints(Visit&& visit) {
   using namespace scalar;
   using enum ConstraintKind;
   visit(
+      Declaration{.id = "F-NUT-MASS",
+                  .title = "Nut is no heavier than guides and structure are sized for",
+                  .symbol = "m",
+                  .unit = "kg",
+                  .kind = fit,
+                  .source = "millwright_derivations, what rides",
+                  .requirement = "nut_mass_allowance"},
+      always,
+      [](const auto& d) { return d.screw.nut_mass; },
+      [](const auto& d) { return d.require(Requirement::nut_mass_allowance, dimension::mass); });
+  visit(
       Declaration{.id = "F-COUPLING-MOTOR",
                   .title = "Motor shaft fits the coupling's largest bore",
                   .symbol = "d",

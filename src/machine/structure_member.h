@@ -36,6 +36,7 @@ inline constexpr std::size_t section_reading_fields = 6;
 struct MemberData {
   Member member;
   Requirements require;
+  double riding_mass = 0.0;  ///< kg, allowance for the nut or belt of the axis that it carries
   double elastic_modulus = 0.0, yield_strength = 0.0, density = 0.0, price_per_mass = 0.0;
 };
 
@@ -163,7 +164,8 @@ template <class T>
 void StructureMember<T>::derive() {
   using namespace scalar;
   const Member& m = data->member;
-  const T weight = carried_mass * in_unit<T>(standard_gravity, dimension::acceleration);
+  const T burden = carried_mass + in_unit<T>(data->riding_mass, dimension::mass);
+  const T weight = burden * in_unit<T>(standard_gravity, dimension::acceleration);
   force = named("F", (m.load_share * weight + in_unit<T>(m.extra_force, dimension::force)) / m.count);
   take_section();
   if (m.kind == MemberKind::weld) {
