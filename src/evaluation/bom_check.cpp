@@ -207,6 +207,8 @@ BomCheck check(const machine::Problem& problem,
   }
   const MachineModel model(at_voltage, catalogue, given);
   const HeldParts held = hold_parts(model, bom, only_origin);
+  result.problems = held.problems;  // at the supply's voltage a part may no longer do
+  if (!result.problems.empty()) return result;
   const Restricted restricted = restrict(model, held);
   const solver::Summary summary = solver::solve(restricted.problem, solver_options(options));
   if (!summary.builds.empty()) {

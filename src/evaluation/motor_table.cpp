@@ -154,7 +154,9 @@ MotorTable motor_table(const catalogue::Catalogue& catalogue,
                    shaft + mass + price))
       continue;
     for (const Driver& d : drivers) {
-      if (std::none_of(voltages.begin(), voltages.end(), [&](double v) { return runs_at(d, v, voltage_factor); }))
+      // A driver that a bill names is judged, not passed over (C-DR-VOLT, F-DRIVER-VOLTAGE-MIN).
+      if (!axis.keep_every_candidate &&
+          std::none_of(voltages.begin(), voltages.end(), [&](double v) { return runs_at(d, v, voltage_factor); }))
         continue;
       if (!axis.keep_every_candidate && std::any_of(drivers.begin(), drivers.end(), [&](const Driver& a) {
             return a.row != d.row && covers(a, d, current_factor * f.rated_current, voltages, voltage_factor);

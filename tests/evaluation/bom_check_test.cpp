@@ -103,6 +103,24 @@ TEST_CASE("The bill of a solved design is found compliant, at the same cost and 
     CHECK(again.design.checks[i].utilisation == Approx(cheapest().checks[i].utilisation).epsilon(1e-9));
 }
 
+// D2 bears 30 V, of which 90 % may be used: 27 V. The supply of the bill gives 36 V.
+TEST_CASE("A driver that does not bear the voltage of the bill fails its check, and nothing else happens") {
+  BillOfMaterials bom;
+  for (const auto& line : bill_of(cheapest()).lines)
+    if (!line.is_dimension() && line.slot != "supply" && line.slot != "driver") bom.lines.push_back(line);
+  bom.lines.push_back(part("x", "driver", "D2"));
+  bom.lines.push_back(setting("machine", "supply_voltage", 36.0));
+  const BomCheck result = evaluation::check(problem_of_text(one_axis), parts(), bom, true, {});
+  for (const auto& p : result.problems) UNSCOPED_INFO(p.message);
+  REQUIRE(result.problems.empty());
+  CHECK_FALSE(result.design.satisfied());
+  for (const auto& check : result.design.checks)
+    if (check.id == "C-DR-VOLT") {
+      CHECK(check.value == Approx(36.0));
+      CHECK(check.limit == Approx(27.0));
+    }
+}
+
 TEST_CASE("An empty bill is completed to the cheapest build") {
   const BomCheck result = checked({}, true);
   REQUIRE(result.problems.empty());
