@@ -50,10 +50,58 @@ void check_range(const Argument& argument, double value, std::vector<std::string
   }
 }
 
+/// Everyday range of a unit, for arguments that name none.
+std::pair<double, double> typical_range(std::string_view unit) {
+  struct Range {
+    std::string_view unit;
+    double lower, upper;
+  };
+  static constexpr std::array ranges{
+      Range{"m", 1e-3, 1},        Range{"m/s", 1e-2, 2},       Range{"m/s^2", 0.1, 10},      Range{"m/s^3", 10, 1e3},
+      Range{"s", 0.05, 10},       Range{"rad", 0.02, 1.2},     Range{"rad/s", 1, 400},       Range{"rad/s^2", 1, 1e4},
+      Range{"Hz", 1, 1e4},        Range{"N", 1, 1e4},          Range{"N.m", 0.01, 20},       Range{"N/m", 1e5, 1e9},
+      Range{"N.m/rad", 10, 1e5},  Range{"Pa", 1e6, 1e9},       Range{"kg", 0.1, 200},        Range{"kg/m", 5e-3, 10},
+      Range{"kg/m^3", 1e3, 1e4},  Range{"kg.m^2", 1e-6, 1e-2}, Range{"m^2", 1e-5, 1e-2},     Range{"m^3", 1e-8, 1e-4},
+      Range{"m^4", 1e-12, 1e-6},  Range{"m/N", 1e-9, 1e-5},    Range{"m^2/N", 1e-16, 1e-13}, Range{"m^3/s", 1e-9, 1e-5},
+      Range{"1/K", 5e-6, 3e-5},   Range{"K", 1, 100},          Range{"K/W", 0.5, 10},        Range{"W", 0.5, 1e3},
+      Range{"J", 0.1, 100},       Range{"V", 5, 80},           Range{"A", 0.5, 8},           Range{"ohm", 0.2, 10},
+      Range{"H", 5e-4, 2e-2},     Range{"F", 1e-4, 1e-2},      Range{"Pa.s", 10, 1e3},       Range{"N.m/A", 0.05, 2},
+      Range{"s/rad", 1e-5, 1e-3}, Range{"any", 1, 100}};
+  for (const Range& range : ranges)
+    if (range.unit == unit) return {range.lower, range.upper};
+  return {0.1, 5.0};
+}
+
+Argument argument_of(const ArgumentText& text) {
+  Argument argument;
+  argument.name = text.name;
+  argument.symbol = text.symbol;
+  argument.unit = text.unit;
+  argument.meaning = text.meaning;
+  argument.kind = text.kind;
+  argument.monotone = text.monotone;
+  argument.lower = text.lower;
+  argument.upper = text.upper;
+  std::tie(argument.typical_lower, argument.typical_upper) = text.typical ? *text.typical : typical_range(text.unit);
+  argument.whole = text.whole;
+  argument.choices.assign(text.choices.begin(), text.choices.end());
+  argument.same_length_as = text.same_length_as;
+  return argument;
+}
+
 }  // namespace
 
-Formula::Formula(FormulaHeader header, std::vector<Argument> arguments, Evaluators evaluators)
-    : header_(std::move(header)), arguments_(std::move(arguments)), evaluators_(evaluators) {
+Formula::Formula(const FormulaHeader& header, std::vector<Argument> arguments, const Evaluators& evaluators)
+    : header_{.name = std::string(header.name),
+              .handbook_id = std::string(header.handbook_id),
+              .symbol = std::string(header.symbol),
+              .unit = std::string(header.unit),
+              .display_unit = std::string(header.display_unit),
+              .title = std::string(header.title),
+              .source = std::string(header.source),
+              .validity = std::string(header.validity)},
+      arguments_(std::move(arguments)),
+      evaluators_(evaluators) {
   if (header_.name.empty() || header_.unit.empty() || header_.source.empty())
     throw std::logic_error("formula '" + header_.name + "' lacks its name, unit or source");
   for (Argument& argument : arguments_) {
@@ -92,6 +140,10 @@ std::vector<std::string> Formula::violations(std::span<const ArgumentValue<doubl
   return sentences;
 }
 
+void Formula::add_condition(std::string_view text, Validity::Holds holds) {
+  conditions_.push_back({std::string(text), holds});
+}
+
 void Formula::fail_count(std::size_t count) const {
   throw std::invalid_argument(name() + " takes " + std::to_string(arguments_.size()) + " arguments, not " +
                               std::to_string(count));
@@ -104,39 +156,13 @@ void Formula::fail_kind(std::size_t index) const {
 
 namespace detail {
 
-std::pair<double, double> typical_range(std::string_view unit) {
-  struct Range {
-    std::string_view unit;
-    double lower, upper;
-  };
-  static constexpr std::array ranges{
-      Range{"m", 1e-3, 1},        Range{"m/s", 1e-2, 2},       Range{"m/s^2", 0.1, 10},      Range{"m/s^3", 10, 1e3},
-      Range{"s", 0.05, 10},       Range{"rad", 0.02, 1.2},     Range{"rad/s", 1, 400},       Range{"rad/s^2", 1, 1e4},
-      Range{"Hz", 1, 1e4},        Range{"N", 1, 1e4},          Range{"N.m", 0.01, 20},       Range{"N/m", 1e5, 1e9},
-      Range{"N.m/rad", 10, 1e5},  Range{"Pa", 1e6, 1e9},       Range{"kg", 0.1, 200},        Range{"kg/m", 5e-3, 10},
-      Range{"kg/m^3", 1e3, 1e4},  Range{"kg.m^2", 1e-6, 1e-2}, Range{"m^2", 1e-5, 1e-2},     Range{"m^3", 1e-8, 1e-4},
-      Range{"m^4", 1e-12, 1e-6},  Range{"m/N", 1e-9, 1e-5},    Range{"m^2/N", 1e-16, 1e-13}, Range{"m^3/s", 1e-9, 1e-5},
-      Range{"1/K", 5e-6, 3e-5},   Range{"K", 1, 100},          Range{"K/W", 0.5, 10},        Range{"W", 0.5, 1e3},
-      Range{"J", 0.1, 100},       Range{"V", 5, 80},           Range{"A", 0.5, 8},           Range{"ohm", 0.2, 10},
-      Range{"H", 5e-4, 2e-2},     Range{"F", 1e-4, 1e-2},      Range{"Pa.s", 10, 1e3},       Range{"N.m/A", 0.05, 2},
-      Range{"s/rad", 1e-5, 1e-3}, Range{"any", 1, 100}};
-  for (const Range& range : ranges)
-    if (range.unit == unit) return {range.lower, range.upper};
-  return {0.1, 5.0};
-}
-
-void describe(Argument& argument,
-              std::string name,
-              std::string symbol,
-              std::string unit,
-              std::string meaning,
-              ArgumentKind kind) {
-  std::tie(argument.typical_lower, argument.typical_upper) = typical_range(unit);
-  argument.name = std::move(name);
-  argument.symbol = std::move(symbol);
-  argument.unit = std::move(unit);
-  argument.meaning = std::move(meaning);
-  argument.kind = kind;
+Formula& add_formula(FormulaList& list,
+                     const FormulaHeader& header,
+                     std::span<const ArgumentText* const> texts,
+                     const Formula::Evaluators& evaluators) {
+  std::vector<Argument> arguments;
+  for (const ArgumentText* text : texts) arguments.push_back(argument_of(*text));
+  return list.emplace_back(header, std::move(arguments), evaluators);
 }
 
 }  // namespace detail

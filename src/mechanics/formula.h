@@ -51,22 +51,26 @@ struct Argument {
 
 /// A relation between arguments that has to hold for the formula to hold.
 struct Validity {
+  using Holds = bool (*)(std::span<const ArgumentValue<double>>);
   std::string text;
-  bool (*holds)(std::span<const ArgumentValue<double>>);
+  Holds holds;
 };
 
 /// What the person who registers a formula writes about it. `source` is "key, place; key, place" with keys of
 /// sources.bib. `display_unit` is given where people do not read the SI unit.
-struct FormulaHeader {
-  std::string name = {};
-  std::string handbook_id = {};
-  std::string symbol = {};
-  std::string unit = {};
-  std::string display_unit = {};
-  std::string title = {};
-  std::string source = {};
-  std::string validity = {};
+template <class Text>
+struct FormulaText {
+  Text name = {};
+  Text handbook_id = {};
+  Text symbol = {};
+  Text unit = {};
+  Text display_unit = {};
+  Text title = {};
+  Text source = {};
+  Text validity = {};
 };
+/// Literals: hundreds of registrations that built strings would take the compiler minutes.
+using FormulaHeader = FormulaText<std::string_view>;
 
 template <class T>
 using Evaluator = T (*)(std::span<const ArgumentValue<T>>);
@@ -84,7 +88,7 @@ class Formula {
  public:
   using Evaluators = detail::EvaluatorsOf<scalar::AllScalars>::type;
 
-  Formula(FormulaHeader header, std::vector<Argument> arguments, Evaluators evaluators);
+  Formula(const FormulaHeader& header, std::vector<Argument> arguments, const Evaluators& evaluators);
 
   const std::string& name() const { return header_.name; }
   const std::string& handbook_id() const { return header_.handbook_id; }
@@ -117,7 +121,7 @@ class Formula {
   /// One sentence for each stated limit that these values break; empty where the formula holds.
   std::vector<std::string> violations(std::span<const ArgumentValue<double>> values) const;
 
-  void add_condition(Validity condition) { conditions_.push_back(std::move(condition)); }
+  void add_condition(std::string_view text, Validity::Holds holds);
 
  private:
   template <class IndexOf>
@@ -129,7 +133,7 @@ class Formula {
   [[noreturn]] void fail_count(std::size_t count) const;
   [[noreturn]] void fail_kind(std::size_t index) const;
 
-  FormulaHeader header_;
+  FormulaText<std::string> header_;
   std::vector<Argument> arguments_;
   std::vector<Validity> conditions_;
   Evaluators evaluators_;

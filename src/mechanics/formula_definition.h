@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
+#include <array>
+#include <initializer_list>
+#include <optional>
 #include <utility>
 
 #include "mechanics/formula.h"
@@ -20,40 +22,58 @@
 /// Derivative, interval, dimension, trace and monotone signs are then tested without further ado.
 namespace millwright::mechanics {
 
+/// An argument as it is written down, in literals. Only add_formula makes strings of them: what stands in this header
+/// is compiled once for each of hundreds of formulas.
+struct ArgumentText {
+  const char* name = "";
+  const char* symbol = "";
+  const char* unit = "";
+  const char* meaning = "";
+  ArgumentKind kind = ArgumentKind::number;
+  Monotone monotone = Monotone::unknown;
+  double lower = 0.0;
+  double upper = std::numeric_limits<double>::infinity();
+  std::optional<std::pair<double, double>> typical = {};
+  bool whole = false;
+  std::initializer_list<const char*> choices = {};  // lives as long as the define(...) it is written in
+  int same_length_as = -1;
+};
+
 /// What the chained words of quantity(...), list(...) and choice(...) have in common.
 template <class Self>
-struct ArgumentSpec : Argument {
-  Self rising() {
-    return with([](Argument& a) { a.monotone = Monotone::rising; });
+struct ArgumentSpec : ArgumentText {
+  constexpr Self& rising() {
+    monotone = Monotone::rising;
+    return self();
   }
-  Self falling() {
-    return with([](Argument& a) { a.monotone = Monotone::falling; });
+  constexpr Self& falling() {
+    monotone = Monotone::falling;
+    return self();
   }
   /// The formula is stated for lower <= value <= upper only (SI). Default: everything above zero.
-  Self between(double low, double high) {
-    return with([&](Argument& a) { a.lower = low, a.upper = high; });
+  constexpr Self& between(double low, double high) {
+    lower = low;
+    upper = high;
+    return self();
   }
-  Self at_least(double low) {
-    return with([&](Argument& a) { a.lower = low; });
+  constexpr Self& at_least(double low) {
+    lower = low;
+    return self();
   }
-  Self any_sign() {
-    return with([](Argument& a) { a.lower = -std::numeric_limits<double>::infinity(); });
-  }
+  constexpr Self& any_sign() { return at_least(-std::numeric_limits<double>::infinity()); }
   /// Everyday range for tests (SI); by default taken from the unit.
-  Self typical(double low, double high) {
-    return with([&](Argument& a) { a.typical_lower = low, a.typical_upper = high; });
+  constexpr Self& typical(double low, double high) {
+    ArgumentText::typical = {low, high};
+    return self();
   }
   /// Of a list: as long as the list that is argument number `index` (0-based).
-  Self as_long_as(int index) {
-    return with([&](Argument& a) { a.same_length_as = index; });
+  constexpr Self& as_long_as(int index) {
+    same_length_as = index;
+    return self();
   }
 
  private:
-  template <class Change>
-  Self with(Change change) {
-    change(*this);
-    return static_cast<Self&>(*this);
-  }
+  constexpr Self& self() { return static_cast<Self&>(*this); }
 };
 
 struct NumberSpec : ArgumentSpec<NumberSpec> {
@@ -78,43 +98,29 @@ struct ChoiceSpec : ArgumentSpec<ChoiceSpec<Enum>> {
   }
 };
 
-namespace detail {
-/// Everyday range of a unit, for arguments that name none.
-std::pair<double, double> typical_range(std::string_view unit);
-
-/// Fills in what every argument has.
-void describe(
-    Argument& argument, std::string name, std::string symbol, std::string unit, std::string meaning, ArgumentKind kind);
-}  // namespace detail
-
-inline NumberSpec quantity(std::string name, std::string symbol, std::string unit, std::string meaning) {
-  NumberSpec spec;
-  detail::describe(spec, std::move(name), std::move(symbol), std::move(unit), std::move(meaning), ArgumentKind::number);
-  return spec;
+constexpr NumberSpec quantity(const char* name, const char* symbol, const char* unit, const char* meaning) {
+  return {{{.name = name, .symbol = symbol, .unit = unit, .meaning = meaning}}};
 }
 
 /// A whole number of things (teeth, starts, bolts). The formula itself takes it as any other number.
-inline NumberSpec count(std::string name, std::string symbol, std::string meaning) {
-  NumberSpec spec = quantity(std::move(name), std::move(symbol), "1", std::move(meaning)).at_least(1).typical(1, 60);
-  spec.whole = true;
+constexpr NumberSpec count(const char* name, const char* symbol, const char* meaning) {
+  NumberSpec spec = quantity(name, symbol, "1", meaning);
+  spec.at_least(1).typical(1, 60).whole = true;
   return spec;
 }
 
 /// `std::span<const T>`.
-inline ListSpec list_of(std::string name, std::string symbol, std::string unit, std::string meaning) {
-  ListSpec spec;
-  detail::describe(spec, std::move(name), std::move(symbol), std::move(unit), std::move(meaning), ArgumentKind::list);
-  return spec;
+constexpr ListSpec list_of(const char* name, const char* symbol, const char* unit, const char* meaning) {
+  return {{{.name = name, .symbol = symbol, .unit = unit, .meaning = meaning, .kind = ArgumentKind::list}}};
 }
 
 /// An enumeration whose enumerators count from 0 and are called `names`, in order.
 template <class Enum>
-ChoiceSpec<Enum> choice(std::string name, std::string symbol, std::string meaning, std::vector<std::string> names) {
-  ChoiceSpec<Enum> spec;
-  Argument& argument = spec;
-  detail::describe(argument, std::move(name), std::move(symbol), "", std::move(meaning), ArgumentKind::choice);
-  argument.choices = std::move(names);
-  return spec;
+constexpr ChoiceSpec<Enum> choice(const char* name,
+                                  const char* symbol,
+                                  const char* meaning,
+                                  std::initializer_list<const char*> names) {
+  return {{{.name = name, .symbol = symbol, .meaning = meaning, .kind = ArgumentKind::choice, .choices = names}}};
 }
 
 using FormulaList = std::vector<Formula>;
@@ -130,11 +136,16 @@ Result call(std::span<const ArgumentValue<T>> values) {
 }
 
 template <class Function, class List, class... Spec>
-struct MakeEvaluators;
+struct EvaluatorsFor;
 template <class Function, class... T, class... Spec>
-struct MakeEvaluators<Function, scalar::ScalarList<T...>, Spec...> {
-  static Formula::Evaluators make() { return {&call<T, T, Function, Spec...>...}; }
+struct EvaluatorsFor<Function, scalar::ScalarList<T...>, Spec...> {
+  static constexpr Formula::Evaluators value{&call<T, T, Function, Spec...>...};
 };
+
+Formula& add_formula(FormulaList& list,
+                     const FormulaHeader& header,
+                     std::span<const ArgumentText* const> arguments,
+                     const Formula::Evaluators& evaluators);
 }  // namespace detail
 
 /// What define() returns, so that validity conditions can be chained to it.
@@ -145,8 +156,8 @@ class Definition {
 
   /// `condition` takes the arguments as the formula does, on double, and tells whether the formula holds there.
   template <class Condition>
-  Definition& valid_when(std::string text, Condition) {
-    formula_.add_condition({std::move(text), &detail::call<bool, double, Condition, Spec...>});
+  Definition& valid_when(const char* text, Condition) {
+    formula_.add_condition(text, &detail::call<bool, double, Condition, Spec...>);
     return *this;
   }
 
@@ -156,10 +167,10 @@ class Definition {
 
 /// Registers a formula. `function` is a captureless generic lambda that forwards to the template function.
 template <class Function, class... Spec>
-Definition<Spec...> define(FormulaList& list, FormulaHeader header, Function, Spec... arguments) {
-  auto evaluators = detail::MakeEvaluators<Function, scalar::AllScalars, Spec...>::make();
-  list.emplace_back(std::move(header), std::vector<Argument>{std::move(arguments)...}, evaluators);
-  return Definition<Spec...>(list.back());
+Definition<Spec...> define(FormulaList& list, const FormulaHeader& header, Function, const Spec&... arguments) {
+  const std::array<const ArgumentText*, sizeof...(Spec)> texts{&arguments...};
+  return Definition<Spec...>(
+      detail::add_formula(list, header, texts, detail::EvaluatorsFor<Function, scalar::AllScalars, Spec...>::value));
 }
 
 }  // namespace millwright::mechanics

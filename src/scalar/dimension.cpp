@@ -5,8 +5,6 @@
 
 #include <cmath>
 
-#include "scalar/dimensioned.h"
-
 namespace millwright::scalar {
 namespace {
 
@@ -41,14 +39,6 @@ std::string to_string(const Dimension& dimension) {
   if (above.empty()) above = "1";
   if (divisors == 0) return above;
   return above + (divisors == 1 ? "/" + below : "/(" + below + ")");
-}
-
-void throw_mismatch(const char* operation, const Dimension& a, const Dimension& b) {
-  throw DimensionError(fmt::format("{} {} and {}", operation, to_string(a), to_string(b)));
-}
-
-void throw_not_dimensionless(const char* function, const Dimension& a) {
-  throw DimensionError(fmt::format("{} of {}, where a dimensionless number is needed", function, to_string(a)));
 }
 
 }  // namespace millwright::scalar

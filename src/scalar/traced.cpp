@@ -44,6 +44,11 @@ Traced revalued(double value, const Traced& x) { return {value, x.dimension, x.e
 
 Traced::Traced(double v, const Dimension& d, std::shared_ptr<const Expression> expression)
     : value(v), dimension(d), expression_(std::move(expression)) {}
+Traced::Traced(const Traced& other) = default;
+Traced::Traced(Traced&& other) noexcept = default;
+Traced& Traced::operator=(const Traced& other) = default;
+Traced& Traced::operator=(Traced&& other) noexcept = default;
+Traced::~Traced() = default;
 
 Traced Traced::leaf(std::string symbol, double value, const Dimension& dimension, const Unit& display) {
   const Unit unit = display.dimension() == dimension ? display : readable_unit(dimension, value);

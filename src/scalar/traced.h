@@ -22,6 +22,12 @@ class Traced {
 
   Traced() = default;
   Traced(double literal) : value(literal) {}  // NOLINT(google-explicit-constructor): formulas mix with literals
+  // In traced.cpp: formulas consist of temporaries, and each would be compiled with the counting of references.
+  Traced(const Traced& other);
+  Traced(Traced&& other) noexcept;
+  Traced& operator=(const Traced& other);
+  Traced& operator=(Traced&& other) noexcept;
+  ~Traced();
 
   /// An argument of a formula: prints as its symbol, or as its value in `display`.
   static Traced leaf(std::string symbol, double value, const Dimension& dimension, const Unit& display);
