@@ -104,7 +104,9 @@ Dual<Interval, N> start_speed(const Dual<Interval, N>& static_torque,
                               const Dual<Interval, N>& inertia) {
   const Interval speed = start_speed(static_torque.value, load_torque.value, rotor_teeth.value, inertia.value);
   const Interval angle = asin(load_torque.value / static_torque.value);
-  const Interval by_static = 2.0 * cos(angle), by_load = larger(pi<Interval>() - 2.0 * angle, Interval(0.0));
+  // Neither is negative below a quarter turn, whatever rounding makes of the end.
+  const Interval by_static = larger(2.0 * cos(angle), Interval(0.0));
+  const Interval by_load = larger(pi<Interval>() - 2.0 * angle, Interval(0.0));
   // The square of the speed is 2 ΔU/J with ΔU = (...)/N_r.
   const Interval half_square = 0.5 * square(speed);
   Dual<Interval, N> squared(2.0 * half_square);

@@ -25,7 +25,7 @@ const catalogue::Catalogue& parts() {
 }
 
 struct Setup {
-  std::string direction = "horizontal", mechanism, motor = "microsteps = 8", require;
+  std::string direction = "horizontal", mechanism = {}, motor = "microsteps = 8", require = {};
 };
 
 machine::Problem one_axis(const Setup& s) {
