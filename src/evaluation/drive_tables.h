@@ -42,6 +42,9 @@ MotorTable motor_table(const catalogue::Catalogue& catalogue,
                        const std::vector<double>& voltages,
                        const PriceBook& prices);
 
+/// Whether a hard check of this axis reads the axial stiffness of nut and bearings, so that they must have one.
+bool stiffness_matters(const machine::Axis& axis);
+
 /// Fields of machine::CouplingReading, in order.
 SlotTable coupling_table(const catalogue::Catalogue& catalogue, const PriceBook& prices);
 /// Fields of machine::SupportReading, in order. `fixed`: takes thrust.

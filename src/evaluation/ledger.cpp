@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "evaluation/machine_model.h"
 #include "scalar/unit.h"
@@ -33,6 +34,11 @@ namespace {
 template <class Element>
 concept HasPhases = requires(const Element& e) {
   e.torque_ratios;
+};
+
+template <class Element>
+concept HasMotor = requires(const Element& e) {
+  e.motor.rated_current;
 };
 
 /// The phase in which the quantity of a constraint is largest.
@@ -86,10 +92,9 @@ class CheckVisitor {
     const auto unit = scalar::Unit::parse(declaration.unit, reason);
     check.value = unit ? unit->from_si(value) : value;
     check.limit = unit ? unit->from_si(limit) : limit;
-    check.utilisation = utilisation(value, limit);
-    check.verdict = std::isnan(value) || std::isnan(limit) ? Verdict::not_evaluated
-                    : check.utilisation <= 1.0             ? Verdict::satisfied
-                                                           : Verdict::violated;
+    const bool known = !std::isnan(value) && !std::isnan(limit);
+    check.utilisation = known ? utilisation(value, limit) : std::numeric_limits<double>::quiet_NaN();
+    check.verdict = !known ? Verdict::not_evaluated : check.utilisation <= 1.0 ? Verdict::satisfied : Verdict::violated;
     check.phase = worst_phase(element_, declaration.worst);
     out_.push_back(std::move(check));
   }
@@ -194,6 +199,7 @@ Design MachineModel::design(const solver::Build& build) const {
   design.supply_voltage = problem_.supply_voltages[build.shared.empty() ? 0 : build.shared.front()];
   design.dimensions.push_back({"machine", "supply_voltage", design.supply_voltage, "V"});
   std::vector<double> state = solver_problem_.first_state;
+  std::vector<double> motor_currents;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     const StageEntry& entry = entries_[i];
     const solver::StageChoice& choice = build.stages[i];
@@ -203,10 +209,12 @@ Design MachineModel::design(const solver::Build& build) const {
         .shared = build.shared, .rows = rows, .inherited = state, .variables = choice.variables};
     std::visit(
         [&](const auto& stage) {
-          const auto element = stage->template design<double>(selection);
-          CheckVisitor visitor(element, entry, design.checks);
-          constraints_of<std::remove_cvref_t<decltype(*stage)>>()(visitor);
           using Kind = std::remove_cvref_t<decltype(*stage)>;
+          auto element = stage->template design<double>(selection);
+          if constexpr (HasMotor<decltype(element)>) motor_currents.push_back(element.motor.rated_current);
+          if constexpr (std::is_same_v<Kind, SupplyStage>) element.motor_currents = motor_currents;
+          CheckVisitor visitor(element, entry, design.checks);
+          constraints_of<Kind>()(visitor);
           if constexpr (std::is_same_v<Kind, MemberStage>) {
             if (stage->tables().empty()) add_custom_member(*this, entry, element, design);
           }

@@ -25,7 +25,9 @@ MotorSet::MotorSet(MotorTable motors,
           require(estimate && !require.given(Requirement::torque_margin) ? Requirement::torque_margin_estimate
                                                                          : Requirement::torque_margin);
       machine::MotorReading<double> reading = machine::motor_reading(pair.at_voltage[v], margin);
-      visit_motor_reading(reading, [&](const double& x) { readings_[v].push_back(x); });
+      const auto keep = [&](const double& x) { readings_[v].push_back(x); };
+      visit_motor_reading(reading, keep);
+      visit_shown_motor_reading(reading, keep);
       for (std::size_t r = 0; r < ranges; ++r)
         torque_table_[v].push_back(available_torque<Interval>(pair, v, Interval(speeds_[r], speeds_[r + 1])));
     }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "evaluation/drive_tables.h"
+#include "machine/axis_motion.h"
 #include "machine/motor.h"
 #include "machine/requirement.h"
 #include "scalar/scalars.h"
@@ -54,12 +55,14 @@ class MotorSet {
   template <class T>
   [[nodiscard]] machine::MotorReading<T> reading(std::span<const solver::Row> alive, std::size_t voltage) const {
     machine::MotorReading<T> result;
+    constexpr std::size_t fields = machine::motor_reading_fields + machine::shown_motor_reading_fields;
     std::size_t field = 0;
-    visit_motor_reading(result, [&](T& x) {
-      x = hull_of<T>(alive,
-                     [&](solver::Row row) { return readings_[voltage][row * machine::motor_reading_fields + field]; });
+    const auto read = [&](T& x) {
+      x = hull_of<T>(alive, [&](solver::Row row) { return readings_[voltage][row * fields + field]; });
       ++field;
-    });
+    };
+    visit_motor_reading(result, read);
+    if constexpr (machine::shows_everything<T>) visit_shown_motor_reading(result, read);
     return result;
   }
 

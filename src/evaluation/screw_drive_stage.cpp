@@ -76,7 +76,9 @@ ScrewDriveStage::ScrewDriveStage(const machine::Axis& axis,
             .brake_torque = axis.motor.brake_torque,
             .vertical = gravity_acts(axis),
             .free_end = axis.mechanism.ends == machine::Ends::fixed_free,
-            .preloaded = axis.mechanism.preload_fraction > 0.0},
+            .both_ends_fixed = axis.mechanism.ends == machine::Ends::fixed_fixed,
+            .preloaded = axis.mechanism.preload_fraction > 0.0,
+            .preload_fraction = axis.mechanism.preload_fraction},
       place_(place),
       drives_(axis.mechanism.drives),
       load_share_(axis.mechanism.load_share),
@@ -84,8 +86,7 @@ ScrewDriveStage::ScrewDriveStage(const machine::Axis& axis,
       screws_(screw_table(catalogue, axis, prices)),
       has_free_support_(axis.mechanism.ends != machine::Ends::fixed_free) {
   name_ = axis.name + ".drive";
-  const bool stiffness =
-      axis.require.known(machine::Requirement::position_error) || axis.require.known(machine::Requirement::lost_motion);
+  const bool stiffness = stiffness_matters(axis);
   motors_ = std::make_unique<MotorSet>(
       motor_table(catalogue, axis, voltages, prices), axis.require, voltages.size(), speed_edges(axis, screws_));
   tables_.push_back(screws_.table);
@@ -118,6 +119,8 @@ ScrewDrive<T> ScrewDriveStage::design(const Selection<T>& s) const {
   };
   std::size_t field = 0;
   visit_screw_reading(d.screw, [&](T& x) { x = read(screw_slot, field++); });
+  if constexpr (machine::shows_everything<T>)
+    visit_shown_screw_reading(d.screw, [&](T& x) { x = read(screw_slot, field++); });
   const std::size_t voltage = s.shared.empty() ? 0 : s.shared.front();
   d.motor = motors_->template reading<T>(s.rows[motor_slot], voltage);
   d.motor_shaft = hull_of<T>(s.rows[motor_slot], [&](solver::Row row) { return motors_->motors().pairs[row].shaft; });
@@ -129,7 +132,15 @@ ScrewDrive<T> ScrewDriveStage::design(const Selection<T>& s) const {
                 read(coupling_slot, 2),
                 read(coupling_slot, 3),
                 read(coupling_slot, 4),
-                read(coupling_slot, 5)};
+                read(coupling_slot, 5),
+                T{},
+                T{},
+                T{}};
+  if constexpr (machine::shows_everything<T>) {
+    d.coupling.parallel_misalignment = read(coupling_slot, 6);
+    d.coupling.angular_misalignment = read(coupling_slot, 7);
+    d.coupling.axial_misalignment = read(coupling_slot, 8);
+  }
   d.support_fixed = {
       read(fixed_slot, 0), read(fixed_slot, 1), read(fixed_slot, 2), read(fixed_slot, 3), read(fixed_slot, 4)};
   d.support_free = has_free_support_

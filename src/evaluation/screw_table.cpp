@@ -27,7 +27,9 @@ bool all_known(std::span<const double> values) {
 
 std::vector<double> flat(const machine::ScrewReading<double>& reading) {
   std::vector<double> values;
-  visit_screw_reading(reading, [&](const double& field) { values.push_back(field); });
+  const auto keep = [&](const double& field) { values.push_back(field); };
+  visit_screw_reading(reading, keep);
+  visit_shown_screw_reading(reading, keep);
   return values;
 }
 
@@ -39,7 +41,8 @@ machine::ScrewSite site_of(const machine::Axis& axis, ScrewKind kind) {
           .length = axis.mechanism.length.value_or(0.0),
           .ends = axis.mechanism.ends,
           .preload_fraction = axis.mechanism.preload_fraction,
-          .permissible_axial_stress = axis.require(machine::Requirement::permissible_axial_stress)};
+          .permissible_axial_stress = axis.require(machine::Requirement::permissible_axial_stress),
+          .load_sharing_turns = axis.require(machine::Requirement::load_sharing_turns)};
 }
 
 void finish(ScrewTable& result,
@@ -49,7 +52,9 @@ void finish(ScrewTable& result,
             const machine::Axis& axis) {
   const machine::ScrewReading<double> reading = screw_reading(figures, site_of(axis, kind));
   const std::vector<double> values = flat(reading);
-  if (!all_known(values) || std::isnan(candidate.price) || std::isnan(candidate.mass)) return;
+  if (!all_known(std::span(values).first(machine::screw_reading_fields)) || std::isnan(candidate.price) ||
+      std::isnan(candidate.mass))
+    return;
   for (PartUse& part : candidate.parts)
     if (part.slot == "screw") part.length = reading.cut_length;
   result.table.add(std::move(candidate), values);
@@ -88,10 +93,8 @@ void add_ball_screws(const catalogue::Catalogue& catalogue,
             : 5e-5;
     f.dynamic_rating = number(column(Family::ball_screws, "dynamic_load_rating"));
     f.static_rating = number(column(Family::ball_screws, "static_load_rating"));
-    const bool stiffness_matters = axis.require.known(machine::Requirement::position_error) ||
-                                   axis.require.known(machine::Requirement::lost_motion);
     f.nut_stiffness = number(column(Family::ball_screws, "nut_stiffness"));
-    if (!stiffness_matters && std::isnan(f.nut_stiffness)) f.nut_stiffness = 0.0;
+    if (!stiffness_matters(axis) && std::isnan(f.nut_stiffness)) f.nut_stiffness = 0.0;
     f.speed_value_limit = number(column(Family::ball_screws, "dn_limit"));
     f.largest_length = number(column(Family::ball_screws, "maximum_length"));
     f.elastic_modulus = steel_modulus;
@@ -128,6 +131,16 @@ double yield_of(const Table& materials, std::string_view text) {
     }
   }
   return yield;
+}
+
+/// Specific wear rate [m^2/N] of a nut on steel, the upper end of what is usual for its material; NaN where nothing
+/// usual is known (a bronze that runs dry).
+double wear_rate_of(std::string_view material, bool greased) {
+  const auto names = [&](std::string_view word) { return material.find(word) != std::string_view::npos; };
+  if (names("POM")) return 1e-14;
+  if (names("polymer") || names("iglidur")) return 3e-15;
+  if (greased && (names("bronze") || names("brass"))) return 1e-15;
+  return std::numeric_limits<double>::quiet_NaN();
 }
 
 ScrewFigures<double> lead_screw_figures(const Table& screws, int row) {
@@ -174,6 +187,9 @@ void add_lead_screws(const catalogue::Catalogue& catalogue,
                                                                       ? column(Family::lead_nuts, "friction_greased")
                                                                       : column(Family::lead_nuts, "friction_dry")));
       f.nut_yield_strength = yield_of(catalogue.table(Family::materials), material);
+      f.wear_rate = axis.require.known(machine::Requirement::nut_wear_rate)
+                        ? axis.require(machine::Requirement::nut_wear_rate)
+                        : wear_rate_of(material, axis.mechanism.greased);
       f.nut_mass = number(column(Family::lead_nuts, "mass"));
       f.nut_length = number(column(Family::lead_nuts, "length"));
       f.backlash = number(column(Family::lead_nuts, "backlash"));
@@ -201,8 +217,14 @@ void add_lead_screws(const catalogue::Catalogue& catalogue,
 
 }  // namespace
 
+bool stiffness_matters(const machine::Axis& axis) {
+  using enum machine::Requirement;
+  return axis.require.known(position_error) || axis.require.known(lost_motion) || axis.require.known(axial_stiffness);
+}
+
 ScrewTable screw_table(const catalogue::Catalogue& catalogue, const machine::Axis& axis, const PriceBook& prices) {
-  ScrewTable result{SlotTable("screw", machine::screw_reading_fields), {}, {}};
+  constexpr std::size_t fields = machine::screw_reading_fields + machine::shown_screw_reading_fields;
+  ScrewTable result{SlotTable("screw", fields), {}, {}};
   if (axis.mechanism.ball_screws) add_ball_screws(catalogue, axis, prices, result);
   if (axis.mechanism.lead_screws) add_lead_screws(catalogue, axis, prices, result);
   return result;

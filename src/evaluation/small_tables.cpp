@@ -21,16 +21,21 @@ bool known(std::span<const double> values, const Candidate& candidate) {
 }  // namespace
 
 SlotTable coupling_table(const catalogue::Catalogue& catalogue, const PriceBook& prices) {
-  SlotTable result("coupling", 6);
+  // The misalignments are read by soft checks only: a coupling without them stays.
+  constexpr std::size_t needed = 6;
+  SlotTable result("coupling", 9);
   const Table& t = catalogue.table(Family::couplings);
   for (int row = 0; row < t.rows(); ++row) {
     const auto number = [&](catalogue::Column c) { return t.number(c, row); };
-    const std::array<double, 6> readings{number(column(Family::couplings, "inertia")),
+    const std::array<double, 9> readings{number(column(Family::couplings, "inertia")),
                                          number(column(Family::couplings, "rated_torque")),
                                          number(column(Family::couplings, "torsional_stiffness")),
                                          number(column(Family::couplings, "maximum_speed")),
                                          number(column(Family::couplings, "minimum_bore")),
-                                         number(column(Family::couplings, "maximum_bore"))};
+                                         number(column(Family::couplings, "maximum_bore")),
+                                         number(column(Family::couplings, "parallel_misalignment")),
+                                         number(column(Family::couplings, "angular_misalignment")),
+                                         number(column(Family::couplings, "axial_misalignment"))};
     Candidate candidate = candidate_of({{"coupling",
                                          Family::couplings,
                                          row,
@@ -39,7 +44,7 @@ SlotTable coupling_table(const catalogue::Catalogue& catalogue, const PriceBook&
                                          prices.line(t, row, 1.0, 0.0),
                                          number(column(Family::couplings, "mass"))}},
                                        0.0);
-    if (known(readings, candidate)) result.add(std::move(candidate), readings);
+    if (known(std::span(readings).first(needed), candidate)) result.add(std::move(candidate), readings);
   }
   return result;
 }
@@ -120,7 +125,8 @@ SlotTable belt_table(const catalogue::Catalogue& catalogue, const machine::Axis&
             drive(column(Family::pulleys, "inertia")),
             idle(column(Family::pulleys, "inertia")),
             idler_diameter,
-            drive(column(Family::pulleys, "bore"))};
+            drive(column(Family::pulleys, "bore")),
+            width};
         // The belt moves with the carriage (a reading of the drive) and hangs on the parent (its standing mass).
         Candidate candidate =
             candidate_of({{"belt", Family::belts, b, 1.0, length, prices.line(belts, b, 0.0, length), belt_mass},

@@ -17,11 +17,12 @@ SupplyStage::SupplyStage(const std::vector<double>& voltages,
                          const PriceBook& prices)
     : voltages_(voltages), reserve_(reserve) {
   name_ = "machine.supply";
-  SlotTable table("supply", 2);
+  SlotTable table("supply", 3);
   const catalogue::Table& t = catalogue.table(Family::power_supplies);
   for (int row = 0; row < t.rows(); ++row) {
-    const std::array<double, 2> readings{t.number(column(Family::power_supplies, "power"), row),
-                                         t.number(column(Family::power_supplies, "output_voltage"), row)};
+    const std::array<double, 3> readings{t.number(column(Family::power_supplies, "power"), row),
+                                         t.number(column(Family::power_supplies, "output_voltage"), row),
+                                         t.number(column(Family::power_supplies, "output_current"), row)};
     const double mass = t.number(column(Family::power_supplies, "mass"), row);
     Candidate candidate =
         candidate_of({{"supply", Family::power_supplies, row, 1.0, 0.0, prices.line(t, row, 1.0, 0.0), mass}}, 0.0);
@@ -40,8 +41,13 @@ Supply<T> SupplyStage::design(const Selection<T>& s) const {
   const auto read = [&](std::size_t field) {
     return hull_of<T>(s.rows[0], [&](solver::Row row) { return tables_[0].reading(row, field); });
   };
-  return {
-      T(reserve_) * s.inherited[power_state], read(0), read(1), T(voltages_[s.shared.empty() ? 0 : s.shared.front()])};
+  Supply<T> d;
+  d.demanded_power = T(reserve_) * s.inherited[power_state];
+  d.rated_power = read(0);
+  d.voltage = read(1);
+  d.required_voltage = T(voltages_[s.shared.empty() ? 0 : s.shared.front()]);
+  if constexpr (machine::shows_everything<T>) d.rated_current = read(2);
+  return d;
 }
 
 template <class T>

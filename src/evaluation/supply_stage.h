@@ -15,6 +15,9 @@ struct Supply {
   T demanded_power{};  ///< W, with reserve
   T rated_power{};
   T voltage{}, required_voltage{};
+  // What only soft checks read, and the search therefore does not fill in.
+  std::vector<T> motor_currents{};  ///< A, rated, of all motors; whoever knows the motors fills it in
+  T rated_current{};
 };
 
 template <class Visit>
@@ -31,6 +34,16 @@ void supply_constraints(Visit&& visit) {
       always,
       [](const auto& d) { return d.demanded_power; },
       [](const auto& d) { return d.rated_power; });
+  visit(
+      Declaration{.id = "C-PSU-CURRENT",
+                  .title = "Supply current, rule of two thirds of the motors' rated currents",
+                  .symbol = "I",
+                  .unit = "A",
+                  .kind = machine::ConstraintKind::soft,
+                  .source = "gecko_step_motor_basics"},
+      always,
+      [](const auto& d) { return mechanics::stepper::supply_current(std::span(std::as_const(d.motor_currents))); },
+      [](const auto& d) { return d.rated_current; });
   visit(
       Declaration{.id = "F-SUPPLY-VOLTAGE",
                   .title = "Supply gives the voltage of the drives",

@@ -154,4 +154,21 @@ T largest(const std::vector<T>& values) {
   return result;
 }
 
+/// The smallest of a list, as `largest`.
+template <class T>
+T smallest(const std::vector<T>& values) {
+  std::vector<T> negative;
+  for (const T& value : values) negative.push_back(-value);
+  return -largest(negative);
+}
+
+/// The hardest acceleration of the cycle [m/s^2].
+template <class T>
+T largest_acceleration(const Cycle<T>& cycle) {
+  std::vector<T> accelerations;
+  for (const Phase<T>& phase : cycle.phases)
+    if (phase.may_govern) accelerations.push_back(phase.acceleration);
+  return largest(accelerations);
+}
+
 }  // namespace millwright::machine

@@ -26,6 +26,7 @@ struct BeltReading {
   T belt_length{}, belt_mass{}, span{};
   T teeth{}, pitch_diameter{}, pulley_inertia{}, idler_inertia{}, idler_diameter{};
   T bore{};
+  T width{};
 };
 
 template <class Reading, class Visit>
@@ -43,10 +44,11 @@ void visit_belt_reading(Reading& r, Visit&& visit) {
                       &r.pulley_inertia,
                       &r.idler_inertia,
                       &r.idler_diameter,
-                      &r.bore})
+                      &r.bore,
+                      &r.width})
     visit(*field);
 }
-inline constexpr std::size_t belt_reading_fields = 14;
+inline constexpr std::size_t belt_reading_fields = 15;
 
 struct BeltDriveData {
   MotionData motion;
@@ -152,6 +154,32 @@ T power_off_torque(const BeltDrive<T>& d) {
          T(d.data->efficiency);
 }
 
+/// Acceleration of the motor in the hardest ramp [rad/s^2].
+template <class T>
+T largest_motor_acceleration(const BeltDrive<T>& d) {
+  return largest_acceleration(d.cycle) / d.radius;
+}
+
+/// Torque that friction costs the motor before anything moves [N.m].
+template <class T>
+T friction_torque(const BeltDrive<T>& d) {
+  return d.cycle.friction_force * d.radius / T(d.data->efficiency);
+}
+
+/// Force along the travel at constant speed [N]: weight, friction, process.
+template <class T>
+T steady_force(const BeltDrive<T>& d) {
+  using namespace scalar;
+  const T weight = larger(d.cycle.gravity_force, in_unit<T>(0.0, dimension::force));
+  return weight + d.cycle.friction_force + d.cycle.process_force;
+}
+
+/// Stiffness of the carriage on its belt where it is softest [N/m].
+template <class T>
+T belt_stiffness(const BeltDrive<T>& d) {
+  return mechanics::belt::least_stiffness(d.belt.specific_stiffness, 2.0 * d.belt.span);
+}
+
 /// Smallest of all speed limits of the drive [m/s]: pulse rate and belt speed.
 template <class T>
 T speed_limit(const BeltDrive<T>& d) {
@@ -172,8 +200,7 @@ T resolution(const BeltDrive<T>& d) {
 /// Reversal error [m]: twice the stretch of the belt under friction at its softest position.
 template <class T>
 T reversal_error(const BeltDrive<T>& d) {
-  const T stiffness = mechanics::belt::least_stiffness(d.belt.specific_stiffness, 2.0 * d.belt.span);
-  return 2.0 * mechanics::belt::position_error(d.cycle.friction_force, stiffness);
+  return 2.0 * mechanics::belt::position_error(d.cycle.friction_force, belt_stiffness(d));
 }
 
 /// Error budget of the axis [m]: belt pitch error (0.2 mm/m, a usual figure), stretch and motor lag

@@ -99,6 +99,55 @@ void belt_constraints(Visit&& visit) {
       [](const auto& d) { return d.belt.belt_mass; },
       [](const auto& d) { return d.require(belt_mass_allowance, dimension::mass); });
   visit(
+      Declaration{.id = "C-BT-WIDTH",
+                  .title = "Belt width",
+                  .symbol = "b",
+                  .unit = "mm",
+                  .source = "iso5295; fdm_printer, eq. 19 and 20",
+                  .requirement = "belt_service_factor",
+                  .worst = WorstPhase::force},
+      always,
+      [](const auto& d) {
+        const auto turning = bt::centrifugal_tension(d.belt.mass_per_length, d.cycle.peak_speed);
+        const auto tension = d.require(belt_service_factor) * bt::tight_side_tension(d.largest_force, turning);
+        // Without a tooth in mesh any width is too small, but not endless.
+        const auto teeth = larger(bt::tooth_factor(d.teeth_in_mesh), decltype(d.peak_speed)(1e-9));
+        return bt::required_width(tension, teeth, d.belt.allowable_tension / d.belt.width);
+      },
+      [](const auto& d) { return d.belt.width; });
+  visit(
+      Declaration{.id = "C-BT-STIFF",
+                  .title = "Stretch of the belt under the steady load",
+                  .symbol = "δ",
+                  .unit = "um",
+                  .source = "millwright_derivations, stretch of a belt",
+                  .requirement = "belt_stretch_share"},
+      [](const auto& d) { return d.data->require.known(position_error) ? Applies::yes : Applies::no; },
+      [](const auto& d) { return bt::position_error(steady_force(d), belt_stiffness(d)); },
+      [](const auto& d) { return d.require(belt_stretch_share) * d.require(position_error, dimension::length); });
+  visit(
+      Declaration{.id = "C-BT-FREQ",
+                  .title = "Frequency of the carriage on its belt",
+                  .symbol = "f",
+                  .unit = "Hz",
+                  .kind = ConstraintKind::soft,
+                  .source = "millwright_derivations, frequency of a mass on a belt",
+                  .requirement = "belt_frequency"},
+      always,
+      [](const auto& d) { return d.require(belt_frequency, dimension::none / dimension::time); },
+      [](const auto& d) { return bt::axis_resonant_frequency(belt_stiffness(d), d.moved_mass); });
+  visit(
+      Declaration{.id = "C-ST-RADIAL",
+                  .title = "Radial load on the motor shaft",
+                  .symbol = "F_R",
+                  .unit = "N",
+                  .source = "autodesk_synchronous_belts",
+                  .requirement = "motor_radial_load",
+                  .worst = WorstPhase::force},
+      [](const auto& d) { return d.data->require.known(motor_radial_load) ? Applies::yes : Applies::no; },
+      [](const auto& d) { return bt::shaft_load(d.pretension, d.wrap); },
+      [](const auto& d) { return d.require(motor_radial_load, dimension::force); });
+  visit(
       Declaration{.id = "F-PULLEY-BORE",
                   .title = "Motor shaft fits the pulley bore",
                   .symbol = "d",
@@ -124,6 +173,7 @@ template <class Visit>
 void belt_drive_constraints(Visit&& visit) {
   belt_constraints(visit);
   motor_constraints(visit);
+  motor_current_constraints(visit);
   accuracy_constraints(visit);
 }
 

@@ -33,11 +33,15 @@ inline constexpr double driver_efficiency = 0.9;  ///< lower end of the usual 0.
 template <class T>
 struct MotorReading {
   T rotor_inertia{}, holding_torque{}, detent_torque{}, rotor_teeth{};
-  T current{};  ///< I_p
-  T driver_peak_current{}, driver_largest_voltage{}, driver_least_voltage{}, voltage{};
+  T current_ratio{};  ///< I_p over the rated current
+  T driver_largest_voltage{}, driver_least_voltage{}, voltage{};
   T static_torque{};  ///< K_m * I_p
   T copper_loss{};
   T torque_margin{};  ///< permitted share of the available torque: lower where the torque is an estimate
+  // What only soft checks read, and the search therefore does not fill in.
+  T current{};        ///< I_p
+  T asked_current{};  ///< k * rated, more than a weak driver gives
+  T driver_peak_current{}, rated_current{}, resistance{};
 };
 
 template <class Reading, class Visit>
@@ -46,8 +50,7 @@ void visit_motor_reading(Reading& r, Visit&& visit) {
                       &r.holding_torque,
                       &r.detent_torque,
                       &r.rotor_teeth,
-                      &r.current,
-                      &r.driver_peak_current,
+                      &r.current_ratio,
                       &r.driver_largest_voltage,
                       &r.driver_least_voltage,
                       &r.voltage,
@@ -56,7 +59,14 @@ void visit_motor_reading(Reading& r, Visit&& visit) {
                       &r.torque_margin})
     visit(*field);
 }
-inline constexpr std::size_t motor_reading_fields = 12;
+inline constexpr std::size_t motor_reading_fields = 11;
+
+template <class Reading, class Visit>
+void visit_shown_motor_reading(Reading& r, Visit&& visit) {
+  for (auto* field : {&r.current, &r.asked_current, &r.driver_peak_current, &r.rated_current, &r.resistance})
+    visit(*field);
+}
+inline constexpr std::size_t shown_motor_reading_fields = 5;
 
 template <class T>
 MotorReading<T> motor_reading(const MotorFigures<T>& f, const T& torque_margin) {
@@ -67,8 +77,12 @@ MotorReading<T> motor_reading(const MotorFigures<T>& f, const T& torque_margin) 
   r.holding_torque = f.holding_torque;
   r.detent_torque = f.detent_torque;
   r.rotor_teeth = f.rotor_teeth;
-  r.current = named("I_p", smaller(f.driver_peak_current, f.current_factor * f.rated_current));
+  r.asked_current = f.current_factor * f.rated_current;
+  r.current = named("I_p", smaller(f.driver_peak_current, r.asked_current));
+  r.current_ratio = named("I_p/I_r", r.current / f.rated_current);
   r.driver_peak_current = f.driver_peak_current;
+  r.rated_current = f.rated_current;
+  r.resistance = f.resistance;
   r.driver_largest_voltage = f.driver_largest_voltage;
   r.driver_least_voltage = f.driver_least_voltage;
   r.voltage = f.voltage;

@@ -2,12 +2,15 @@
 //
 // Constraints of motor, driver and accuracy that every drive has. They are generic over the drive's design, which
 // offers motor, cycle, torque_ratios, load_torque, load_inertia, rms_torque, peak_speed and the functions
-// back_driving_torque, power_off_torque, speed_limit, resolution, reversal_error and position_error_budget.
+// back_driving_torque, power_off_torque, speed_limit, resolution, reversal_error, position_error_budget,
+// largest_motor_acceleration and friction_torque.
 #pragma once
+
+#include <numbers>
 
 #include "machine/axis_motion.h"
 #include "machine/constraint.h"
-#include "machine/motor.h"
+#include "machine/motor_quantities.h"
 #include "machine/requirement.h"
 #include "mechanics/stepper.h"
 #include "scalar/scalars.h"
@@ -110,15 +113,20 @@ void motor_constraints(Visit&& visit) {
                       in_unit_like(d.peak_speed, brake, dimension::torque));
       });
   visit(
-      Declaration{.id = "C-DR-CURRENT",
-                  .title = "Driver current",
-                  .symbol = "I_p",
-                  .unit = "A",
-                  .source = "millwright_derivations, current that a driver gives",
-                  .requirement = "current_factor"},
+      Declaration{.id = "C-ST-START",
+                  .title = "First full step of a ramp against the start-stop rate",
+                  .symbol = "f_1",
+                  .unit = "Hz",
+                  .source = "millwright_derivations, energy of the rotor in the field's potential well",
+                  .requirement = "start_rate_factor"},
       always,
-      [](const auto& d) { return d.motor.current; },
-      [](const auto& d) { return d.motor.driver_peak_current; });
+      [](const auto& d) {
+        return st::pulse_rate(d.motor.rotor_teeth, decltype(d.peak_speed)(1.0), first_step_speed(d));
+      },
+      [](const auto& d) {
+        return d.require(start_rate_factor) *
+               st::pulse_rate(d.motor.rotor_teeth, decltype(d.peak_speed)(1.0), start_stop_speed(d));
+      });
   visit(
       Declaration{.id = "C-DR-VOLT",
                   .title = "Driver voltage",
@@ -149,6 +157,72 @@ void motor_constraints(Visit&& visit) {
       always,
       [](const auto& d) { return d.cycle.peak_speed; },
       [](const auto& d) { return speed_limit(d); });
+}
+
+/// Current and heat of the motor, and what else is reported of it.
+template <class Visit>
+void motor_current_constraints(Visit&& visit) {
+  using namespace scalar;
+  using enum Requirement;
+  namespace st = mechanics::stepper;
+  visit(
+      Declaration{.id = "C-DR-CURRENT",
+                  .title = "Driver gives the current asked for",
+                  .symbol = "k I_r",
+                  .unit = "A",
+                  .kind = ConstraintKind::soft,
+                  .source = "millwright_derivations, current that a driver gives",
+                  .requirement = "current_factor"},
+      always,
+      [](const auto& d) { return d.motor.asked_current; },
+      [](const auto& d) { return d.motor.driver_peak_current; });
+  // A sine of the amplitude sqrt(2) I_r in both phases heats like direct currents I_r in both, for which makers rate.
+  visit(
+      Declaration{.id = "C-DR-MOTORI",
+                  .title = "Current set at the driver over the motor's rated current",
+                  .symbol = "I_p/I_r",
+                  .unit = "1",
+                  .source = "acarnley2002, chapter 5",
+                  .requirement = "current_factor"},
+      always,
+      [](const auto& d) { return d.motor.current_ratio; },
+      [](const auto& d) { return decltype(d.peak_speed)(std::numbers::sqrt2); });
+  visit(
+      Declaration{.id = "C-ST-TEMP",
+                  .title = "Winding above ambient temperature",
+                  .symbol = "ΔT_w",
+                  .unit = "K",
+                  .kind = ConstraintKind::soft,
+                  .source = "millwright_derivations, heat balance of the winding; iec60034_1",
+                  .requirement = "winding_temperature_rise"},
+      always,
+      [](const auto& d) { return steady_winding_rise(d); },
+      [](const auto& d) { return d.require(winding_temperature_rise, dimension::temperature); });
+  visit(
+      Declaration{.id = "C-ST-RES",
+                  .title = "Step rate away from the motor's resonance, full and half steps",
+                  .symbol = "ln r",
+                  .unit = "1",
+                  .kind = ConstraintKind::soft,
+                  .source = "acarnley2002, chapter 6",
+                  .requirement = "resonance_distance"},
+      [](const auto& d) { return d.data->microsteps <= 2.0 ? Applies::yes : Applies::no; },
+      [](const auto& d) { return log(d.require(resonance_distance)); },
+      [](const auto& d) { return distance_from_resonance(d); });
+  visit(
+      Declaration{.id = "C-ST-POWER",
+                  .title = "Output power against the rating of a winding, paper rule",
+                  .symbol = "P",
+                  .unit = "W",
+                  .kind = ConstraintKind::soft,
+                  .source = "torch_table, motor power",
+                  .requirement = "output_power_factor",
+                  .worst = WorstPhase::torque},
+      [](const auto& d) { return d.data->require.known(output_power_factor) ? Applies::yes : Applies::no; },
+      [](const auto& d) { return largest_output_power(d); },
+      [](const auto& d) {
+        return d.require(output_power_factor) * st::copper_loss(d.motor.rated_current, d.motor.resistance);
+      });
 }
 
 /// Resolution, lost motion and the error budget: checked where the problem states what is required.
@@ -186,6 +260,18 @@ void accuracy_constraints(Visit&& visit) {
       [](const auto& d) { return d.data->require.known(lost_motion) ? Applies::yes : Applies::no; },
       [](const auto& d) { return reversal_error(d); },
       [](const auto& d) { return d.require(lost_motion, dimension::length); });
+  visit(
+      Declaration{.id = "C-ACC-MICRO",
+                  .title = "Friction against the torque of one microstep",
+                  .symbol = "T_f",
+                  .unit = "N.m",
+                  .kind = ConstraintKind::soft,
+                  .source = "acarnley2002, chapter 5"},
+      always,
+      [](const auto& d) { return friction_torque(d); },
+      [](const auto& d) {
+        return mechanics::stepper::microstep_torque(d.motor.static_torque, decltype(d.peak_speed)(d.data->microsteps));
+      });
 }
 
 }  // namespace millwright::machine

@@ -35,6 +35,13 @@ Side side_of(Requirement requirement) {
     case Requirement::buckling_factor:
     case Requirement::critical_speed_factor:
     case Requirement::driver_voltage_factor:
+    case Requirement::start_rate_factor:
+    case Requirement::nut_wear_fraction:
+    case Requirement::largest_preload_fraction:
+    case Requirement::lead_error_share:
+    case Requirement::windup_share:
+    case Requirement::thermal_growth_share:
+    case Requirement::belt_stretch_share:
     case Requirement::resolution_fraction:
     case Requirement::guide_shaft_deflection_ratio:
     case Requirement::frame_deflection_ratio:
@@ -51,6 +58,8 @@ Side side_of(Requirement requirement) {
     case Requirement::coupling_shock_factor:
     case Requirement::belt_service_factor:
     case Requirement::belt_preload_fraction:
+    case Requirement::resonance_distance:
+    case Requirement::torsional_frequency_factor:
     case Requirement::guide_static_safety:
     case Requirement::guide_load_factor:
     case Requirement::guide_shaft_safety_factor:

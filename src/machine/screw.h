@@ -31,6 +31,7 @@ struct ScrewFigures {
   T nominal_diameter{}, mean_diameter{}, root_diameter{}, nut_thread_diameter{}, pitch{}, lead{}, flank_angle{},
       thread_depth{};
   T friction{};        ///< of the thread, or of the balls
+  T wear_rate{};       ///< m^2/N, specific, of the nut; NaN where nothing is known of its material
   T yield_strength{};  ///< screw
   T nut_yield_strength{};
   T mass_per_length{}, nut_mass{}, nut_length{};
@@ -50,6 +51,7 @@ struct ScrewSite {
   Ends ends = Ends::fixed_supported;
   double preload_fraction = 0.0;
   double permissible_axial_stress = 147e6;
+  double load_sharing_turns = 10.0;
 };
 
 /// Quantities of one screw with its nut on this axis.
@@ -66,6 +68,9 @@ struct ScrewReading {
   T allowable_pressure{}, pv_limit{}, sliding_speed_limit{};
   T dynamic_rating{}, static_rating{}, preload{}, nut_stiffness{};
   T lead_error_300{}, backlash{}, pitch_circle{};
+  // What only soft checks read, and the search therefore does not fill in.
+  T nut_turns{};  ///< in mesh, whether or not they share the load
+  T flank_angle{}, wear_rate{};
 };
 
 /// Every field of a reading, in one place: hulls, conversions and tests walk it.
@@ -112,6 +117,12 @@ void visit_screw_reading(Reading& r, Visit&& visit) {
     visit(*field);
 }
 inline constexpr std::size_t screw_reading_fields = 38;
+
+template <class Reading, class Visit>
+void visit_shown_screw_reading(Reading& r, Visit&& visit) {
+  for (auto* field : {&r.nut_turns, &r.flank_angle, &r.wear_rate}) visit(*field);
+}
+inline constexpr std::size_t shown_screw_reading_fields = 3;
 
 /// From figures to readings.
 template <class T>
@@ -161,7 +172,10 @@ ScrewReading<T> screw_reading(const ScrewFigures<T>& f, const ScrewSite& site) {
     r.critical_speed = named("ω_c",
                              mechanics::critical_speed::critical_speed(
                                  eigenvalue, f.root_diameter, r.supported_length, f.elastic_modulus, f.density));
-    r.engaged_turns = named("n", smaller(ps::engaged_turns(f.nut_length, f.pitch), T(10.0)));
+    r.nut_turns = named("n_H", ps::engaged_turns(f.nut_length, f.pitch));
+    r.engaged_turns = named("n", smaller(r.nut_turns, T(site.load_sharing_turns)));
+    r.flank_angle = f.flank_angle;
+    r.wear_rate = f.wear_rate;
     r.thread_depth = f.thread_depth;
     r.screw_root_thickness =
         named("t_r", ps::thread_root_thickness(f.pitch, f.flank_angle, f.mean_diameter, f.root_diameter));

@@ -11,6 +11,7 @@ namespace millwright::machine {
 
 inline constexpr auto when_sliding = [](const auto& d) { return d.sliding(); };
 inline constexpr auto when_ball = [](const auto& d) { return d.ball(); };
+inline constexpr auto when_preloaded = [](const auto& d) { return d.data->preloaded ? d.ball() : Applies::no; };
 
 /// Travel, time, and strength of the core: every screw.
 template <class Visit>
@@ -81,6 +82,31 @@ void screw_shaft_constraints(Visit&& visit) {
       [](const auto& d) {
         return mechanics::material::allowable_stress(d.screw.yield_strength, d.require(screw_shear_safety_factor));
       });
+  visit(
+      Declaration{.id = "C-SCR-DC",
+                  .title = "Core diameter, first sizing without torsion",
+                  .symbol = "d_c",
+                  .unit = "mm",
+                  .source = "torch_table, eq. 15",
+                  .requirement = "screw_shear_safety_factor",
+                  .worst = WorstPhase::force},
+      always,
+      [](const auto& d) {
+        return ps::required_core_diameter(
+            d.largest_force, d.require(screw_shear_safety_factor), d.screw.yield_strength);
+      },
+      [](const auto& d) { return d.screw.root_diameter; });
+  visit(
+      Declaration{.id = "C-SCR-EFF",
+                  .title = "Efficiency of the screw",
+                  .symbol = "η",
+                  .unit = "1",
+                  .kind = ConstraintKind::soft,
+                  .source = "khurmi_gupta2005, section 17.6; thk_catalogue, efficiency",
+                  .requirement = "efficiency"},
+      [](const auto& d) { return d.data->require.known(efficiency) ? Applies::yes : Applies::no; },
+      [](const auto& d) { return d.require(efficiency); },
+      [](const auto& d) { return d.screw.efficiency; });
   visit(
       Declaration{.id = "C-SCR-TWIST",
                   .title = "Twist of the screw",
@@ -190,6 +216,28 @@ void sliding_screw_constraints(Visit&& visit) {
         return mechanics::material::allowable_stress(d.screw.yield_strength, d.require(thread_safety_factor));
       });
   visit(
+      Declaration{.id = "C-SCR-NTURNS",
+                  .title = "Turns of the nut that share the load",
+                  .symbol = "n",
+                  .unit = "1",
+                  .kind = ConstraintKind::soft,
+                  .source = "khurmi_gupta2005, section 17.13",
+                  .requirement = "load_sharing_turns"},
+      when_sliding,
+      [](const auto& d) { return d.screw.nut_turns; },
+      [](const auto& d) { return d.require(load_sharing_turns); });
+  visit(
+      Declaration{.id = "C-SCR-WEAR",
+                  .title = "Travel until the nut is worn, order of magnitude",
+                  .symbol = "s",
+                  .unit = "km",
+                  .kind = ConstraintKind::soft,
+                  .source = "tribology_abc; millwright_derivations, wear of a nut",
+                  .requirement = "nut_wear_fraction"},
+      when_sliding,
+      [](const auto& d) { return d.require(life, dimension::time) * d.cycle.travelled / d.cycle.total_time; },
+      [](const auto& d) { return wear_travel(d); });
+  visit(
       Declaration{.id = "C-SCR-BUCK",
                   .title = "Screw buckling",
                   .symbol = "F",
@@ -223,7 +271,7 @@ void sliding_screw_constraints(Visit&& visit) {
       [](const auto& d) { return 1.0 / d.require(self_locking_factor); });
 }
 
-/// Life, static safety, stability and speed of a ball screw.
+/// Life, static safety, stability, speed and preload of a ball screw.
 template <class Visit>
 void ball_screw_constraints(Visit&& visit) {
   using namespace scalar;
@@ -291,6 +339,27 @@ void ball_screw_constraints(Visit&& visit) {
       when_ball,
       [](const auto& d) { return bs::speed_value(d.screw.pitch_circle, d.peak_speed); },
       [](const auto& d) { return d.screw.speed_value_limit; });
+  visit(
+      Declaration{.id = "C-BS-PREMIN",
+                  .title = "Preload keeps the nut free of play",
+                  .symbol = "F_pr",
+                  .unit = "N",
+                  .kind = ConstraintKind::soft,
+                  .source = "iso3408_5, section 7.1.3",
+                  .worst = WorstPhase::force},
+      when_preloaded,
+      [](const auto& d) { return bs::required_preload(d.largest_force); },
+      [](const auto& d) { return d.screw.preload; });
+  visit(
+      Declaration{.id = "C-BS-PREMAX",
+                  .title = "Preload over the dynamic load rating",
+                  .symbol = "F_pr/C",
+                  .unit = "1",
+                  .source = "thk_catalogue, preload",
+                  .requirement = "largest_preload_fraction"},
+      when_preloaded,
+      [](const auto& d) { return decltype(d.peak_speed)(d.data->preload_fraction); },
+      [](const auto& d) { return d.require(largest_preload_fraction); });
 }
 
 }  // namespace millwright::machine

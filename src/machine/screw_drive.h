@@ -22,6 +22,8 @@ namespace millwright::machine {
 template <class T>
 struct CouplingReading {
   T inertia{}, rated_torque{}, stiffness{}, largest_speed{}, least_bore{}, largest_bore{};
+  /// Permissible misalignments, m, rad and m; only soft checks read them, and the search does not fill them in.
+  T parallel_misalignment{}, angular_misalignment{}, axial_misalignment{};
 };
 
 template <class T>
@@ -37,9 +39,11 @@ struct ScrewDriveData {
   double stroke = 0.0;
   double microsteps = 16.0;
   double brake_torque = 0.0;
-  bool vertical = false;   ///< gravity acts along the travel
-  bool free_end = false;   ///< the far end of the screw has no support
-  bool preloaded = false;  ///< ball nuts run with the preload of the problem file
+  bool vertical = false;          ///< gravity acts along the travel
+  bool free_end = false;          ///< the far end of the screw has no support
+  bool both_ends_fixed = false;   ///< the far support takes thrust too
+  bool preloaded = false;         ///< ball nuts run with the preload of the problem file
+  double preload_fraction = 0.0;  ///< of the dynamic load rating
 };
 
 template <class T>

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "machine/motor_constraints.h"
+#include "machine/screw_accuracy_constraints.h"
 #include "machine/screw_constraints.h"
 #include "machine/screw_fit_constraints.h"
 
@@ -15,8 +16,10 @@ void screw_drive_constraints(Visit&& visit) {
   sliding_screw_constraints(visit);
   ball_screw_constraints(visit);
   motor_constraints(visit);
+  motor_current_constraints(visit);
   coupling_constraints(visit);
   accuracy_constraints(visit);
+  screw_accuracy_constraints(visit);
   screw_fit_constraints(visit);
 }
 

@@ -10,6 +10,9 @@
 
 namespace millwright::machine {
 
+/// Thermal expansion of steel [1/K], 12 um per metre and kelvin.
+inline constexpr double steel_expansion = 12e-6;
+
 /// `with()` where the property holds, `without` where it does not; for a set of designs of which some have it, both.
 template <class T, class With>
 T where_applies(Applies applies, const T& without, With&& with) {
@@ -114,6 +117,106 @@ T axial_stiffness(const ScrewDrive<T>& d) {
   return where_applies(d.ball(), of_first(2), [&] { return of_first(3); });
 }
 
+/// Axial stiffness between motor and table at the worst place of the nut [N/m]: the far end, or, with thrust taken at
+/// both ends, where the two sides, each a length of shaft with its bearing, give way alike: there one quarter of the
+/// compliance that shaft and bearings have in a row. The ball nut at its preload, else at the largest force.
+template <class T>
+T least_axial_stiffness(const ScrewDrive<T>& d) {
+  using namespace scalar;
+  namespace bs = mechanics::ball_screw;
+  const T shaft = named("k_S",
+                        mechanics::power_screw::axial_stiffness_one_end_fixed(
+                            d.screw.elastic_modulus, d.screw.root_diameter, d.screw.supported_length));
+  const std::array<T, 3> row{shaft, d.support_fixed.axial_stiffness, d.support_free.axial_stiffness};
+  const T held = named("k_SB",
+                       d.data->both_ends_fixed ? 4.0 * bs::chain_stiffness(std::span<const T>(row))
+                                               : bs::chain_stiffness(std::span<const T>(row).first(2)));
+  return where_applies(d.ball(), held, [&] {
+    const T nut = named(
+        "k_N",
+        d.data->preloaded ? bs::preloaded_nut_stiffness(d.screw.nut_stiffness, d.screw.preload, d.screw.dynamic_rating)
+                          : bs::nut_stiffness(d.screw.nut_stiffness, d.largest_force, d.screw.dynamic_rating));
+    const std::array<T, 2> chain{held, nut};
+    return bs::chain_stiffness(std::span<const T>(chain));
+  });
+}
+
+/// Torque that friction costs the motor before anything moves [N.m]: of guides and nut, and half of what the weight
+/// makes the thread ask more going up than it gives back going down.
+template <class T>
+T friction_torque(const ScrewDrive<T>& d) {
+  using namespace scalar;
+  const T weight = larger(d.cycle.gravity_force, in_unit<T>(0.0, dimension::force));
+  const T raising = mechanics::ball_screw::drive_torque(weight, d.screw.lead, d.screw.efficiency);
+  const T lowering = mechanics::ball_screw::backdriving_torque(weight, d.screw.lead, d.screw.reverse_efficiency);
+  return mechanics::ball_screw::drive_torque(d.cycle.friction_force, d.screw.lead, d.screw.efficiency) +
+         0.5 * (raising - lowering) + d.screw.drag_torque;
+}
+
+/// Acceleration of the motor in the hardest ramp [rad/s^2].
+template <class T>
+T largest_motor_acceleration(const ScrewDrive<T>& d) {
+  return largest_acceleration(d.cycle) * 2.0 * scalar::pi<T>() / d.screw.lead;
+}
+
+/// Travel of the nut until its thread is worn thin [m], under the mean force over the travel: wear grows with pressure
+/// times distance.
+template <class T>
+T wear_travel(const ScrewDrive<T>& d) {
+  using namespace scalar;
+  T work = in_unit<T>(0.0, dimension::force * dimension::length);
+  for (std::size_t i = 0; i < d.cycle.phases.size(); ++i)
+    work = work + d.axial_forces[i] * d.cycle.phases[i].mean_speed * d.cycle.phases[i].duration;
+  const T pressure =
+      named("p_m",
+            mechanics::power_screw::bearing_pressure(
+                T(work / d.cycle.travelled), d.screw.mean_diameter, d.screw.thread_depth, d.screw.engaged_turns));
+  const T wear = named("δ_w", d.require(Requirement::nut_wear_fraction) * d.screw.nut_root_thickness);
+  return mechanics::power_screw::nut_wear_travel(
+      d.screw.wear_rate, pressure, d.screw.flank_angle, wear, d.screw.mean_diameter, d.screw.lead);
+}
+
+/// Torsional stiffness between motor and nut at the far end of the travel [N.m/rad]: coupling and screw.
+template <class T>
+T torsional_stiffness(const ScrewDrive<T>& d) {
+  const std::array<T, 2> chain{d.coupling.stiffness,
+                               mechanics::coupling::shaft_torsional_stiffness(
+                                   d.screw.shear_modulus, d.screw.root_diameter, d.screw.supported_length)};
+  return mechanics::coupling::series_stiffness(std::span<const T>(chain));
+}
+
+/// Travel over which the position error counts [m].
+template <class T>
+double accuracy_travel(const ScrewDrive<T>& d) {
+  return d.data->require.known(Requirement::position_error_over) ? d.data->require(Requirement::position_error_over)
+                                                                 : d.data->stroke;
+}
+
+/// Lead error [m] over the stated travel and at least over the 300 mm for which catalogues state it.
+template <class T>
+T lead_error(const ScrewDrive<T>& d) {
+  const double over = accuracy_travel(d);
+  return (over > 0.3 ? over / 0.3 : 1.0) * d.screw.lead_error_300;
+}
+
+/// Position error from the twist of coupling and screw under the load torque [m].
+template <class T>
+T windup_error(const ScrewDrive<T>& d) {
+  const T twist = mechanics::power_screw::torsional_windup(
+                      d.load_torque, d.screw.supported_length, d.screw.shear_modulus, d.screw.root_diameter) +
+                  mechanics::coupling::windup(d.load_torque, d.coupling.stiffness);
+  return mechanics::power_screw::windup_error(twist, d.screw.lead);
+}
+
+/// Growth of the screw over the stated travel against the frame [m].
+template <class T>
+T thermal_growth(const ScrewDrive<T>& d) {
+  using namespace scalar;
+  return mechanics::power_screw::thermal_growth(in_unit<T>(steel_expansion, dimension::none / dimension::temperature),
+                                                in_unit<T>(accuracy_travel(d), dimension::length),
+                                                d.require(Requirement::screw_temperature_rise, dimension::temperature));
+}
+
 /// Reversal error [m]: play and twice the elastic deflection under friction.
 template <class T>
 T reversal_error(const ScrewDrive<T>& d) {
@@ -121,24 +224,17 @@ T reversal_error(const ScrewDrive<T>& d) {
 }
 
 /// Error budget of the axis [m]: lead error, lost motion, wind-up and motor lag systematically, step accuracy and
-/// resolution at random. Lead error counts over the stated travel and at least over the 300 mm for which catalogues
-/// state it.
+/// resolution at random.
 template <class T>
 T position_error_budget(const ScrewDrive<T>& d) {
   using namespace scalar;
-  const double over = d.data->require.known(Requirement::position_error_over)
-                          ? d.data->require(Requirement::position_error_over)
-                          : d.data->stroke;
-  const T lead_error = named("e_l", (over > 0.3 ? over / 0.3 : 1.0) * d.screw.lead_error_300);
+  const T along = named("e_l", lead_error(d));
   const T lost = named("e_r", reversal_error(d));
-  const T twist = mechanics::power_screw::torsional_windup(
-                      d.load_torque, d.screw.supported_length, d.screw.shear_modulus, d.screw.root_diameter) +
-                  mechanics::coupling::windup(d.load_torque, d.coupling.stiffness);
-  const T windup = named("e_w", mechanics::power_screw::windup_error(twist, d.screw.lead));
+  const T windup = named("e_w", windup_error(d));
   const T torque = smaller(d.load_torque, d.motor.static_torque);
   const T lag =
       named("e_s", mechanics::accuracy::load_lag(torque, d.motor.static_torque, d.motor.rotor_teeth, d.screw.lead));
-  const std::array<T, 4> systematic{lead_error, lost, windup, lag};
+  const std::array<T, 4> systematic{along, lost, windup, lag};
   const T step = 0.05 * d.screw.lead / (4.0 * d.motor.rotor_teeth);
   const std::array<T, 2> random{named("e_t", step), named("e_q", 0.5 * resolution(d))};
   return mechanics::accuracy::mixed_error(std::span<const T>(systematic), std::span<const T>(random));

@@ -27,6 +27,57 @@ void coupling_constraints(Visit&& visit) {
             d.largest_torque, d.motor.rotor_inertia, d.load_inertia, d.require(coupling_shock_factor));
       },
       [](const auto& d) { return d.coupling.rated_torque; });
+  visit(
+      Declaration{.id = "C-CP-RES",
+                  .title = "Torsional frequency of the drive line",
+                  .symbol = "f",
+                  .unit = "Hz",
+                  .kind = ConstraintKind::soft,
+                  .source = "millwright_derivations, two masses on a torsional spring; acarnley2002, chapter 6",
+                  .requirement = "torsional_frequency_factor"},
+      always,
+      [](const auto& d) {
+        return d.require(torsional_frequency_factor) *
+               mechanics::stepper::resonant_frequency(d.motor.static_torque,
+                                                      d.motor.rotor_teeth,
+                                                      decltype(d.load_inertia)(d.motor.rotor_inertia + d.load_inertia));
+      },
+      [](const auto& d) {
+        return mechanics::coupling::resonant_frequency(torsional_stiffness(d), d.motor.rotor_inertia, d.load_inertia);
+      });
+  visit(
+      Declaration{.id = "C-CP-MISAL",
+                  .title = "Parallel misalignment of the coupling",
+                  .symbol = "Δr",
+                  .unit = "mm",
+                  .kind = ConstraintKind::soft,
+                  .source = "ktr_couplings",
+                  .requirement = "coupling_parallel_misalignment"},
+      always,
+      [](const auto& d) { return d.require(coupling_parallel_misalignment, dimension::length); },
+      [](const auto& d) { return d.coupling.parallel_misalignment; });
+  visit(
+      Declaration{.id = "C-CP-MISAL-ANGULAR",
+                  .title = "Angular misalignment of the coupling",
+                  .symbol = "Δα",
+                  .unit = "deg",
+                  .kind = ConstraintKind::soft,
+                  .source = "ktr_couplings",
+                  .requirement = "coupling_angular_misalignment"},
+      always,
+      [](const auto& d) { return d.require(coupling_angular_misalignment); },
+      [](const auto& d) { return d.coupling.angular_misalignment; });
+  visit(
+      Declaration{.id = "C-CP-MISAL-AXIAL",
+                  .title = "Axial misalignment of the coupling",
+                  .symbol = "Δx",
+                  .unit = "mm",
+                  .kind = ConstraintKind::soft,
+                  .source = "ktr_couplings",
+                  .requirement = "coupling_axial_misalignment"},
+      always,
+      [](const auto& d) { return d.require(coupling_axial_misalignment, dimension::length); },
+      [](const auto& d) { return d.coupling.axial_misalignment; });
 }
 
 /// What must fit together. Written as utilisations like everything else: a bore that is too large for a shaft is a

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <span>
 
+#include "mechanics/corner_bounds.h"
 #include "mechanics/sums.h"
 #include "scalar/elementary.h"
 
@@ -75,6 +76,48 @@ T start_speed(const T& static_torque, const T& load_torque, const T& rotor_teeth
   const T barrier =
       named("ΔU", (2.0 * static_torque * cos(load_angle) - load_torque * (pi<T>() - 2.0 * load_angle)) / rotor_teeth);
   return sqrt(2.0 * barrier / inertia);
+}
+
+/// Rising in the static torque (slope of the barrier 2 cos δ_0), falling in the load (- (π - 2 δ_0)), the teeth and the
+/// inertia; 0 where the load reaches the static torque.
+inline Interval start_speed(const Interval& static_torque,
+                            const Interval& load_torque,
+                            const Interval& rotor_teeth,
+                            const Interval& inertia) {
+  using namespace corner_bounds;
+  if (load_torque.lower < 0.0 || load_torque.lower > static_torque.upper ||
+      !all_positive(static_torque, rotor_teeth, inertia))
+    return start_speed<Interval>(static_torque, load_torque, rotor_teeth, inertia);
+  const auto naive = [](const auto&... x) { return start_speed<Interval>(x...); };
+  const Interval most = naive(
+      Interval(static_torque.upper), Interval(load_torque.lower), Interval(rotor_teeth.lower), Interval(inertia.lower));
+  if (load_torque.upper >= static_torque.lower) return {0.0, most.upper};
+  const Interval least = naive(
+      Interval(static_torque.lower), Interval(load_torque.upper), Interval(rotor_teeth.upper), Interval(inertia.upper));
+  return {least.lower, most.upper};
+}
+/// The derivatives of the barrier with their parts cancelled, so that their signs show.
+template <int N>
+Dual<Interval, N> start_speed(const Dual<Interval, N>& static_torque,
+                              const Dual<Interval, N>& load_torque,
+                              const Dual<Interval, N>& rotor_teeth,
+                              const Dual<Interval, N>& inertia) {
+  const Interval speed = start_speed(static_torque.value, load_torque.value, rotor_teeth.value, inertia.value);
+  const Interval angle = asin(load_torque.value / static_torque.value);
+  // Neither is negative below a quarter turn, whatever rounding makes of the end.
+  const Interval by_static = larger(2.0 * cos(angle), Interval(0.0));
+  const Interval by_load = larger(pi<Interval>() - 2.0 * angle, Interval(0.0));
+  // The square of the speed is 2 ΔU/J with ΔU = (...)/N_r.
+  const Interval half_square = 0.5 * square(speed);
+  Dual<Interval, N> squared(2.0 * half_square);
+  for (std::size_t n = 0; n < static_cast<std::size_t>(N); ++n) {
+    const Interval of_torques =
+        slopes::product(static_torque.slope[n], by_static) - slopes::product(load_torque.slope[n], by_load);
+    squared.slope[n] = 2.0 * (of_torques / (rotor_teeth.value * inertia.value) -
+                              slopes::product(rotor_teeth.slope[n], half_square / rotor_teeth.value) -
+                              slopes::product(inertia.slope[n], half_square / inertia.value));
+  }
+  return corner_bounds::with_value(sqrt(squared), speed);
 }
 
 /// Natural frequency of rotor and rigidly coupled inertia on the magnetic spring (Hz). Cross it quickly or microstep.

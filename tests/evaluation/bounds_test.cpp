@@ -46,6 +46,8 @@ dwell = "1 s"
 [axis.require]
 position_error = { limit = "0.1 mm", over = "300 mm" }
 lost_motion = "0.05 mm"
+axial_stiffness = "15 N/um"
+start_rate = "200 Hz"
 [[axis]]
 name = "gantry"
 carries = ["tool"]
@@ -63,6 +65,7 @@ force = "10 N"
 [axis.require]
 position_error = "0.3 mm"
 lost_motion = "0.2 mm"
+motor_radial_load = "100 N"
 [[axis.members]]
 name = "bar"
 kind = "bar"

@@ -28,20 +28,10 @@ void require_ids(const DeclaringElement& element, const std::vector<std::string>
   }
 }
 
-const std::vector<std::string> of_every_drive{"C-SYS-TIME",
-                                              "C-SYS-SPEED",
-                                              "C-ST-TORQUE",
-                                              "C-ST-80",
-                                              "C-ST-INERTIA",
-                                              "C-ST-RMS",
-                                              "C-ST-STEPRATE",
-                                              "C-ST-HOLD",
-                                              "C-ST-BACK",
-                                              "C-DR-CURRENT",
-                                              "C-DR-VOLT",
-                                              "C-ACC-RES",
-                                              "C-ACC-TOTAL",
-                                              "C-ACC-LOST"};
+const std::vector<std::string> of_every_drive{
+    "C-SYS-TIME", "C-SYS-SPEED", "C-ST-TORQUE",  "C-ST-80",   "C-ST-INERTIA", "C-ST-RMS",   "C-ST-STEPRATE",
+    "C-ST-HOLD",  "C-ST-BACK",   "C-DR-CURRENT", "C-DR-VOLT", "C-DR-MOTORI",  "C-ST-START", "C-ST-TEMP",
+    "C-ST-RES",   "C-ST-POWER",  "C-ACC-MICRO",  "C-ACC-RES", "C-ACC-TOTAL",  "C-ACC-LOST"};
 
 }  // namespace
 
@@ -51,17 +41,29 @@ TEST_CASE("Every element declares the constraints that the design rules ask of i
   require_ids(elements[0], of_every_drive);
   require_ids(
       elements[0],
-      {"C-SYS-TRAVEL",   "C-SCR-VM",      "C-SCR-TMAX",  "C-SCR-SIGMA",      "C-SCR-PB",         "C-SCR-SHS",
-       "C-SCR-SHN",      "C-SCR-BEND",    "C-SCR-BUCK",  "C-SCR-NCRIT",      "C-SCR-TWIST",      "C-SCR-LOCK",
-       "C-SCR-PV",       "C-SCR-VS",      "C-BS-LIFE",   "C-BS-STATIC",      "C-BS-AXIAL",       "C-BS-BUCK",
-       "C-BS-NCRIT",     "C-BS-DN",       "C-CP-TORQUE", "F-COUPLING-MOTOR", "F-COUPLING-SCREW", "F-SUPPORT-FIXED",
-       "F-SUPPORT-FREE", "F-SUPPORT-LOAD"});
+      {"C-SYS-TRAVEL",   "C-SCR-VM",       "C-SCR-TMAX",  "C-SCR-SIGMA",      "C-SCR-PB",         "C-SCR-SHS",
+       "C-SCR-SHN",      "C-SCR-BEND",     "C-SCR-BUCK",  "C-SCR-NCRIT",      "C-SCR-TWIST",      "C-SCR-LOCK",
+       "C-SCR-PV",       "C-SCR-VS",       "C-BS-LIFE",   "C-BS-STATIC",      "C-BS-AXIAL",       "C-BS-BUCK",
+       "C-BS-NCRIT",     "C-BS-DN",        "C-CP-TORQUE", "F-COUPLING-MOTOR", "F-COUPLING-SCREW", "F-SUPPORT-FIXED",
+       "F-SUPPORT-FREE", "F-SUPPORT-LOAD", "C-SCR-DC",    "C-SCR-EFF",        "C-SCR-NTURNS",     "C-SCR-WEAR",
+       "C-BS-PREMIN",    "C-BS-PREMAX",    "C-BS-LEAD",   "C-BS-STIFF",       "C-CP-MISAL",       "C-CP-RES",
+       "C-CP-WINDUP",    "C-ACC-THERM"});
   require_ids(elements[1], of_every_drive);
-  require_ids(elements[1], {"C-BT-TENSION", "C-BT-POWER", "C-BT-TEETH", "C-BT-PRET", "C-BT-MINZ", "F-PULLEY-BORE"});
+  require_ids(elements[1],
+              {"C-BT-TENSION",
+               "C-BT-POWER",
+               "C-BT-TEETH",
+               "C-BT-PRET",
+               "C-BT-MINZ",
+               "F-PULLEY-BORE",
+               "C-BT-WIDTH",
+               "C-BT-STIFF",
+               "C-BT-FREQ",
+               "C-ST-RADIAL"});
   require_ids(elements[2], {"C-GD-LIFE", "C-GD-STATIC", "C-GD-DEFL", "C-GD-STRESS"});
   require_ids(elements[3],
               {"C-FR-STRESS", "C-FR-DEFL", "C-FR-BUCK", "C-WELD", "C-SH-DIAM", "C-GD-STRESS", "C-GD-DEFL"});
-  require_ids(elements[4], {"C-PSU-POWER", "F-SUPPLY-VOLTAGE"});
+  require_ids(elements[4], {"C-PSU-POWER", "C-PSU-CURRENT", "F-SUPPLY-VOLTAGE"});
 }
 
 TEST_CASE("No element declares a constraint twice") {
@@ -136,6 +138,21 @@ TEST_CASE("Requirements have the documented defaults") {
   CHECK(r(column_factor) == Approx(1.0 / 3.0));
   CHECK(r(frame_deflection_ratio) == Approx(1e-3));
   CHECK(r(guide_shaft_deflection_ratio) == Approx(1.0 / 3000.0));
+  CHECK(r(start_rate_factor) == 0.5);
+  CHECK(r(winding_temperature_rise) == 60.0);
+  CHECK(r(rated_temperature_rise) == 80.0);
+  CHECK(r(resonance_distance) == 1.3);
+  CHECK(r(load_sharing_turns) == 10.0);
+  CHECK(r(nut_wear_fraction) == 0.25);
+  CHECK(r(largest_preload_fraction) == 0.1);
+  CHECK(r(coupling_parallel_misalignment) == 1e-4);
+  CHECK(r(coupling_angular_misalignment) == Approx(0.5 * 3.14159265358979 / 180.0));
+  CHECK(r(belt_frequency) == 20.0);
+  CHECK_FALSE(r.known(start_rate));
+  CHECK_FALSE(r.known(efficiency));
+  CHECK_FALSE(r.known(axial_stiffness));
+  CHECK_FALSE(r.known(motor_radial_load));
+  CHECK_FALSE(r.known(output_power_factor));
   CHECK_FALSE(r.known(position_error));
   CHECK_FALSE(r.known(lost_motion));
 }

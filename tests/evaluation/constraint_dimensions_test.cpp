@@ -69,6 +69,11 @@ machine::Requirements with_accuracy() {
   machine::Requirements require;
   require.set(Requirement::position_error, 1e-4);
   require.set(Requirement::lost_motion, 5e-5);
+  require.set(Requirement::efficiency, 0.3);
+  require.set(Requirement::axial_stiffness, 2e7);
+  require.set(Requirement::output_power_factor, 1.0);
+  require.set(Requirement::motor_radial_load, 75.0);
+  require.set(Requirement::start_rate, 100.0);
   return require;
 }
 
@@ -82,6 +87,7 @@ machine::ScrewReading<Dimensioned> screw(machine::ScrewKind kind) {
   f.flank_angle = Dimensioned(0.26);
   f.thread_depth = length(0.002);
   f.friction = Dimensioned(0.1);
+  f.wear_rate = {1e-15, dimension::area / dimension::force};
   f.yield_strength = pressure(345e6);
   f.nut_yield_strength = pressure(150e6);
   f.mass_per_length = {1.2, dimension::mass_per_length};
@@ -131,14 +137,25 @@ void check_screw_drive(machine::ScrewKind kind, bool vertical, std::set<std::str
   const machine::ScrewDriveData data{.motion = motion(vertical),
                                      .require = with_accuracy(),
                                      .stroke = 0.3,
+                                     .microsteps = vertical ? 2.0 : 16.0,
                                      .vertical = vertical,
-                                     .preloaded = kind == machine::ScrewKind::ball};
+                                     .both_ends_fixed = vertical,
+                                     .preloaded = kind == machine::ScrewKind::ball,
+                                     .preload_fraction = 0.05};
   machine::ScrewDrive<Dimensioned> d;
   d.data = &data;
   d.kind = kind;
   d.screw = screw(kind);
   d.motor = motor();
-  d.coupling = {inertia(1e-6), torque(5.0), torque(60.0), rate(600.0), length(0.005), length(0.012)};
+  d.coupling = {inertia(1e-6),
+                torque(5.0),
+                torque(60.0),
+                rate(600.0),
+                length(0.005),
+                length(0.012),
+                length(2e-4),
+                Dimensioned(0.02),
+                length(3e-4)};
   d.support_fixed = {length(0.008), force(1000.0), stiffness(1e8), rate(400.0), Dimensioned(0.0)};
   d.support_free = d.support_fixed;
   d.motor_shaft = length(0.008);
@@ -156,7 +173,7 @@ void check_screw_drive(machine::ScrewKind kind, bool vertical, std::set<std::str
 
 void check_belt_drive(bool vertical, std::set<std::string>& seen) {
   const machine::BeltDriveData data{
-      .motion = motion(vertical), .require = with_accuracy(), .stroke = 0.3, .vertical = vertical};
+      .motion = motion(vertical), .require = with_accuracy(), .stroke = 0.3, .microsteps = 2.0, .vertical = vertical};
   machine::BeltDrive<Dimensioned> d;
   d.data = &data;
   d.belt = {{0.02, dimension::mass_per_length},
@@ -172,7 +189,8 @@ void check_belt_drive(bool vertical, std::set<std::string>& seen) {
             inertia(2e-6),
             inertia(2e-6),
             length(0.0127),
-            length(0.005)};
+            length(0.005),
+            length(0.009)};
   d.motor = motor();
   d.motor_shaft = length(0.005);
   d.available_torque = [](const Dimensioned&) { return torque(0.8); };
@@ -260,10 +278,13 @@ TEST_CASE("Demand and capacity of every constraint have the dimension of its uni
                             MemberKind::weld})
       check_member(kind, support, false, seen[3]);
   check_member(MemberKind::round_shaft, BeamSupport::fixed, true, seen[3]);
-  evaluation::supply_constraints(DimensionVisitor(
-      evaluation::Supply<Dimensioned>{
-          {120.0, dimension::power_output}, {350.0, dimension::power_output}, volt(36.0), volt(36.0)},
-      seen[4]));
+  evaluation::supply_constraints(DimensionVisitor(evaluation::Supply<Dimensioned>{{120.0, dimension::power_output},
+                                                                                  {350.0, dimension::power_output},
+                                                                                  volt(36.0),
+                                                                                  volt(36.0),
+                                                                                  {ampere(2.8)},
+                                                                                  ampere(9.7)},
+                                                  seen[4]));
   // Nothing was left out.
   const auto elements = declaring_elements();
   for (std::size_t i = 0; i < elements.size(); ++i)

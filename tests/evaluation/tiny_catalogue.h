@@ -119,13 +119,14 @@ class TinyCatalogue {
   void joints() {
     header("couplings",
            "minimum_bore [mm],maximum_bore [mm],rated_torque [N.m],torsional_stiffness [N.m/rad],inertia "
-           "[g.cm2],maximum_speed [rpm],mass [kg],price");
+           "[g.cm2],maximum_speed [rpm],parallel_misalignment [mm],angular_misalignment [deg],axial_misalignment "
+           "[mm],mass [kg],price");
     const auto part = [&](const char* name, const char* figures, double price, double mass) {
       const auto [p, m] = of(name, price, mass);
       add(fmt::format("tiny,{},{},{},{}{}", name, figures, m, p, said));
     };
-    part("K8", "3,8,2,60,10,6000", 2.0, 0.02);
-    part("K12", "5,12,10,400,40,9000", 7.0, 0.08);
+    part("K8", "3,8,2,60,10,6000,0.2,1,0.3", 2.0, 0.02);
+    part("K12", "5,12,10,400,40,9000,,,", 7.0, 0.08);
     header(
         "support_bearings",
         "series,role,bore [mm],permissible_axial_load [N],axial_stiffness [N/um],maximum_speed [rpm],mass [kg],price");

@@ -340,6 +340,51 @@ TEST_CASE("start speed is the largest jump that the equation of motion survives"
   CHECK_FALSE(keeps_up(1.02 * jump));
 }
 
+TEST_CASE("the range of the start speed is tight, and its slopes have a sign") {
+  std::mt19937 engine(3);
+  const auto within = [&](const Interval& x) {
+    return std::uniform_real_distribution<double>(x.lower, x.upper)(engine);
+  };
+  std::size_t below = 0;
+  for (int n = 0; n < 2000; ++n) {
+    const double torque = within({0.3, 3.0}), share = within({0.0, 0.9});
+    const Interval strong(torque, torque * within({1.0, 1.5})), load(share * torque, within({share, 1.1}) * torque);
+    const Interval teeth(50.0, within({50.0, 100.0})), inertia(2e-5, within({2e-5, 2e-4}));
+    const Interval range = stepper::start_speed(strong, load, teeth, inertia);
+    const double most = stepper::start_speed(strong.upper, load.lower, teeth.lower, inertia.lower);
+    CHECK(range.upper == Approx(most).epsilon(1e-12));
+    using Slope = scalar::Dual<Interval, 1>;
+    Slope of_load(load), of_inertia(inertia), of_strength(strong);
+    of_load.slope[0] = of_inertia.slope[0] = of_strength.slope[0] = Interval(1.0);
+    const Interval by_load = stepper::start_speed(Slope(strong), of_load, Slope(teeth), Slope(inertia)).slope[0];
+    const Interval by_inertia = stepper::start_speed(Slope(strong), Slope(load), Slope(teeth), of_inertia).slope[0];
+    const Interval by_strength = stepper::start_speed(of_strength, Slope(load), Slope(teeth), Slope(inertia)).slope[0];
+    CHECK(by_load.upper <= 0.0);
+    CHECK(by_inertia.upper <= 0.0);
+    CHECK(by_strength.lower >= 0.0);
+    for (int k = 0; k < 3; ++k) {
+      const double t = within(strong), l = within(load), z = within(teeth), j = within(inertia);
+      if (l >= 0.999 * t) continue;
+      ++below;
+      const double speed = stepper::start_speed(t, l, z, j);
+      CHECK(range.lower <= speed);
+      CHECK(speed <= range.upper);
+      const double l2 = within({load.lower, std::min(load.upper, 0.999 * t)});
+      const double j2 = within(inertia), t2 = within({std::max(strong.lower, l / 0.999), strong.upper});
+      const auto secant = [&](double other, double from, double to, const Interval& slope) {
+        if (std::abs(to - from) < 1e-6 * std::abs(to)) return;
+        const double s = (other - speed) / (to - from);
+        CHECK(slope.lower <= s + 1e-9 * std::abs(s));
+        CHECK(s - 1e-9 * std::abs(s) <= slope.upper);
+      };
+      secant(stepper::start_speed(t, l2, z, j), l, l2, by_load);
+      secant(stepper::start_speed(t, l, z, j2), j, j2, by_inertia);
+      secant(stepper::start_speed(t2, l, z, j), t, t2, by_strength);
+    }
+  }
+  CHECK(below > 3000);
+}
+
 TEST_CASE("one microstep of a full step is the static torque") {
   CHECK(stepper::microstep_torque(1.34, 1.0) == Approx(1.34));
   CHECK(stepper::microstep_torque(1.0, 16.0) == Approx(0.098).margin(5e-4));   // drive makers' table: 9.8 %

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Quantities of a motor that one or two constraints of any drive need and that are more than one formula.
+#pragma once
+
+#include "machine/axis_motion.h"
+#include "machine/motor.h"
+#include "machine/requirement.h"
+
+namespace millwright::machine {
+
+/// Air around a machine for which motors are rated [K], 40 °C, IEC 60034-1.
+inline constexpr double standard_ambient_temperature = 313.15;
+
+/// Mean speed of the motor over the first full step of its hardest ramp [rad/s]: a constant acceleration from the speed
+/// at which the controller begins. The reciprocal of the time this step takes is the first step rate of the profile.
+template <class Drive>
+auto first_step_speed(const Drive& d) {
+  using namespace scalar;
+  using T = std::remove_cvref_t<decltype(d.peak_speed)>;
+  const T full_steps = 4.0 * d.motor.rotor_teeth;
+  T start = in_unit<T>(0.0, dimension::angular_speed);
+  if (d.data->require.known(Requirement::start_rate))
+    start =
+        named("ω_0",
+              mechanics::stepper::angular_speed(d.require(Requirement::start_rate, dimension::none / dimension::time),
+                                                T(full_steps * d.data->microsteps)));
+  const T step = named("θ_s", 2.0 * pi<T>() / full_steps);
+  const T after = named("ω_1", sqrt(square(start) + 2.0 * largest_motor_acceleration(d) * step));
+  return T(0.5 * (start + after));
+}
+
+/// Speed to which the field may jump from standstill so that the rotor follows [rad/s], against the steady load with
+/// all the inertia; nearly none when the load is as strong as the motor.
+template <class Drive>
+auto start_stop_speed(const Drive& d) {
+  using namespace scalar;
+  using T = std::remove_cvref_t<decltype(d.peak_speed)>;
+  const T load = smaller(d.load_torque, d.motor.static_torque);
+  const T inertia = named("J", d.motor.rotor_inertia + d.load_inertia);
+  const T speed = mechanics::stepper::start_speed(d.motor.static_torque, load, d.motor.rotor_teeth, inertia);
+  return T(larger(speed, in_unit<T>(1e-9, dimension::angular_speed)));
+}
+
+/// Winding above ambient temperature [K] with the resistance it has at the permitted temperature: so it exceeds the
+/// permitted rise exactly when the heat balance does, which need not be solved. Full current all the time, iron loss
+/// over the cycle.
+template <class Drive>
+auto steady_winding_rise(const Drive& d) {
+  using namespace scalar;
+  using T = std::remove_cvref_t<decltype(d.peak_speed)>;
+  namespace st = mechanics::stepper;
+  T energy = in_unit<T>(0.0, dimension::torque);
+  for (std::size_t i = 0; i < d.cycle.phases.size(); ++i) {
+    const auto& phase = d.cycle.phases[i];
+    const T omega = d.angular_speeds[i] * phase.mean_speed / phase.speed;
+    const T drag =
+        st::loss_torque(d.motor.holding_torque, omega, T(constant_loss), in_unit<T>(speed_loss, dimension::time));
+    energy = energy + drag * omega * phase.duration;
+  }
+  const T ambient = in_unit<T>(standard_ambient_temperature, dimension::temperature);
+  const T permitted = ambient + d.require(Requirement::winding_temperature_rise, dimension::temperature);
+  const T hot = st::hot_resistance(d.motor.resistance, permitted);
+  const T copper = named("P_Cu", st::copper_loss(d.motor.current, hot));
+  const T resistance =
+      named("R_th",
+            st::thermal_resistance(d.require(Requirement::rated_temperature_rise, dimension::temperature),
+                                   d.motor.rated_current,
+                                   d.motor.resistance));
+  return T(st::winding_temperature(ambient, T(copper + energy / d.cycle.total_time), resistance) - ambient);
+}
+
+/// Smallest distance of the step rate from the resonance, over all constant speeds, as a logarithm of their ratio.
+template <class Drive>
+auto distance_from_resonance(const Drive& d) {
+  using namespace scalar;
+  using T = std::remove_cvref_t<decltype(d.peak_speed)>;
+  namespace st = mechanics::stepper;
+  const T resonance = named(
+      "f_n",
+      st::resonant_frequency(d.motor.static_torque, d.motor.rotor_teeth, T(d.motor.rotor_inertia + d.load_inertia)));
+  std::vector<T> distances;
+  for (const T& omega : d.angular_speeds)
+    distances.push_back(absolute(log(st::pulse_rate(d.motor.rotor_teeth, T(d.data->microsteps), omega) / resonance)));
+  return smallest(distances);
+}
+
+/// Largest product of torque and speed over the phases of the cycle [W].
+template <class Drive>
+auto largest_output_power(const Drive& d) {
+  using namespace scalar;
+  using T = std::remove_cvref_t<decltype(d.peak_speed)>;
+  std::vector<T> powers;
+  for (std::size_t i = 0; i < d.motor_torques.size(); ++i)
+    powers.push_back(mechanics::actuation::power(T(absolute(d.motor_torques[i])), d.angular_speeds[i]));
+  return largest(powers);
+}
+
+}  // namespace millwright::machine
