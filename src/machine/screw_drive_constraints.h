@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// All constraints of a screw drive; those of motor, driver and accuracy are shared with other drives.
+// All constraints of a screw drive; those of motor, driver, accuracy and spindle are shared with other drives.
 #pragma once
 
 #include "machine/motor_constraints.h"
 #include "machine/screw_constraints.h"
 #include "machine/screw_fit_constraints.h"
+#include "machine/spindle_constraints.h"
 
 namespace millwright::machine {
 
@@ -18,6 +19,7 @@ void screw_drive_constraints(Visit&& visit) {
   coupling_constraints(visit);
   accuracy_constraints(visit);
   screw_fit_constraints(visit);
+  spindle_constraints(visit);
 }
 
 }  // namespace millwright::machine

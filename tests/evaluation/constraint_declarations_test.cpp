@@ -41,13 +41,14 @@ const std::vector<std::string> of_every_drive{"C-SYS-TIME",
                                               "C-DR-VOLT",
                                               "C-ACC-RES",
                                               "C-ACC-TOTAL",
-                                              "C-ACC-LOST"};
+                                              "C-ACC-LOST",
+                                              "C-TOOL-POWER"};
 
 }  // namespace
 
 TEST_CASE("Every element declares the constraints that the design rules ask of it") {
   const auto elements = declaring_elements();
-  REQUIRE(elements.size() == 5);
+  REQUIRE(elements.size() == 6);
   require_ids(elements[0], of_every_drive);
   require_ids(
       elements[0],
@@ -58,10 +59,22 @@ TEST_CASE("Every element declares the constraints that the design rules ask of i
        "F-SUPPORT-FREE", "F-SUPPORT-LOAD"});
   require_ids(elements[1], of_every_drive);
   require_ids(elements[1], {"C-BT-TENSION", "C-BT-POWER", "C-BT-TEETH", "C-BT-PRET", "C-BT-MINZ", "F-PULLEY-BORE"});
-  require_ids(elements[2], {"C-GD-LIFE", "C-GD-STATIC", "C-GD-DEFL", "C-GD-STRESS"});
+  require_ids(elements[2], {"C-GD-LIFE", "C-GD-STATIC", "C-GD-DEFL", "C-GD-STRESS", "C-GD-SLOPE", "C-GD-BIND"});
   require_ids(elements[3],
-              {"C-FR-STRESS", "C-FR-DEFL", "C-FR-BUCK", "C-WELD", "C-SH-DIAM", "C-GD-STRESS", "C-GD-DEFL"});
+              {"C-FR-STRESS",
+               "C-FR-DEFL",
+               "C-FR-BUCK",
+               "C-FR-SWAY",
+               "C-FR-COLUMN",
+               "C-FR-TWIST",
+               "C-FR-FREQ",
+               "C-WELD",
+               "C-SH-DIAM",
+               "C-SH-FAT",
+               "C-GD-STRESS",
+               "C-GD-DEFL"});
   require_ids(elements[4], {"C-PSU-POWER", "F-SUPPLY-VOLTAGE"});
+  require_ids(elements[5], {"C-BOLT-PROOF", "C-BOLT-SEP", "C-BOLT-SLIP", "C-BOLT-SHEAR"});
 }
 
 TEST_CASE("No element declares a constraint twice") {
@@ -136,6 +149,21 @@ TEST_CASE("Requirements have the documented defaults") {
   CHECK(r(column_factor) == Approx(1.0 / 3.0));
   CHECK(r(frame_deflection_ratio) == Approx(1e-3));
   CHECK(r(guide_shaft_deflection_ratio) == Approx(1.0 / 3000.0));
+  constexpr double degree = 3.14159265358979 / 180.0;
+  CHECK(r(bushing_slope) == Approx(0.1 * degree));
+  CHECK(r(bushing_slope_self_aligning) == Approx(0.5 * degree));
+  CHECK(r(bushing_binding_factor) == 1.0);
+  CHECK(r(fatigue_safety_factor) == 1.5);
+  CHECK(r(fatigue_reliability_factor) == 0.814);
+  CHECK(r(bolt_preload_fraction) == 0.75);
+  CHECK(r(bolt_proof_safety) == 1.15);
+  CHECK(r(bolt_separation_safety) == 1.5);
+  CHECK(r(bolt_slip_safety) == 1.5);
+  CHECK(r(bolt_shear_safety_factor) == 2.0);
+  CHECK(r(spindle_power_factor) == 0.8);
+  CHECK_FALSE(r.known(frame_twist));
+  CHECK_FALSE(r.known(frame_natural_frequency));
+  CHECK_FALSE(r.known(ringing_amplitude));
   CHECK_FALSE(r.known(position_error));
   CHECK_FALSE(r.known(lost_motion));
 }
