@@ -3,6 +3,7 @@
 // are without being given, and what is said of wrong ones.
 #include <cmath>
 
+#include "machine/references.h"
 #include "problem_text.h"
 
 using namespace problem_text;
@@ -229,4 +230,22 @@ TEST_CASE("What is wrong in bushings and cuts is said at its place") {
       {slow, replaced(cut, "teeth = 2", "teeth = 2, «exponent» = 0.3") + "\n", "exponent: a material has its own", ""},
       {slow, "acceleration_time = \"9 s\"\n" + replaced(cut, "{", "«»{") + "\n", "speed: 30", "acceleration_time"},
   });
+}
+
+TEST_CASE("A bolted joint needs no material, and its screws must be in the catalogues") {
+  text::Diagnostics loading;
+  const auto catalogue = catalogue::Catalogue::load({MILLWRIGHT_SOURCE_DIR "/catalogues"}, loading);
+  REQUIRE(loading.error_count() == 0);
+  const auto said = [&](const std::string& keys) {
+    text::Diagnostics diagnostics;
+    const bool good = machine::check_references(sound_with(beam, bolts + keys), catalogue, diagnostics);
+    CHECK(good == (diagnostics.count() == 0));
+    return text::format(diagnostics);
+  };
+  CHECK(said("").empty());
+  CHECK(said("sizes = [\"M6\", \"M8\"]\nproperty_classes = [\"8.8\", \"A2-70\"]\n").empty());
+  const std::string size = said("sizes = [\"M6\", \"m8\"]\n");
+  CHECK(size.find("axis 'x', beam: sizes: no screw 'm8' in the catalogues") != std::string::npos);
+  CHECK(size.find("did you mean 'M8'?") != std::string::npos);
+  CHECK(said("property_classes = \"8.9\"\n").find("property_classes: no screw '8.9'") != std::string::npos);
 }
