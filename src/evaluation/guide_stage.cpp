@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "evaluation/guide_stage.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -51,15 +52,18 @@ GuideStage::GuideStage(const machine::Axis& axis,
         rails,
         rail_length,
         number(column(Family::linear_guides, "maximum_rail_length")),
-        bush ? number(column(Family::linear_guides, "size")) : 0.0};
+        bush ? number(column(Family::linear_guides, "size")) : 0.0,
+        number(column(Family::linear_guides, "friction_coefficient"))};
     // Carriage and rail are one line: the carriages by piece, each rail cut to length.
     const double price = prices.line(t, row, choice.carriages, choice.rails * rail_length);
     Candidate candidate = candidate_of(
         {{"guide", Family::linear_guides, row, choice.carriages, rail_length, price, carriages + rails}}, carriages);
-    if (std::isnan(price) || std::any_of(readings.begin(), readings.end(), [](double x) { return std::isnan(x); }))
-      continue;
+    const bool known = std::none_of(
+        readings.begin(), readings.begin() + machine::guide_readings_needed, [](double x) { return std::isnan(x); });
+    if (std::isnan(price) || !known) continue;
     table.add(std::move(candidate), readings);
     unsupported_.push_back(bush);
+    bushings_.push_back(bush || kind.find("round") != std::string_view::npos);
   }
   tables_.push_back(std::move(table));
   finish_slots();
@@ -67,6 +71,18 @@ GuideStage::GuideStage(const machine::Axis& axis,
     constraint_count_ += d.kind != machine::ConstraintKind::soft;
   });
 }
+
+namespace {
+
+/// Whether what is said of each row holds of all rows alive, of none, or of some.
+Applies applies_to(std::span<const solver::Row> alive, const std::vector<bool>& said) {
+  const bool first = said[alive.front()];
+  for (const solver::Row row : alive)
+    if (said[row] != first) return Applies::some;
+  return first ? Applies::yes : Applies::no;
+}
+
+}  // namespace
 
 template <class T>
 GuideSystem<T> GuideStage::design(const Selection<T>& s) const {
@@ -77,10 +93,8 @@ GuideSystem<T> GuideStage::design(const Selection<T>& s) const {
     x = hull_of<T>(s.rows[0], [&](solver::Row row) { return tables_[0].reading(row, field); });
     ++field;
   });
-  const bool first = unsupported_[s.rows[0].front()];
-  d.unsupported_shaft = first ? Applies::yes : Applies::no;
-  for (const solver::Row row : s.rows[0])
-    if (unsupported_[row] != first) d.unsupported_shaft = Applies::some;
+  d.unsupported_shaft = applies_to(s.rows[0], unsupported_);
+  d.bushings = applies_to(s.rows[0], bushings_);
   d.carried_mass = s.inherited[place_.load_state];
   // Loads on the guides do not hang on the ramp; the mean speed of the cycle does, a little: the shortest ramp is the
   // safe side.

@@ -26,6 +26,7 @@ class GuideStage final : public ElementStage<GuideStage> {
   AxisPlace place_;
   machine::Range acceleration_time_;
   std::vector<bool> unsupported_;  ///< per row: a round shaft held at its ends
+  std::vector<bool> bushings_;     ///< per row: bushings on a round shaft, held at its ends or all along
 };
 
 extern template machine::GuideSystem<double> GuideStage::design(const Selection<double>&) const;

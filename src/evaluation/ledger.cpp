@@ -112,6 +112,7 @@ constexpr auto constraints_of() {
     if constexpr (std::is_same_v<Stage, BeltDriveStage>) machine::belt_drive_constraints(visit);
     if constexpr (std::is_same_v<Stage, GuideStage>) machine::guide_constraints(visit);
     if constexpr (std::is_same_v<Stage, MemberStage>) machine::member_constraints(visit);
+    if constexpr (std::is_same_v<Stage, BoltStage>) machine::bolted_joint_constraints(visit);
     if constexpr (std::is_same_v<Stage, SupplyStage>) supply_constraints(visit);
   };
 }

@@ -29,7 +29,11 @@ machine::Problem without_wishes(machine::Problem problem, const GivenSlots& give
     axis.keep_every_candidate = has("driver");
     if (axis.guide && has("guide")) axis.guide->kinds.clear();
     for (machine::Member& member : axis.members)
-      if (has(member.name)) member.section_kinds.clear();
+      if (has(member.name)) {
+        member.section_kinds.clear();
+        member.bolts.sizes.clear();
+        member.bolts.property_classes.clear();
+      }
   }
   return problem;
 }
@@ -62,7 +66,10 @@ void MachineModel::add_axis(std::size_t index, const PriceBook& prices) {
   if (axis.carried_by) place.parent_load_state = first_load_state + *axis.carried_by;
   const auto add_members = [&](bool riding) {
     for (const machine::Member& member : axis.members)
-      if (member.rides == riding)
+      if (member.rides == riding && member.kind == machine::MemberKind::bolts)
+        entries_.push_back(
+            {axis.name, member.name, std::make_unique<BoltStage>(axis, member, place, catalogue_, prices)});
+      else if (member.rides == riding)
         entries_.push_back(
             {axis.name, member.name, std::make_unique<MemberStage>(axis, member, place, catalogue_, prices)});
   };

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "evaluation/belt_drive_stage.h"
+#include "evaluation/bolt_stage.h"
 #include "evaluation/guide_stage.h"
 #include "evaluation/ledger.h"
 #include "evaluation/member_stage.h"
@@ -30,6 +31,7 @@ struct StageEntry {
                std::unique_ptr<BeltDriveStage>,
                std::unique_ptr<GuideStage>,
                std::unique_ptr<MemberStage>,
+               std::unique_ptr<BoltStage>,
                std::unique_ptr<SupplyStage>>
       stage;
   [[nodiscard]] const solver::Stage& as_stage() const;

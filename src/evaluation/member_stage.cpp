@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -23,6 +24,8 @@ MemberStage::MemberStage(const machine::Axis& axis,
             .riding_mass = member.rides ? 0.0 : machine::riding_mass_allowance(axis)},
       place_(place) {
   name_ = axis.name + "." + member.name;
+  for (const machine::SupplyDemand& demand : machine::supply_demands(motion_of(axis)))
+    data_.acceleration = std::max(data_.acceleration, demand.acceleration);
   take_material(catalogue.table(Family::materials), prices);
   if (!member.sections.empty()) {
     take_sections(catalogue, prices);
@@ -36,6 +39,7 @@ MemberStage::MemberStage(const machine::Axis& axis,
       variable("height", member.height);
     }
     if (member.kind == MemberKind::weld) variable("leg", member.leg);
+    if (member.kind == MemberKind::plate) variable("thickness", member.thickness);
   }
   finish_slots();
   machine::member_constraints([&](const machine::Declaration& d, auto&&, auto&&, auto&&) {
@@ -60,6 +64,19 @@ void MemberStage::take_material(const catalogue::Table& materials, const PriceBo
     missing_ = fmt::format("material '{}' lacks its elastic modulus, yield strength or density", name);
   else if (data_.member.sections.empty() && std::isnan(data_.price_per_mass))
     missing_ = fmt::format("material '{}' has no price per mass in a currency of the problem", name);
+  data_.shear_modulus = materials.number(column(Family::materials, "shear_modulus"), row);
+  if (data_.member.rotating && missing_.empty()) take_fatigue(materials, row);
+}
+
+/// The endurance limit of steel follows from its tensile strength; of other metals it must have been measured.
+void MemberStage::take_fatigue(const catalogue::Table& materials, int row) {
+  data_.ultimate_strength = materials.number(column(Family::materials, "ultimate_strength"), row);
+  const bool steel = materials.text(column(Family::materials, "class"), row) == "steel";
+  if (!steel) data_.endurance_limit = materials.number(column(Family::materials, "endurance_limit"), row);
+  if (std::isnan(data_.ultimate_strength + data_.endurance_limit))
+    missing_ = fmt::format("material '{}' lacks its ultimate strength{}, which a rotating shaft needs",
+                           data_.member.material,
+                           steel ? "" : " or endurance limit");
 }
 
 void MemberStage::take_sections(const catalogue::Catalogue& catalogue, const PriceBook& prices) {
@@ -71,7 +88,8 @@ void MemberStage::take_sections(const catalogue::Catalogue& catalogue, const Pri
                         catalogue::Column y,
                         catalogue::Column height,
                         catalogue::Column width,
-                        catalogue::Column mass) {
+                        catalogue::Column mass,
+                        catalogue::Column torsion) {
     const catalogue::Table& t = catalogue.table(family);
     for (int row = 0; row < t.rows(); ++row) {
       if (family == Family::steel_sections &&
@@ -82,12 +100,16 @@ void MemberStage::take_sections(const catalogue::Catalogue& catalogue, const Pri
                                                                          t.number(y, row),
                                                                          t.number(height, row),
                                                                          t.number(width, row),
-                                                                         t.number(mass, row)};
-      const double length = m.count * m.length;
+                                                                         t.number(mass, row),
+                                                                         t.number(torsion, row)};
+      // A portal frame is cut of one length: two columns and a beam.
+      const double piece = m.kind == MemberKind::portal_frame ? m.length + 2.0 * m.column_height : m.length;
+      const double length = m.count * piece;
       Candidate candidate = candidate_of(
-          {{m.name, family, row, m.count, m.length, prices.line(t, row, 0.0, length), readings[5] * length}}, 0.0);
-      if (std::isnan(candidate.price) ||
-          std::any_of(readings.begin(), readings.end(), [](double v) { return std::isnan(v); }))
+          {{m.name, family, row, m.count, piece, prices.line(t, row, 0.0, length), readings[5] * length}}, 0.0);
+      if (std::isnan(candidate.price) || std::any_of(readings.begin(),
+                                                     readings.begin() + machine::section_readings_needed,
+                                                     [](double v) { return std::isnan(v); }))
         continue;
       table.add(std::move(candidate), readings);
     }
@@ -100,7 +122,8 @@ void MemberStage::take_sections(const catalogue::Catalogue& catalogue, const Pri
            column(Family::steel_sections, "second_moment_y"),
            column(Family::steel_sections, "height"),
            column(Family::steel_sections, "width"),
-           column(Family::steel_sections, "mass_per_length"));
+           column(Family::steel_sections, "mass_per_length"),
+           column(Family::steel_sections, "torsion_constant"));
     if (family == "extrusions")
       take(Family::extrusions,
            column(Family::extrusions, "area"),
@@ -108,7 +131,8 @@ void MemberStage::take_sections(const catalogue::Catalogue& catalogue, const Pri
            column(Family::extrusions, "second_moment_y"),
            column(Family::extrusions, "height"),
            column(Family::extrusions, "width"),
-           column(Family::extrusions, "mass_per_length"));
+           column(Family::extrusions, "mass_per_length"),
+           column(Family::extrusions, "torsion_constant"));
   }
   tables_.push_back(std::move(table));
 }
@@ -130,6 +154,8 @@ StructureMember<T> MemberStage::design(const Selection<T>& s) const {
     d.height = s.variables[1];
   } else if (data_.member.kind == MemberKind::weld) {
     d.leg = s.variables[0];
+  } else if (data_.member.kind == MemberKind::plate) {
+    d.thickness = s.variables[0];
   }
   d.carried_mass = s.inherited[place_.load_state];
   d.derive();

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "evaluation/screw_drive_stage.h"
-#include "machine/structure_member.h"
+#include "machine/member_constraints.h"
 
 namespace millwright::evaluation {
 
@@ -27,6 +27,7 @@ class MemberStage final : public ElementStage<MemberStage> {
 
  private:
   void take_material(const catalogue::Table& materials, const PriceBook& prices);
+  void take_fatigue(const catalogue::Table& materials, int row);
   void take_sections(const catalogue::Catalogue& catalogue, const PriceBook& prices);
 
   machine::MemberData data_;

@@ -6,6 +6,7 @@
 #include "machine/problem.h"
 #include "text/diagnostic.h"
 #include "text/node.h"
+#include "text/table_reader.h"
 
 namespace millwright::machine {
 
@@ -31,6 +32,14 @@ struct MoveLimits {
   const text::Node* ramps_given = nullptr;  ///< the range in the file, if any
 };
 void read_moves(const text::Node& moves, const MoveLimits& limits, Axis& axis, text::Diagnostics& diagnostics);
+
+/// What the tool does in a move; none if it cannot be read.
+std::optional<CuttingProcess> read_cutting(const text::Node& node,
+                                           const std::string& title,
+                                           text::Diagnostics& diagnostics);
+
+/// What a joint of screws has beside the load of every member.
+void read_bolts(text::TableReader& table, Member& member, text::Diagnostics& diagnostics);
 
 /// A structure member of an axis.
 Member read_member(const text::Node& node, const std::string& axis, text::Diagnostics& diagnostics);

@@ -6,6 +6,7 @@
 
 #include "machine/belt_drive.h"
 #include "machine/motor_constraints.h"
+#include "machine/spindle_constraints.h"
 
 namespace millwright::machine {
 
@@ -175,6 +176,7 @@ void belt_drive_constraints(Visit&& visit) {
   motor_constraints(visit);
   motor_current_constraints(visit);
   accuracy_constraints(visit);
+  spindle_constraints(visit);
 }
 
 }  // namespace millwright::machine

@@ -267,7 +267,7 @@ std::vector<std::string> slot_names(const Axis& axis) {
   std::vector<std::string> names;
   if (axis.guide) names.push_back("guide");
   for (const Member& member : axis.members)
-    if (!member.sections.empty()) names.push_back(member.name);
+    if (!member.sections.empty() || member.kind == MemberKind::bolts) names.push_back(member.name);
   if (axis.mechanism.kind == MechanismKind::belt) {
     names.insert(names.end(), {"belt", "pulley_drive", "pulley_idle", "motor", "driver"});
   } else {
@@ -286,6 +286,7 @@ std::vector<std::string> setting_names(const Axis& axis) {
       names.push_back(member.name + ".height");
     }
     if (member.kind == MemberKind::weld) names.push_back(member.name + ".leg");
+    if (member.kind == MemberKind::plate) names.push_back(member.name + ".thickness");
   }
   return names;
 }

@@ -21,6 +21,7 @@ struct GuideReading {
   T roll_moment_rating{}, pitch_moment_rating{}, yaw_moment_rating{};
   T carriage_mass{}, rail_mass{}, rail_length{}, largest_rail_length{};
   T shaft_diameter{};  ///< unsupported round shaft, else 0
+  T friction{};        ///< of a bushing; NaN where the catalogue has none
 };
 
 template <class Reading, class Visit>
@@ -35,10 +36,12 @@ void visit_guide_reading(Reading& r, Visit&& visit) {
                       &r.rail_mass,
                       &r.rail_length,
                       &r.largest_rail_length,
-                      &r.shaft_diameter})
+                      &r.shaft_diameter,
+                      &r.friction})
     visit(*field);
 }
-inline constexpr std::size_t guide_reading_fields = 11;
+inline constexpr std::size_t guide_reading_fields = 12;
+inline constexpr std::size_t guide_readings_needed = 11;  ///< the last is for a soft check only
 
 struct GuideData {
   GuideChoice choice;
@@ -57,6 +60,7 @@ struct GuideSystem {
   const GuideData* data = nullptr;
   GuideReading<T> guide;
   Applies unsupported_shaft = Applies::no;
+  Applies bushings = Applies::no;  ///< slide on round shafts, supported or not
   T carried_mass{}, acceleration_time{};
 
   T moved_mass{};
@@ -108,6 +112,51 @@ void GuideSystem<T>::derive() {
   T pushing = pressing + cycle.process_force;
   if (c.carriages > 1.0) pushing = pushing + pitch / length(c.carriage_spacing);
   shaft_force = named("F_s", pushing / c.rails);
+}
+
+/// Whether bushings run freely on their shafts: reported, not enforced.
+template <class Visit>
+void guide_bushing_constraints(Visit&& visit) {
+  using namespace scalar;
+  using enum Requirement;
+  namespace gd = mechanics::guide;
+  visit(
+      Declaration{.id = "C-GD-SLOPE",
+                  .title = "Slope of the guide shaft at its bushings",
+                  .symbol = "φ",
+                  .unit = "deg",
+                  .kind = ConstraintKind::soft,
+                  .source = "shigley, Table A-9; thomson_round_rail",
+                  .requirement = "bushing_slope"},
+      [](const auto& d) { return d.unsupported_shaft; },
+      [](const auto& d) {
+        return gd::shaft_slope(d.shaft_force,
+                               d.guide.rail_length,
+                               in_unit_like(d.life_load, d.data->choice.carriage_spacing, dimension::length),
+                               in_unit_like(d.life_load, guide_shaft_modulus, dimension::pressure),
+                               d.guide.shaft_diameter);
+      },
+      [](const auto& d) {
+        return d.require(d.data->choice.self_aligning ? bushing_slope_self_aligning : bushing_slope);
+      });
+  visit(
+      Declaration{.id = "C-GD-BIND",
+                  .title = "Bearing length against jamming of the bushings",
+                  .symbol = "2μe",
+                  .unit = "mm",
+                  .kind = ConstraintKind::soft,
+                  .source = "millwright_derivations, couple of a driving force beside the guide",
+                  .requirement = "bushing_binding_factor"},
+      [](const auto& d) { return d.data->choice.drive_offset ? d.bushings : Applies::no; },
+      [](const auto& d) {
+        using T = std::remove_cvref_t<decltype(d.life_load)>;
+        const GuideChoice& c = d.data->choice;
+        return gd::required_bushing_length(c.bushing_friction ? T(*c.bushing_friction) : d.guide.friction,
+                                           in_unit<T>(c.drive_offset.value_or(0.0), dimension::length),
+                                           d.require(bushing_binding_factor));
+      },
+      // The couple is taken by the two bushings of a shaft, from middle to middle.
+      [](const auto& d) { return in_unit_like(d.life_load, d.data->choice.carriage_spacing, dimension::length); });
 }
 
 template <class Visit>
@@ -176,6 +225,7 @@ void guide_constraints(Visit&& visit) {
       [](const auto& d) {
         return in_unit_like(d.life_load, guide_shaft_yield, dimension::pressure) / d.require(guide_shaft_safety_factor);
       });
+  guide_bushing_constraints(visit);
   visit(
       Declaration{.id = "C-SYS-RAIL",
                   .title = "Rail is sold in this length",

@@ -172,6 +172,27 @@ MotorChoice read_motor(const Node& node, const std::string& title, Diagnostics& 
   return motor;
 }
 
+namespace {
+
+/// What only bushings on round shafts ask for.
+void read_bushings(TableReader& table, QuantityReader& q, GuideChoice& guide, Diagnostics& diagnostics) {
+  guide.self_aligning = table.boolean("self_aligning").value_or(false);
+  guide.drive_offset = q.quantity("drive_offset", "mm");
+  guide.bushing_friction = q.quantity("bushing_friction", "1", Sign::positive);
+  if (!guide.drive_offset)
+    q.refuse({"bushing_friction"},
+             "tells whether bushings jam, which takes the drive's offset as well",
+             "add drive_offset = \"40 mm\", from the shaft to the drive's line, or leave it out");
+  warn_above(table.node(),
+             "bushing_friction",
+             guide.bushing_friction.value_or(0.0),
+             0.5,
+             "ball bushings have 0.002 to 0.003, plain polymer bushings 0.05 to 0.25",
+             diagnostics);
+}
+
+}  // namespace
+
 GuideChoice read_guide(const Node& node, const std::string& title, Diagnostics& diagnostics) {
   GuideChoice guide;
   guide.where = node.span();
@@ -190,6 +211,7 @@ GuideChoice read_guide(const Node& node, const std::string& title, Diagnostics& 
   guide.load_offset_x = q.quantity_or("load_offset_x", "mm", 0.0, Sign::any);
   guide.load_offset_y = q.quantity_or("load_offset_y", "mm", 0.0, Sign::any);
   guide.force_height = q.quantity_or("force_height", "mm", 0.0, Sign::any);
+  read_bushings(table, q, guide, diagnostics);
   const auto place = [&](const char* key) {
     const Node* value = table.find(key);
     return value == nullptr ? node.span() : value->span();

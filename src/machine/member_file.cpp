@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "machine/axis_file.h"
 #include "machine/quantity_reader.h"
 #include "text/nearest.h"
@@ -15,21 +18,29 @@ using text::TableReader;
 
 namespace {
 
-MemberKind kind_of(const std::string& word) {
-  if (word == "shaft") return MemberKind::round_shaft;
-  if (word == "bar") return MemberKind::rectangular_bar;
-  if (word == "column") return MemberKind::column;
-  if (word == "weld") return MemberKind::weld;
-  return MemberKind::section_beam;
-}
+constexpr std::pair<std::string_view, MemberKind> kinds[] = {{"shaft", MemberKind::round_shaft},
+                                                             {"bar", MemberKind::rectangular_bar},
+                                                             {"beam", MemberKind::section_beam},
+                                                             {"column", MemberKind::column},
+                                                             {"weld", MemberKind::weld},
+                                                             {"plate", MemberKind::plate},
+                                                             {"portal_frame", MemberKind::portal_frame},
+                                                             {"bolts", MemberKind::bolts}};
 
 /// The kind by its word or, if that cannot be read, by the keys that only one kind has; none if nothing tells.
 std::optional<MemberKind> read_kind(TableReader& table, QuantityReader& q) {
-  if (q.required("kind", "kind = \"beam\" (or shaft, bar, column, weld)") != nullptr)
-    if (const auto word = table.word("kind", {"shaft", "bar", "beam", "column", "weld"})) return kind_of(*word);
+  if (q.required("kind", "kind = \"beam\" (or shaft, bar, column, weld, plate, portal_frame, bolts)") != nullptr) {
+    std::vector<std::string> words;
+    for (const auto& [word, kind] : kinds) words.emplace_back(word);
+    if (const auto word = table.word("kind", words))
+      return std::find_if(std::begin(kinds), std::end(kinds), [&](const auto& k) { return k.first == *word; })->second;
+  }
   const Node& node = table.node();
+  if (node.find("thickness") != nullptr) return MemberKind::plate;
+  if (node.find("rows") != nullptr) return MemberKind::bolts;
   if (node.find("diameter") != nullptr) return MemberKind::round_shaft;
-  if (node.find("height") != nullptr) return MemberKind::rectangular_bar;
+  if (node.find("height") != nullptr)
+    return node.find("sections") != nullptr ? MemberKind::portal_frame : MemberKind::rectangular_bar;
   if (node.find("leg") != nullptr) return MemberKind::weld;
   if (node.find("sections") != nullptr) return MemberKind::section_beam;
   return std::nullopt;
@@ -39,6 +50,7 @@ void read_load(QuantityReader& q, Member& member) {
   member.load_share = q.share_or("load_share", 1.0, true);
   member.extra_force = q.quantity_or("extra_force", "N", 0.0);
   member.lateral_force = q.quantity_or("lateral_force", "N", 0.0);
+  member.torque = q.quantity_or("torque", "N.m", 0.0);
   member.count = q.count_or("count", 1.0, 1, 100);
 }
 
@@ -57,32 +69,87 @@ void read_sections(TableReader& table, QuantityReader& q, Member& member, Diagno
   member.section_kinds = q.words("section_kinds");
 }
 
-/// Keys that only another kind of member has.
+/// Keys that only other kinds of member have.
 void refuse_others(QuantityReader& q, MemberKind kind) {
-  const auto refuse = [&](std::initializer_list<std::string_view> keys, const char* others) {
-    q.refuse(keys, "this kind of member has none", fmt::format("this key goes with kind = {}", others));
-  };
-  if (kind != MemberKind::round_shaft) refuse({"diameter", "guide"}, "\"shaft\"");
-  if (kind != MemberKind::rectangular_bar) refuse({"width", "height"}, "\"bar\"");
-  if (kind != MemberKind::weld) refuse({"leg", "joint_width", "joint_depth", "lever_arm"}, "\"weld\"");
-  if (kind != MemberKind::section_beam && kind != MemberKind::column)
-    refuse({"sections", "section_kinds"}, "\"beam\" or \"column\"");
-  if (kind == MemberKind::weld) refuse({"length"}, "\"shaft\", \"bar\", \"beam\" or \"column\"");
+  using enum MemberKind;
+  const auto only =
+      [&](std::initializer_list<MemberKind> owners, std::initializer_list<std::string_view> keys, const char* words) {
+        if (std::find(owners.begin(), owners.end(), kind) == owners.end())
+          q.refuse(keys, "this kind of member has none", fmt::format("this key goes with kind = {}", words));
+      };
+  only({round_shaft}, {"diameter", "guide", "rotating", "surface", "notch_factor"}, "\"shaft\"");
+  only({rectangular_bar, plate}, {"width"}, "\"bar\" or \"plate\"");
+  only({rectangular_bar, portal_frame}, {"height"}, "\"bar\" or \"portal_frame\"");
+  only({plate}, {"thickness"}, "\"plate\"");
+  only({weld}, {"leg", "joint_width", "joint_depth"}, "\"weld\"");
+  only({weld, bolts}, {"lever_arm"}, "\"weld\" or \"bolts\"");
+  only({section_beam, column, portal_frame}, {"sections", "section_kinds"}, "\"beam\", \"column\" or \"portal_frame\"");
+  only({round_shaft, rectangular_bar, section_beam}, {"torque"}, "\"shaft\", \"bar\" or \"beam\"");
+  only({bolts},
+       {"rows",
+        "columns",
+        "row_spacing",
+        "column_spacing",
+        "edge_distance",
+        "eccentricity",
+        "pull_force",
+        "friction",
+        "joint_constant",
+        "nut_factor",
+        "tightening_torque",
+        "fitted",
+        "sizes",
+        "property_classes"},
+       "\"bolts\"");
+  if (kind == weld || kind == bolts)
+    q.refuse({"length"},
+             "this kind of member has none",
+             "this key goes with kind = \"shaft\", \"bar\", \"beam\", \"column\", \"plate\" or \"portal_frame\"");
+  if (kind == bolts) q.refuse({"material"}, "screws have their own", "choose by property_classes = [\"8.8\"]");
+  if (kind == portal_frame || kind == bolts)
+    q.refuse({"support"}, "this kind of member has none", "a portal is clamped at its feet, bolts hold by themselves");
+}
+
+/// A shaft that turns under its load is checked for fatigue, as far as the size factor of the endurance limit is known.
+void read_rotation(TableReader& table, QuantityReader& q, Member& member, Diagnostics& diagnostics) {
+  constexpr double smallest = 2.79e-3, largest = 51e-3, rounding = 1e-12;  // m
+  member.rotating = table.boolean("rotating").value_or(false);
+  if (!member.rotating)
+    q.refuse({"surface", "notch_factor"}, "counts only for a shaft that turns", "add rotating = true, or leave it out");
+  const std::string surface =
+      table.word("surface", {"ground", "machined", "hot_rolled", "forged"}).value_or("machined");
+  member.surface = surface == "ground"       ? SurfaceFinish::ground
+                   : surface == "hot_rolled" ? SurfaceFinish::hot_rolled
+                   : surface == "forged"     ? SurfaceFinish::forged
+                                             : SurfaceFinish::machined;
+  const auto notch = q.quantity("notch_factor", "1", Sign::positive);
+  member.notch_factor = notch.value_or(1.0);
+  if (notch && *notch < 1.0)
+    diagnostics.error(table.find("notch_factor")->span(),
+                      fmt::format("notch_factor: {:.6g} would make a notch stronger than none", *notch),
+                      "1 without notch; a shoulder about 1.7, a keyway about 2.1");
+  if (member.rotating &&
+      (member.diameter.lower < smallest * (1.0 - rounding) || member.diameter.upper > largest * (1.0 + rounding)))
+    diagnostics.error(table.find("diameter")->span(),
+                      "diameter: the fatigue of rotating shafts is known from 2.79 mm to 51 mm only",
+                      "narrow the range, or leave out rotating");
 }
 
 void read_shape(TableReader& table, QuantityReader& q, Member& member, Diagnostics& diagnostics) {
   refuse_others(q, member.kind);
+  const std::size_t before = diagnostics.error_count();
   const auto range = [&](const char* key) {
     return q.range(key, "mm", Presence::required).value_or(Range{0.01, 0.01});
   };
   const auto size = [&](const char* key) {
     return q.quantity(key, "mm", Sign::positive, Presence::required).value_or(0.01);
   };
-  if (member.kind != MemberKind::weld) member.length = size("length");
+  if (member.kind != MemberKind::weld && member.kind != MemberKind::bolts) member.length = size("length");
   switch (member.kind) {
     case MemberKind::round_shaft:
       member.diameter = range("diameter");
       member.is_guide = table.boolean("guide").value_or(false);
+      if (diagnostics.error_count() == before) read_rotation(table, q, member, diagnostics);
       break;
     case MemberKind::rectangular_bar:
       member.width = range("width");
@@ -94,9 +161,20 @@ void read_shape(TableReader& table, QuantityReader& q, Member& member, Diagnosti
       member.joint_depth = size("joint_depth");
       member.lever_arm = q.quantity_or("lever_arm", "mm", 0.0);
       break;
+    case MemberKind::plate:
+      member.plate_width = size("width");
+      member.thickness = range("thickness");
+      break;
+    case MemberKind::portal_frame:
+      member.column_height = size("height");
+      read_sections(table, q, member, diagnostics);
+      break;
     case MemberKind::section_beam:
     case MemberKind::column:
       read_sections(table, q, member, diagnostics);
+      break;
+    case MemberKind::bolts:
+      read_bolts(table, member, diagnostics);
       break;
   }
 }
@@ -104,7 +182,7 @@ void read_shape(TableReader& table, QuantityReader& q, Member& member, Diagnosti
 /// End fixity: the factor on Euler's load, 1/4 free at one end to 4 fixed at both.
 void read_end_fixity(TableReader& table, QuantityReader& q, Member& member, Diagnostics& diagnostics) {
   const auto fixity = q.quantity("end_fixity", "1", Sign::positive);
-  member.end_fixity = fixity.value_or(1.0);
+  member.end_fixity = fixity.value_or(member.kind == MemberKind::portal_frame ? 0.25 : 1.0);
   if (!fixity || (*fixity >= 0.25 && *fixity <= 4.0)) return;
   diagnostics.error(table.find("end_fixity")->span(),
                     fmt::format("end_fixity: {:.6g} is not between 0.25 and 4", *fixity),
@@ -126,7 +204,8 @@ Member read_member(const Node& node, const std::string& axis, Diagnostics& diagn
   member.support = support == "fixed"        ? BeamSupport::fixed
                    : support == "cantilever" ? BeamSupport::cantilever
                                              : BeamSupport::supported;
-  member.material = q.required_text("material", "material = \"S235JR\", a part number of the materials catalogue");
+  if (kind != MemberKind::bolts)
+    member.material = q.required_text("material", "material = \"S235JR\", a part number of the materials catalogue");
   member.rides = table.boolean("rides").value_or(false);
   read_end_fixity(table, q, member, diagnostics);
   read_load(q, member);

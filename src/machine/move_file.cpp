@@ -25,6 +25,19 @@ constexpr double rounding = 1.0 + 1e-12;  // quantities that were written in dif
 
 std::string seconds(double time) { return scalar::format(time, scalar::Unit::of("s")); }
 
+/// A cut gives the move its force and its speed, the feed.
+void read_process(
+    TableReader& table, QuantityReader& q, const std::string& title, Move& move, Diagnostics& diagnostics) {
+  const Node* node = table.table("cutting");
+  if (node == nullptr) return;
+  q.refuse({"force"}, "the cut gives the force already", "leave out force or cutting");
+  q.refuse({"speed"}, "the feed of the cut is the speed already", "leave out speed; feed_per_tooth sets the feed");
+  move.cutting = read_cutting(*node, "cutting of " + title, diagnostics);
+  if (!move.cutting) return;
+  move.force = move.cutting->largest_force();
+  move.speed = move.cutting->feed_speed();
+}
+
 Move read_move(const Node& node, const std::string& title, Diagnostics& diagnostics) {
   Move move;
   move.where = node.span();
@@ -37,7 +50,8 @@ Move read_move(const Node& node, const std::string& title, Diagnostics& diagnost
   move.acceleration_time = q.quantity("acceleration_time", "s", Sign::positive);
   move.force = q.quantity_or("force", "N", 0.0);
   move.dwell = q.quantity_or("dwell", "s", 0.0);
-  if (node.is_table() && !table.has("time") && !table.has("speed"))
+  read_process(table, q, title, move, diagnostics);
+  if (node.is_table() && !table.has("time") && !table.has("speed") && !table.has("cutting"))
     diagnostics.error(
         node.span(), fmt::format("{} needs a time or a speed", title), "add time = \"1 s\" or speed = \"20 mm/s\"");
   table.finish();
@@ -97,7 +111,8 @@ class MoveCheck {
  private:
   void complain(const char* key, const std::string& message, const std::string& hint) {
     text::Diagnostic diagnostic;
-    diagnostic.where = node_.find(key)->span();
+    const Node* said = node_.find(key);
+    diagnostic.where = (said != nullptr ? said : node_.find("cutting"))->span();
     diagnostic.message = fmt::format("{}: {}", key, message);
     diagnostic.hint = hint;
     const Node* own = node_.find("acceleration_time");

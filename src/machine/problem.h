@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "machine/cutting_process.h"
 #include "machine/requirement.h"
 #include "text/source_text.h"
 
@@ -36,7 +37,8 @@ struct Move {
   std::optional<double> time;               ///< s, of the move; a limit if `speed` is given too
   std::optional<double> speed;              ///< m/s, of the constant part
   std::optional<double> acceleration_time;  ///< s; else the axis's
-  double force = 0.0;                       ///< N, process force against the motion
+  double force = 0.0;                       ///< N, process force against the motion; of `cutting` if that is given
+  std::optional<CuttingProcess> cutting;    ///< what the tool does in this move; sets force and speed
   double dwell = 0.0;                       ///< s after the move
   SourceSpan where;
 };
@@ -82,34 +84,66 @@ struct GuideChoice {
   double rail_spacing = 0.0;      ///< m
   double load_offset_x = 0.0;     ///< m, of the moved weight from the centre of the carriages
   double load_offset_y = 0.0;
-  double force_height = 0.0;  ///< m, process force above the carriages
+  double force_height = 0.0;               ///< m, process force above the carriages
+  bool self_aligning = false;              ///< bushings that follow the slope of their shaft
+  std::optional<double> drive_offset;      ///< m, of the drive's line from the shaft, across it
+  std::optional<double> bushing_friction;  ///< overrides the catalogue's, for plain bushings
   SourceSpan where;
 };
 
-enum class MemberKind { round_shaft, rectangular_bar, section_beam, column, weld };
+enum class MemberKind { round_shaft, rectangular_bar, section_beam, column, weld, plate, portal_frame, bolts };
 enum class BeamSupport { supported, fixed, cantilever };
+/// How the surface of a shaft was made, for its endurance limit.
+enum class SurfaceFinish { ground, machined, hot_rolled, forged };
+
+/// A joint of a rectangular pattern of equal screws on an upright face: the load pulls down along the face at a lever
+/// arm from it, so that the joint is sheared and tilts about its lower edge; a lateral force does so sideways.
+struct BoltPattern {
+  double rows = 2.0, columns = 2.0;           ///< upwards, across
+  double row_spacing = 0.0;                   ///< m
+  double column_spacing = 0.0;                ///< m
+  double edge_distance = 0.0;                 ///< m, from the edge about which the joint tilts to the nearest screws
+  double eccentricity = 0.0;                  ///< m, of the load from the centre of the pattern, along the face
+  double pull_force = 0.0;                    ///< N, straight off the face, on all joints together
+  double friction = 0.15;                     ///< of the joint; 0.15 steel dry, 0.12 aluminium, 0.10 painted
+  double joint_constant = 0.25;               ///< share of an external tension that a screw feels
+  double nut_factor = 0.2;                    ///< tightening torque over preload and diameter, dry
+  std::optional<double> tightening_torque;    ///< N.m; without it the preload is a share of the proof load
+  bool fitted = false;                        ///< screws fill their holes and carry the shear themselves
+  std::vector<std::string> sizes;             ///< designations (M6, M8x1, ...); empty = all
+  std::vector<std::string> property_classes;  ///< 8.8, 10.9, A2-70, ...; empty = all
+  [[nodiscard]] double count() const { return rows * columns; }
+};
 
 /// A piece of structure: its size is chosen (a catalogue section, or free dimensions) so that it carries the axis.
 struct Member {
   std::string name;  ///< slot name: beam, column, shaft, weld
   MemberKind kind = MemberKind::section_beam;
   BeamSupport support = BeamSupport::supported;
-  double length = 0.0;                          ///< m, span
-  double count = 1.0;                           ///< members sharing the load equally
-  double extra_force = 0.0;                     ///< N, beside the weight of what the axis carries
-  double lateral_force = 0.0;                   ///< N, horizontal, across the member
-  double load_share = 1.0;                      ///< of the carried weight that this group of members takes
-  bool is_guide = false;                        ///< a guide shaft: C-GD-*, else a frame member: C-FR-*
-  bool rides = false;                           ///< moves with the axis instead of standing on its parent
-  std::vector<std::string> sections;            ///< families a section may come from
-  std::vector<std::string> section_kinds;       ///< words in the catalogue's kind (channel, angle, ...); empty = all
-  std::string material;                         ///< part number in materials
-  Range diameter;                               ///< round_shaft
+  double length = 0.0;                     ///< m, span; of a plate between the rails, of a portal's beam
+  double count = 1.0;                      ///< members sharing the load equally
+  double extra_force = 0.0;                ///< N, beside the weight of what the axis carries
+  double lateral_force = 0.0;              ///< N, horizontal, across the member
+  double torque = 0.0;                     ///< N.m, twisting the members
+  double load_share = 1.0;                 ///< of the carried weight that this group of members takes
+  bool is_guide = false;                   ///< a guide shaft: C-GD-*, else a frame member: C-FR-*
+  bool rides = false;                      ///< moves with the axis instead of standing on its parent
+  std::vector<std::string> sections;       ///< families a section may come from
+  std::vector<std::string> section_kinds;  ///< words in the catalogue's kind (channel, angle, ...); empty = all
+  std::string material;                    ///< part number in materials; bolts have none
+  Range diameter;                          ///< round_shaft
+  bool rotating = false;                   ///< round_shaft that turns under its load: fatigue counts
+  SurfaceFinish surface = SurfaceFinish::machined;
+  double notch_factor = 1.0;                    ///< on the stress amplitude of a rotating shaft
   Range width, height;                          ///< rectangular_bar
-  double lever_arm = 0.0;                       ///< m, weld: of the force about the joint
+  Range thickness;                              ///< plate
+  double plate_width = 0.0;                     ///< m, plate, across its span
+  double column_height = 0.0;                   ///< m, portal_frame
+  double lever_arm = 0.0;                       ///< m, weld, bolts: of the force about the joint
   double joint_width = 0.0, joint_depth = 0.0;  ///< m, weld all around a rectangle
   Range leg;                                    ///< m, weld leg
-  double end_fixity = 1.0;                      ///< column
+  BoltPattern bolts;
+  double end_fixity = 1.0;  ///< column; a portal free to sway 0.25
   SourceSpan where;
 };
 

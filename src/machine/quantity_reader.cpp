@@ -26,6 +26,7 @@ constexpr UsualValues usual[] = {
     {"N", "60 N", 1e-9, 1e8},
     {"N.m", "0.5 N.m", 1e-9, 1e6},
     {"mm/s", "20 mm/s", 1e-9, 1e3},
+    {"m/s", "200 m/min", 1e-9, 1e3},
     {"V", "24 V", 1e-3, 1e3},
     {"deg", "30 deg", 1e-9, 10.0},
     {"Hz", "30 kHz", 1e-3, 1e9},
@@ -35,6 +36,7 @@ constexpr UsualValues usual[] = {
     {"K", "5 K", 1e-6, 1e4},
     {"N/m", "20 N/um", 1e-3, 1e12},
     {"m2/N", "1e-15 m2/N", 1e-25, 1.0},
+    {"W", "500 W", 1e-3, 1e6},
     {"1", "1", 1e-9, 1e9},
 };
 

@@ -7,8 +7,8 @@
 
 namespace millwright::machine {
 
-/// Whether everything that the problem names in the catalogues exists there: the materials of its members. What does
-/// not is reported at the member, with the nearest name.
+/// Whether everything that the problem names in the catalogues exists there: the materials of its members, the sizes
+/// and property classes of its screws. What does not is reported at the member, with the nearest name.
 bool check_references(const Problem& problem, const catalogue::Catalogue& catalogue, text::Diagnostics& diagnostics);
 
 }  // namespace millwright::machine

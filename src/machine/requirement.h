@@ -82,6 +82,20 @@ enum class Requirement : std::size_t {
   column_factor,
   weld_stress,
   shaft_safety_factor,
+  bushing_slope,
+  bushing_slope_self_aligning,
+  bushing_binding_factor,
+  frame_twist,
+  frame_natural_frequency,
+  ringing_amplitude,
+  fatigue_safety_factor,
+  fatigue_reliability_factor,
+  bolt_preload_fraction,
+  bolt_proof_safety,
+  bolt_separation_safety,
+  bolt_slip_safety,
+  bolt_shear_safety_factor,
+  spindle_power_factor,
   count_
 };
 

@@ -46,6 +46,9 @@ Side side_of(Requirement requirement) {
     case Requirement::guide_shaft_deflection_ratio:
     case Requirement::frame_deflection_ratio:
     case Requirement::column_factor:
+    case Requirement::fatigue_reliability_factor:
+    case Requirement::bolt_preload_fraction:
+    case Requirement::spindle_power_factor:
       return Side::share;
     case Requirement::brake_factor:
     case Requirement::screw_safety_factor:
@@ -65,6 +68,12 @@ Side side_of(Requirement requirement) {
     case Requirement::guide_shaft_safety_factor:
     case Requirement::frame_safety_factor:
     case Requirement::shaft_safety_factor:
+    case Requirement::bushing_binding_factor:
+    case Requirement::fatigue_safety_factor:
+    case Requirement::bolt_proof_safety:
+    case Requirement::bolt_separation_safety:
+    case Requirement::bolt_slip_safety:
+    case Requirement::bolt_shear_safety_factor:
       return Side::safety;
     default:
       return Side::any;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// All constraints of a screw drive; those of motor, driver and accuracy are shared with other drives.
+// All constraints of a screw drive; those of motor, driver, accuracy and spindle are shared with other drives.
 #pragma once
 
 #include "machine/motor_constraints.h"
 #include "machine/screw_accuracy_constraints.h"
 #include "machine/screw_constraints.h"
 #include "machine/screw_fit_constraints.h"
+#include "machine/spindle_constraints.h"
 
 namespace millwright::machine {
 
@@ -21,6 +22,7 @@ void screw_drive_constraints(Visit&& visit) {
   accuracy_constraints(visit);
   screw_accuracy_constraints(visit);
   screw_fit_constraints(visit);
+  spindle_constraints(visit);
 }
 
 }  // namespace millwright::machine

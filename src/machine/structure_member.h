@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A member of the structure: a shaft, bar, beam, column or weld that carries an axis, of a catalogue section or with
-// free dimensions. Loads: its share of the carried weight, an extra force, a lateral force (two planes are added
-// vectorially) and its own weight.
+// A member of the structure: a shaft, bar, beam, plate, column, portal frame or weld that carries an axis, of a
+// catalogue section or with free dimensions. Loads: its share of the carried weight, an extra force, a lateral force
+// (two planes are added vectorially) and its own weight.
+//
+// A plate bends as a strip between its two rails; the load is spread along the rails, so that what happens close around
+// a single foot on it is not covered. A portal frame has two columns and a beam of one section, clamped at the feet.
 #pragma once
+
+#include <algorithm>
 
 #include "machine/constraint.h"
 #include "machine/motor_constraints.h"
@@ -24,20 +29,36 @@ namespace millwright::machine {
 template <class T>
 struct SectionReading {
   T area{}, strong_second_moment{}, weak_second_moment{}, height{}, width{}, mass_per_length{};
+  T torsion_constant{};  ///< NaN where the catalogue has none
 };
 
 template <class Reading, class Visit>
 void visit_section_reading(Reading& r, Visit&& visit) {
-  for (auto* field : {&r.area, &r.strong_second_moment, &r.weak_second_moment, &r.height, &r.width, &r.mass_per_length})
+  for (auto* field : {&r.area,
+                      &r.strong_second_moment,
+                      &r.weak_second_moment,
+                      &r.height,
+                      &r.width,
+                      &r.mass_per_length,
+                      &r.torsion_constant})
     visit(*field);
 }
-inline constexpr std::size_t section_reading_fields = 6;
+inline constexpr std::size_t section_reading_fields = 7;
+inline constexpr std::size_t section_readings_needed = 6;  ///< the last is for a soft check only
+
+/// A plate wider than this times its span does not help a load in its middle any more: its deflection there tends to
+/// 0.01695 F L²/D, that of a strip of 1.229 L [timoshenko_plates, Table 23].
+inline constexpr double plate_effective_width = 1.229;
 
 struct MemberData {
   Member member;
   Requirements require;
   double riding_mass = 0.0;  ///< kg, allowance for the nut or belt of the axis that it carries
   double elastic_modulus = 0.0, yield_strength = 0.0, density = 0.0, price_per_mass = 0.0;
+  double shear_modulus = 0.0;      ///< NaN where the catalogue has none
+  double ultimate_strength = 0.0;  ///< of a rotating shaft
+  double endurance_limit = 0.0;    ///< Pa, of a polished rotating bar; 0 = steel, from its tensile strength
+  double acceleration = 0.0;       ///< m/s^2, the hardest of the axis
 };
 
 template <class T>
@@ -45,18 +66,31 @@ struct StructureMember {
   const MemberData* data = nullptr;
   SectionReading<T> section;
   T carried_mass{};
-  T diameter{}, width{}, height{}, leg{};  ///< free dimensions of its kind
+  T diameter{}, width{}, height{}, leg{}, thickness{};  ///< free dimensions of its kind
 
   T mass{};   ///< kg, all members of the group
   T force{};  ///< N, on one member
   T moment{}, lateral_moment{};
   T deflection{}, stress{};
+  T axial_force{};            ///< N, in one column
+  T sway{}, column_stress{};  ///< of a portal frame
 
   [[nodiscard]] T require(Requirement requirement, const scalar::Dimension& dimension = scalar::dimension::none) const {
     return scalar::in_unit<T>(data->require(requirement), dimension);
   }
   [[nodiscard]] Applies is(bool condition) const { return condition ? Applies::yes : Applies::no; }
   [[nodiscard]] T length() const { return scalar::in_unit<T>(data->member.length, scalar::dimension::length); }
+  /// Height of a column, alone or of a portal frame.
+  [[nodiscard]] T column_length() const {
+    return data->member.kind == MemberKind::portal_frame
+               ? scalar::in_unit<T>(data->member.column_height, scalar::dimension::length)
+               : length();
+  }
+  [[nodiscard]] T lateral_force() const {
+    return scalar::in_unit<T>(data->member.lateral_force / data->member.count, scalar::dimension::force);
+  }
+  /// Mass that one member carries.
+  [[nodiscard]] T mass_on_member() const { return data->member.load_share / data->member.count * carried_mass; }
   [[nodiscard]] T elastic_modulus() const {
     return scalar::in_unit<T>(data->elastic_modulus, scalar::dimension::pressure);
   }
@@ -75,6 +109,8 @@ struct StructureMember {
   T deflection_of(const T& point, const T& distributed, const T& second_moment) const;
   T moment_of(const T& point, const T& distributed) const;
   void derive_bending();
+  void derive_portal();
+  void derive_weld();
 };
 
 template <class T>
@@ -89,12 +125,23 @@ void StructureMember<T>::take_section() {
     section.strong_second_moment = section.weak_second_moment = named("I", sec::round_second_moment(diameter, hollow));
     section.height = section.width = diameter;
     section.mass_per_length = density * section.area;
+    section.torsion_constant = named("J", sec::round_torsion_constant(diameter, hollow));
   } else if (data->member.kind == MemberKind::rectangular_bar) {
     section.area = named("A", width * height);
     section.strong_second_moment = named("I_y", sec::rectangle_second_moment(width, height));
     section.weak_second_moment = named("I_z", sec::rectangle_second_moment(height, width));
     section.height = height;
     section.width = width;
+    section.mass_per_length = density * section.area;
+    section.torsion_constant = named("J", sec::rectangle_torsion_constant(width, height));
+  } else if (data->member.kind == MemberKind::plate) {
+    const double whole = data->member.plate_width;
+    const T strip = in_unit<T>(std::min(whole, plate_effective_width * data->member.length), dimension::length);
+    section.area = named("A", in_unit<T>(whole, dimension::length) * thickness);
+    section.strong_second_moment = named("I_y", sec::rectangle_second_moment(strip, thickness));
+    section.weak_second_moment = named("I_z", sec::rectangle_second_moment(thickness, strip));
+    section.height = thickness;
+    section.width = strip;
     section.mass_per_length = density * section.area;
   }
 }
@@ -142,7 +189,7 @@ void StructureMember<T>::derive_bending() {
   const T gravity = in_unit<T>(standard_gravity, dimension::acceleration);
   const T own = section.mass_per_length * gravity;
   const T no_load = in_unit<T>(0.0, dimension::force / dimension::length);
-  const T lateral = in_unit<T>(data->member.lateral_force / data->member.count, dimension::force);
+  const T lateral = lateral_force();
   moment = named("M", moment_of(force, own));
   lateral_moment = named("M_z", moment_of(lateral, no_load));
   const T down = deflection_of(force, own, section.strong_second_moment);
@@ -161,6 +208,54 @@ void StructureMember<T>::derive_bending() {
 }
 
 template <class T>
+void StructureMember<T>::derive_portal() {
+  using namespace scalar;
+  namespace col = mechanics::column;
+  const T own = section.mass_per_length * in_unit<T>(standard_gravity, dimension::acceleration);
+  const T lateral = lateral_force();
+  const T rise = column_length();
+  const T& second_moment = section.strong_second_moment;
+  // Beam and columns are of one section.
+  const T ratio = named("κ", T(data->member.column_height / data->member.length));
+  // In its middle the beam is taken as supported; its corners bend by the load on it (its own weight lumped in its
+  // middle, which is safe) and by the sway.
+  moment = named("M", moment_of(force, own));
+  deflection = named("δ", deflection_of(force, own, second_moment));
+  const T on_beam = force + own * length();
+  const T hanging = named("M_g", col::portal_corner_moment_of_beam_load(on_beam, length(), ratio));
+  const T swaying = named("M_s", col::portal_corner_moment(lateral, rise, ratio));
+  const T corner = named("M_c", hanging + swaying);
+  const T foot = named("M_f", 0.5 * hanging + col::portal_foot_moment(lateral, rise, ratio));
+  const T edge = 0.5 * section.height;
+  stress = named("σ", mechanics::section::bending_stress(larger(moment, corner), second_moment, edge));
+  // The corners' moments make a couple in the columns, which presses on one and pulls the other.
+  axial_force = named("N", 0.5 * on_beam + own * rise + 2.0 * swaying / length());
+  column_stress = named("σ_c",
+                        mechanics::section::direct_stress(axial_force, section.area) +
+                            mechanics::section::bending_stress(larger(corner, foot), second_moment, edge));
+  sway = named("δ_s", lateral / col::portal_stiffness(elastic_modulus(), second_moment, rise, second_moment, length()));
+  mass = named("m_b", data->member.count * section.mass_per_length * (2.0 * rise + length()));
+}
+
+template <class T>
+void StructureMember<T>::derive_weld() {
+  using namespace scalar;
+  namespace wd = mechanics::weld;
+  const Member& m = data->member;
+  // Two legs' worth of triangle along the joint.
+  const T joint = in_unit<T>(2.0 * (m.joint_width + m.joint_depth), dimension::length);
+  mass = m.count * 0.5 * square(leg) * joint *
+         in_unit<T>(data->density, dimension::mass / (dimension::length * dimension::length * dimension::length));
+  const T throat = named("t", wd::throat(leg));
+  const T modulus = wd::rectangle_section_modulus(
+      throat, in_unit<T>(m.joint_width, dimension::length), in_unit<T>(m.joint_depth, dimension::length));
+  moment = named("M", force * in_unit<T>(m.lever_arm, dimension::length));
+  stress = named("τ",
+                 wd::combined_stress(
+                     wd::direct_stress(force, leg, joint), moment / modulus, in_unit<T>(0.0, dimension::pressure)));
+}
+
+template <class T>
 void StructureMember<T>::derive() {
   using namespace scalar;
   const Member& m = data->member;
@@ -168,123 +263,13 @@ void StructureMember<T>::derive() {
   const T weight = burden * in_unit<T>(standard_gravity, dimension::acceleration);
   force = named("F", (m.load_share * weight + in_unit<T>(m.extra_force, dimension::force)) / m.count);
   take_section();
-  if (m.kind == MemberKind::weld) {
-    // Two legs' worth of triangle along the joint.
-    const T joint = in_unit<T>(2.0 * (m.joint_width + m.joint_depth), dimension::length);
-    mass = m.count * 0.5 * square(leg) * joint *
-           in_unit<T>(data->density, dimension::mass / (dimension::length * dimension::length * dimension::length));
-    const T throat = named("t", mechanics::weld::throat(leg));
-    const T modulus = mechanics::weld::rectangle_section_modulus(
-        throat, in_unit<T>(m.joint_width, dimension::length), in_unit<T>(m.joint_depth, dimension::length));
-    moment = named("M", force * in_unit<T>(m.lever_arm, dimension::length));
-    stress = named(
-        "τ",
-        mechanics::weld::combined_stress(
-            mechanics::weld::direct_stress(force, leg, joint), moment / modulus, in_unit<T>(0.0, dimension::pressure)));
-    return;
-  }
+  if (m.kind == MemberKind::weld) return derive_weld();
+  if (m.kind == MemberKind::portal_frame) return derive_portal();
   mass = named("m_b", m.count * section.mass_per_length * length());
-  if (m.kind != MemberKind::column) derive_bending();
-}
-
-template <class Visit>
-void member_constraints(Visit&& visit) {
-  using namespace scalar;
-  using enum Requirement;
-  constexpr auto bends = [](const auto& d) {
-    return d.is(d.data->member.kind != MemberKind::column && d.data->member.kind != MemberKind::weld &&
-                !d.data->member.is_guide);
-  };
-  constexpr auto guides = [](const auto& d) { return d.is(d.data->member.is_guide); };
-  visit(
-      Declaration{.id = "C-FR-STRESS",
-                  .title = "Bending stress of the frame member",
-                  .symbol = "σ",
-                  .unit = "MPa",
-                  .source = "khurmi_gupta2005, chapter 5; fdm_printer, eq. 6",
-                  .requirement = "frame_safety_factor"},
-      bends,
-      [](const auto& d) { return d.stress; },
-      [](const auto& d) {
-        return mechanics::material::allowable_stress(d.yield_strength(), d.require(frame_safety_factor));
-      });
-  visit(
-      Declaration{.id = "C-FR-DEFL",
-                  .title = "Deflection of the frame member",
-                  .symbol = "δ",
-                  .unit = "mm",
-                  .source = "shigley, Table A-9; slocum1992",
-                  .requirement = "frame_deflection_ratio"},
-      bends,
-      [](const auto& d) { return d.deflection; },
-      [](const auto& d) { return d.require(frame_deflection_ratio) * d.length(); });
-  visit(
-      Declaration{.id = "C-GD-STRESS",
-                  .title = "Guide shaft bending stress",
-                  .symbol = "σ",
-                  .unit = "MPa",
-                  .source = "torch_table, eq. 13 and 14",
-                  .requirement = "guide_shaft_safety_factor"},
-      guides,
-      [](const auto& d) { return d.stress; },
-      [](const auto& d) {
-        return mechanics::material::allowable_stress(d.yield_strength(), d.require(guide_shaft_safety_factor));
-      });
-  visit(
-      Declaration{.id = "C-GD-DEFL",
-                  .title = "Guide shaft deflection",
-                  .symbol = "δ",
-                  .unit = "mm",
-                  .source = "shigley, Table A-9",
-                  .requirement = "guide_shaft_deflection_ratio"},
-      guides,
-      [](const auto& d) { return d.deflection; },
-      [](const auto& d) { return d.require(guide_shaft_deflection_ratio) * d.length(); });
-  visit(
-      Declaration{.id = "C-SH-DIAM",
-                  .title = "Shaft diameter against the required one",
-                  .symbol = "d",
-                  .unit = "mm",
-                  .source = "torch_table, eq. 14; khurmi_gupta2005, section 14.11",
-                  .requirement = "shaft_safety_factor"},
-      [](const auto& d) { return d.is(d.data->member.kind == MemberKind::round_shaft); },
-      [](const auto& d) {
-        const auto one = decltype(d.mass)(1.0);
-        return mechanics::shaft::required_diameter_von_mises(
-            d.resultant_moment(),
-            in_unit_like(d.mass, 0.0, dimension::torque),
-            one,
-            one,
-            mechanics::material::allowable_stress(d.yield_strength(), d.require(shaft_safety_factor)));
-      },
-      [](const auto& d) { return d.diameter; });
-  visit(
-      Declaration{.id = "C-FR-BUCK",
-                  .title = "Column buckling",
-                  .symbol = "F",
-                  .unit = "N",
-                  .source = "fdm_printer, eq. 8; khurmi_gupta2005, chapter 16",
-                  .requirement = "column_factor"},
-      [](const auto& d) { return d.is(d.data->member.kind == MemberKind::column); },
-      [](const auto& d) { return d.force; },
-      [](const auto& d) {
-        return d.require(column_factor) * mechanics::column::critical_load(decltype(d.mass)(d.data->member.end_fixity),
-                                                                           d.elastic_modulus(),
-                                                                           d.yield_strength(),
-                                                                           d.section.area,
-                                                                           d.section.weak_second_moment,
-                                                                           d.length());
-      });
-  visit(
-      Declaration{.id = "C-WELD",
-                  .title = "Weld stress on the throat",
-                  .symbol = "τ",
-                  .unit = "MPa",
-                  .source = "khurmi_gupta2005, chapter 10",
-                  .requirement = "weld_stress"},
-      [](const auto& d) { return d.is(d.data->member.kind == MemberKind::weld); },
-      [](const auto& d) { return d.stress; },
-      [](const auto& d) { return d.require(weld_stress, dimension::pressure); });
+  if (m.kind == MemberKind::column)
+    axial_force = force;
+  else
+    derive_bending();
 }
 
 }  // namespace millwright::machine

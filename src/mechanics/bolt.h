@@ -33,6 +33,12 @@ T tightening_torque(const T& nut_factor, const T& preload, const T& diameter) {
   return nut_factor * preload * diameter;
 }
 
+/// Preload that a tightening torque gives (N). Nut factor 0.20 dry, 0.15 lubricated. [shigley, chapter 8]
+template <class T>
+T preload_of_torque(const T& tightening_torque, const T& nut_factor, const T& diameter) {
+  return tightening_torque / (nut_factor * diameter);
+}
+
 /// Share of an external tension that the bolt feels: 0.2 to 0.25 in steel, 0.3 to 0.4 in aluminium members. [shigley,
 /// chapter 8]
 template <class T>

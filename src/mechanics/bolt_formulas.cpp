@@ -51,6 +51,19 @@ void define_bolt(FormulaList& list) {
 
   define(
       list,
+      {.name = "bolt.preload_of_torque",
+       .symbol = "F_i",
+       .unit = "N",
+       .title = "Preload that a tightening torque gives",
+       .source = "shigley, chapter 8",
+       .validity = "ISO metric thread, elastic joint, equal bolts"},
+      [](const auto&... x) { return bolt::preload_of_torque(x...); },
+      quantity("tightening_torque", "T", "N.m", "tightening torque").rising(),
+      quantity("nut_factor", "K", "1", "nut factor (0.20 dry, 0.15 lubricated)").typical(0.1, 0.3).falling(),
+      quantity("diameter", "d", "m", "nominal diameter").falling());
+
+  define(
+      list,
       {.name = "bolt.joint_constant",
        .handbook_id = "BOLT-JOINT-CONSTANT",
        .symbol = "C",

@@ -84,6 +84,29 @@ T portal_stiffness(const T& elastic_modulus,
          (6.0 * stiffness_ratio + 4.0);
 }
 
+/// Moment at the clamped feet of a portal under a lateral force at beam level (N·m). Stiffness ratio as for the lateral
+/// stiffness, (I_b/L)/(I_c/h). By the slope-deflection equations F h/2 · (3κ + 1)/(6κ + 1). Valid: plane frame, axial
+/// strain neglected. [millwright_derivations, definition]
+template <class T>
+T portal_foot_moment(const T& force, const T& column_height, const T& stiffness_ratio) {
+  return force * column_height / 4.0 * (1.0 + 1.0 / (6.0 * stiffness_ratio + 1.0));
+}
+
+/// Moment at the upper corners of a portal with clamped feet under a lateral force at beam level (N·m). By the
+/// slope-deflection equations F h/2 · 3κ/(6κ + 1). Valid: plane frame, axial strain neglected. [millwright_derivations,
+/// definition]
+template <class T>
+T portal_corner_moment(const T& force, const T& column_height, const T& stiffness_ratio) {
+  return force * column_height / 4.0 * (1.0 - 1.0 / (6.0 * stiffness_ratio + 1.0));
+}
+
+/// Moment at the upper corners of a portal with clamped feet under a force on the middle of its beam (N·m); half of it
+/// arrives at the feet. Valid: plane frame, axial strain neglected. [millwright_derivations, definition]
+template <class T>
+T portal_corner_moment_of_beam_load(const T& force, const T& beam_span, const T& stiffness_ratio) {
+  return force * beam_span / (4.0 * (stiffness_ratio + 2.0));
+}
+
 /// Buckling load of a stocky column by the Johnson parabola, from area and radius of gyration (N). Outside its range it
 /// falls and turns negative; critical_load changes over. Valid: straight, centrally loaded; slenderness below the
 /// transition √(2 C π² E / σ_y). [fdm_printer, eq. 11; khurmi_gupta2005, chapter 16]

@@ -82,6 +82,45 @@ void define_column(FormulaList& list) {
 
   define(
       list,
+      {.name = "column.portal_foot_moment",
+       .symbol = "M_f",
+       .unit = "N.m",
+       .title = "Moment at the clamped feet of a portal under a force at beam level",
+       .source = "millwright_derivations, definition",
+       .validity = "plane frame, axial strain neglected"},
+      [](const auto&... x) { return column::portal_foot_moment(x...); },
+      quantity("force", "F", "N", "lateral force at beam level").rising(),
+      quantity("column_height", "h", "m", "column height").rising(),
+      quantity("stiffness_ratio", "κ", "1", "(I_b/L)/(I_c/h)").typical(0.1, 10).falling());
+
+  define(
+      list,
+      {.name = "column.portal_corner_moment",
+       .symbol = "M_c",
+       .unit = "N.m",
+       .title = "Moment at the upper corners of a portal under a force at beam level",
+       .source = "millwright_derivations, definition",
+       .validity = "plane frame, axial strain neglected"},
+      [](const auto&... x) { return column::portal_corner_moment(x...); },
+      quantity("force", "F", "N", "lateral force at beam level").rising(),
+      quantity("column_height", "h", "m", "column height").rising(),
+      quantity("stiffness_ratio", "κ", "1", "(I_b/L)/(I_c/h)").typical(0.1, 10).rising());
+
+  define(
+      list,
+      {.name = "column.portal_corner_moment_of_beam_load",
+       .symbol = "M_c",
+       .unit = "N.m",
+       .title = "Moment at the upper corners of a portal under a force on the middle of its beam",
+       .source = "millwright_derivations, definition",
+       .validity = "plane frame, axial strain neglected"},
+      [](const auto&... x) { return column::portal_corner_moment_of_beam_load(x...); },
+      quantity("force", "F", "N", "force on the middle of the beam").rising(),
+      quantity("beam_span", "L", "m", "beam span").rising(),
+      quantity("stiffness_ratio", "κ", "1", "(I_b/L)/(I_c/h)").typical(0.1, 10).falling());
+
+  define(
+      list,
       {.name = "column.johnson_load_of_radius",
        .symbol = "P_cr",
        .unit = "N",

@@ -45,6 +45,19 @@ T supported_natural_frequency(const T& elastic_modulus,
          (2.0 * pi<T>());
 }
 
+/// First natural frequency of a beam clamped at both ends with a mass in the middle (Hz). 13/35 of the beam counts, by
+/// Rayleigh's quotient of its static deflection. [blevins]
+template <class T>
+T fixed_natural_frequency(const T& elastic_modulus,
+                          const T& second_moment_of_area,
+                          const T& length,
+                          const T& midspan_mass,
+                          const T& beam_mass) {
+  return sqrt(192.0 * elastic_modulus * second_moment_of_area /
+              (cube(length) * (midspan_mass + 13.0 / 35.0 * beam_mass))) /
+         (2.0 * pi<T>());
+}
+
 /// First natural frequency of a uniform beam (Hz). Eigenvalue 1.8751 fixed-free, π supported-supported, 3.9266 fixed-
 /// supported, 4.7300 fixed-fixed. [blevins]
 template <class T>

@@ -66,6 +66,21 @@ void define_vibration(FormulaList& list) {
 
   define(
       list,
+      {.name = "vibration.fixed_natural_frequency",
+       .symbol = "f",
+       .unit = "Hz",
+       .title = "First natural frequency of a beam clamped at both ends with a mass in the middle",
+       .source = "blevins",
+       .validity = "undamped, small amplitude"},
+      [](const auto&... x) { return vibration::fixed_natural_frequency(x...); },
+      quantity("elastic_modulus", "E", "Pa", "modulus").typical(5e9, 6e11).rising(),
+      quantity("second_moment_of_area", "I", "m^4", "second moment of area").typical(1e-10, 1e-6).rising(),
+      quantity("length", "L", "m", "span").falling(),
+      quantity("midspan_mass", "m", "kg", "mass at midspan").falling(),
+      quantity("beam_mass", "m_b", "kg", "beam mass").falling());
+
+  define(
+      list,
       {.name = "vibration.uniform_beam_natural_frequency",
        .handbook_id = "FREQ-BEAM-UNIFORM",
        .symbol = "f",

@@ -108,6 +108,53 @@ lever_arm = "200 mm"
 joint_width = "30 mm"
 joint_depth = "20 mm"
 leg = ["2 mm", "10 mm"]
+[[axis.members]]
+name = "table"
+kind = "plate"
+material = "Al 6061-T6"
+length = "300 mm"
+width = "400 mm"
+thickness = ["3 mm", "30 mm"]
+lateral_force = "20 N"
+rides = true
+[[axis.members]]
+name = "portal"
+kind = "portal_frame"
+material = "Al 6063-T5"
+sections = ["extrusions", "steel_sections"]
+length = "700 mm"
+height = "350 mm"
+lateral_force = "60 N"
+[[axis.members]]
+name = "spindle"
+kind = "shaft"
+rotating = true
+length = "400 mm"
+material = "S45C normalised"
+torque = "3 N.m"
+lateral_force = "20 N"
+diameter = ["8 mm", "40 mm"]
+[[axis.members]]
+name = "flange"
+kind = "bolts"
+rows = 3
+columns = 2
+row_spacing = "40 mm"
+column_spacing = "60 mm"
+edge_distance = "15 mm"
+lever_arm = "120 mm"
+eccentricity = "30 mm"
+lateral_force = "40 N"
+pull_force = "10 N"
+[[axis.members]]
+name = "dowels"
+kind = "bolts"
+fitted = true
+row_spacing = "40 mm"
+column_spacing = "60 mm"
+extra_force = "200 N"
+tightening_torque = "5 N.m"
+rides = true
 )";
 
 const MachineModel& sander() {
@@ -169,7 +216,7 @@ TEST_CASE("The written machine and the sander have every kind of stage") {
   CHECK(gantry().empty_slots().empty());
   std::map<std::size_t, int> kinds;
   for (const StageEntry* entry : all_stages()) ++kinds[entry->stage.index()];
-  CHECK(kinds.size() == 5);
+  CHECK(kinds.size() == 6);
 }
 
 TEST_CASE("Bounds of random sets contain their members") {

@@ -31,13 +31,13 @@ void require_ids(const DeclaringElement& element, const std::vector<std::string>
 const std::vector<std::string> of_every_drive{
     "C-SYS-TIME", "C-SYS-SPEED", "C-ST-TORQUE",  "C-ST-80",   "C-ST-INERTIA", "C-ST-RMS",   "C-ST-STEPRATE",
     "C-ST-HOLD",  "C-ST-BACK",   "C-DR-CURRENT", "C-DR-VOLT", "C-DR-MOTORI",  "C-ST-START", "C-ST-TEMP",
-    "C-ST-RES",   "C-ST-POWER",  "C-ACC-MICRO",  "C-ACC-RES", "C-ACC-TOTAL",  "C-ACC-LOST"};
+    "C-ST-RES",   "C-ST-POWER",  "C-ACC-MICRO",  "C-ACC-RES", "C-ACC-TOTAL",  "C-ACC-LOST", "C-TOOL-POWER"};
 
 }  // namespace
 
 TEST_CASE("Every element declares the constraints that the design rules ask of it") {
   const auto elements = declaring_elements();
-  REQUIRE(elements.size() == 5);
+  REQUIRE(elements.size() == 6);
   require_ids(elements[0], of_every_drive);
   require_ids(
       elements[0],
@@ -60,10 +60,22 @@ TEST_CASE("Every element declares the constraints that the design rules ask of i
                "C-BT-STIFF",
                "C-BT-FREQ",
                "C-ST-RADIAL"});
-  require_ids(elements[2], {"C-GD-LIFE", "C-GD-STATIC", "C-GD-DEFL", "C-GD-STRESS"});
+  require_ids(elements[2], {"C-GD-LIFE", "C-GD-STATIC", "C-GD-DEFL", "C-GD-STRESS", "C-GD-SLOPE", "C-GD-BIND"});
   require_ids(elements[3],
-              {"C-FR-STRESS", "C-FR-DEFL", "C-FR-BUCK", "C-WELD", "C-SH-DIAM", "C-GD-STRESS", "C-GD-DEFL"});
+              {"C-FR-STRESS",
+               "C-FR-DEFL",
+               "C-FR-BUCK",
+               "C-FR-SWAY",
+               "C-FR-COLUMN",
+               "C-FR-TWIST",
+               "C-FR-FREQ",
+               "C-WELD",
+               "C-SH-DIAM",
+               "C-SH-FAT",
+               "C-GD-STRESS",
+               "C-GD-DEFL"});
   require_ids(elements[4], {"C-PSU-POWER", "C-PSU-CURRENT", "F-SUPPLY-VOLTAGE"});
+  require_ids(elements[5], {"C-BOLT-PROOF", "C-BOLT-SEP", "C-BOLT-SLIP", "C-BOLT-SHEAR"});
 }
 
 TEST_CASE("No element declares a constraint twice") {
@@ -153,6 +165,21 @@ TEST_CASE("Requirements have the documented defaults") {
   CHECK_FALSE(r.known(axial_stiffness));
   CHECK_FALSE(r.known(motor_radial_load));
   CHECK_FALSE(r.known(output_power_factor));
+  constexpr double degree = 3.14159265358979 / 180.0;
+  CHECK(r(bushing_slope) == Approx(0.1 * degree));
+  CHECK(r(bushing_slope_self_aligning) == Approx(0.5 * degree));
+  CHECK(r(bushing_binding_factor) == 1.0);
+  CHECK(r(fatigue_safety_factor) == 1.5);
+  CHECK(r(fatigue_reliability_factor) == 0.814);
+  CHECK(r(bolt_preload_fraction) == 0.75);
+  CHECK(r(bolt_proof_safety) == 1.15);
+  CHECK(r(bolt_separation_safety) == 1.5);
+  CHECK(r(bolt_slip_safety) == 1.5);
+  CHECK(r(bolt_shear_safety_factor) == 2.0);
+  CHECK(r(spindle_power_factor) == 0.8);
+  CHECK_FALSE(r.known(frame_twist));
+  CHECK_FALSE(r.known(frame_natural_frequency));
+  CHECK_FALSE(r.known(ringing_amplitude));
   CHECK_FALSE(r.known(position_error));
   CHECK_FALSE(r.known(lost_motion));
 }

@@ -59,6 +59,14 @@ machine::MotionData motion(bool vertical) {
   move.time = 2.0;
   move.force = 40.0;
   move.dwell = 0.5;
+  move.cutting = machine::CuttingProcess{.material = {},
+                                         .unit_specific_force = 700e6,
+                                         .depth = 2e-3,
+                                         .width = 2e-3,
+                                         .feed_per_tooth = 5e-5,
+                                         .diameter = 6e-3,
+                                         .cutting_speed = 3.0,
+                                         .spindle_power = 500.0};
   machine::MotionData data{.moves = {move}, .inclination = vertical ? std::acos(0.0) : 0.0};
   data.guide_friction = 0.05;
   data.guide_drag = 3.0;
@@ -209,6 +217,7 @@ void check_guide(double carriages, bool vertical, std::set<std::string>& seen) {
   data.choice.load_offset_x = 0.02;
   data.choice.load_offset_y = 0.03;
   data.choice.force_height = 0.05;
+  data.choice.drive_offset = 0.04;
   machine::GuideSystem<Dimensioned> d;
   d.data = &data;
   d.guide.dynamic_rating = force(8000.0);
@@ -220,14 +229,16 @@ void check_guide(double carriages, bool vertical, std::set<std::string>& seen) {
   d.guide.rail_length = length(0.6);
   d.guide.largest_rail_length = length(2.0);
   d.guide.shaft_diameter = length(0.016);
-  d.unsupported_shaft = machine::Applies::yes;
+  d.guide.friction = Dimensioned(0.003);
+  d.unsupported_shaft = d.bushings = machine::Applies::yes;
   d.carried_mass = mass(20.0);
   d.acceleration_time = time(0.1);
   d.derive();
   machine::guide_constraints(DimensionVisitor(d, seen));
 }
 
-void check_member(machine::MemberKind kind, machine::BeamSupport support, bool guide, std::set<std::string>& seen) {
+void check_member(
+    machine::MemberKind kind, machine::BeamSupport support, bool guide, bool steel, std::set<std::string>& seen) {
   machine::MemberData data;
   data.member.kind = kind;
   data.member.support = support;
@@ -236,9 +247,20 @@ void check_member(machine::MemberKind kind, machine::BeamSupport support, bool g
   data.member.is_guide = guide;
   data.member.lever_arm = 0.1;
   data.member.joint_width = data.member.joint_depth = 0.04;
+  data.member.torque = 5.0;
+  data.member.rotating = kind == machine::MemberKind::round_shaft;
+  data.member.plate_width = 0.3;
+  data.member.column_height = 0.4;
   data.elastic_modulus = 206e9;
   data.yield_strength = 235e6;
   data.density = 7850.0;
+  data.shear_modulus = 80e9;
+  data.ultimate_strength = 360e6;
+  data.endurance_limit = steel ? 0.0 : 120e6;
+  data.acceleration = 2.0;
+  data.require.set(Requirement::frame_twist, 0.01);
+  if (steel) data.require.set(Requirement::frame_natural_frequency, 30.0);
+  if (!steel) data.require.set(Requirement::ringing_amplitude, 1e-5);
   machine::StructureMember<Dimensioned> d;
   d.data = &data;
   d.section = {{1e-3, dimension::area},
@@ -246,21 +268,44 @@ void check_member(machine::MemberKind kind, machine::BeamSupport support, bool g
                {5e-8, dimension::second_moment_of_area},
                length(0.06),
                length(0.03),
-               {8.0, dimension::mass_per_length}};
+               {8.0, dimension::mass_per_length},
+               {2e-8, dimension::second_moment_of_area}};
   d.carried_mass = mass(20.0);
   d.diameter = length(0.02);
   d.width = length(0.02);
   d.height = length(0.03);
   d.leg = length(0.005);
+  d.thickness = length(0.012);
   d.derive();
   CHECK(d.mass.dimension == dimension::mass);
   machine::member_constraints(DimensionVisitor(d, seen));
 }
 
+void check_bolts(bool fitted, bool eccentric, std::set<std::string>& seen) {
+  machine::BoltedJointData data;
+  data.member.kind = machine::MemberKind::bolts;
+  data.member.lateral_force = 20.0;
+  data.member.lever_arm = 0.1;
+  data.member.bolts.row_spacing = 0.06;
+  data.member.bolts.column_spacing = 0.08;
+  data.member.bolts.edge_distance = 0.02;
+  data.member.bolts.pull_force = 30.0;
+  data.member.bolts.eccentricity = eccentric ? 0.03 : 0.0;
+  data.member.bolts.fitted = fitted;
+  if (eccentric) data.member.bolts.tightening_torque = 10.0;
+  machine::BoltedJoint<Dimensioned> d;
+  d.data = &data;
+  d.bolt = {length(0.008), {36.6e-6, dimension::area}, pressure(600e6), pressure(640e6)};
+  d.carried_mass = mass(20.0);
+  d.derive();
+  CHECK(d.preload.dimension == dimension::force);
+  machine::bolted_joint_constraints(DimensionVisitor(d, seen));
+}
+
 }  // namespace
 
 TEST_CASE("Demand and capacity of every constraint have the dimension of its unit") {
-  std::vector<std::set<std::string>> seen(5);
+  std::vector<std::set<std::string>> seen(6);
   for (const bool vertical : {false, true}) {
     check_screw_drive(machine::ScrewKind::sliding, vertical, seen[0]);
     check_screw_drive(machine::ScrewKind::ball, vertical, seen[0]);
@@ -275,9 +320,13 @@ TEST_CASE("Demand and capacity of every constraint have the dimension of its uni
                             MemberKind::rectangular_bar,
                             MemberKind::section_beam,
                             MemberKind::column,
-                            MemberKind::weld})
-      check_member(kind, support, false, seen[3]);
-  check_member(MemberKind::round_shaft, BeamSupport::fixed, true, seen[3]);
+                            MemberKind::weld,
+                            MemberKind::plate,
+                            MemberKind::portal_frame})
+      for (const bool steel : {true, false}) check_member(kind, support, false, steel, seen[3]);
+  check_member(MemberKind::round_shaft, BeamSupport::fixed, true, true, seen[3]);
+  for (const bool fitted : {false, true})
+    for (const bool eccentric : {false, true}) check_bolts(fitted, eccentric, seen[5]);
   evaluation::supply_constraints(DimensionVisitor(evaluation::Supply<Dimensioned>{{120.0, dimension::power_output},
                                                                                   {350.0, dimension::power_output},
                                                                                   volt(36.0),

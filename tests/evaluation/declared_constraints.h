@@ -8,9 +8,10 @@
 
 #include "evaluation/supply_stage.h"
 #include "machine/belt_drive_constraints.h"
+#include "machine/bolted_joint.h"
 #include "machine/guide_system.h"
+#include "machine/member_constraints.h"
 #include "machine/screw_drive_constraints.h"
-#include "machine/structure_member.h"
 
 namespace millwright {
 
@@ -32,6 +33,7 @@ inline std::vector<DeclaringElement> declaring_elements() {
   take("guide", [](auto&& visit) { machine::guide_constraints(visit); });
   take("member", [](auto&& visit) { machine::member_constraints(visit); });
   take("supply", [](auto&& visit) { evaluation::supply_constraints(visit); });
+  take("bolts", [](auto&& visit) { machine::bolted_joint_constraints(visit); });
   return elements;
 }
 

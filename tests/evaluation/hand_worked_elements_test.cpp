@@ -5,101 +5,13 @@
 
 #include <cmath>
 
-#include "catch.h"
-#include "evaluation/tiny_catalogue.h"
+#include "evaluation/hand_worked.h"
 
 using namespace millwright;
+using namespace millwright::hand_worked;
 using evaluation::Check;
 using evaluation::Design;
 using evaluation::MachineModel;
-
-namespace {
-
-constexpr double pi = 3.14159265358979323846;
-constexpr double g = 9.80665;
-
-const catalogue::Catalogue& parts() {
-  static const TinyCatalogue tiny;
-  return tiny.parts();
-}
-
-/// Row of the candidate that has all these part numbers.
-solver::Row row_of(const evaluation::SlotTable& table, const std::vector<std::string>& numbers) {
-  for (solver::Row row = 0; row < table.rows(); ++row) {
-    std::vector<std::string> found;
-    for (const auto& use : table.candidate(row).parts)
-      found.emplace_back(parts().table(use.family).part_number(use.row));
-    if (std::all_of(numbers.begin(), numbers.end(), [&](const std::string& n) {
-          return std::find(found.begin(), found.end(), n) != found.end();
-        }))
-      return row;
-  }
-  FAIL("no candidate " << numbers.front());
-  return 0;
-}
-
-struct Chosen {
-  std::string axis, element;
-  std::vector<std::vector<std::string>> parts;  ///< per slot
-  std::vector<double> variables;
-};
-
-/// A design of chosen parts; stages that are not named take their first rows and least variables.
-Design design_of(const MachineModel& model, const std::vector<Chosen>& choices, solver::Row voltage = 0) {
-  solver::Build build;
-  build.shared = {voltage};
-  for (const auto& entry : model.entries()) {
-    solver::StageChoice stage;
-    stage.rows.assign(entry.tables().size(), 0);
-    for (const auto& v : entry.as_stage().variables()) stage.variables.push_back(v.lower);
-    for (const Chosen& chosen : choices)
-      if (chosen.axis == entry.axis && chosen.element == entry.element) {
-        for (std::size_t slot = 0; slot < chosen.parts.size(); ++slot)
-          stage.rows[slot] = row_of(entry.tables()[slot], chosen.parts[slot]);
-        if (!chosen.variables.empty()) stage.variables = chosen.variables;
-      }
-    build.stages.push_back(stage);
-  }
-  return model.design(build);
-}
-
-void expect(const Design& design, const std::string& element, const std::string& id, double value, double limit) {
-  for (const Check& c : design.checks) {
-    if (c.id != id || c.element != element) continue;
-    INFO(element << " " << id << " [" << c.unit << "]");
-    CHECK(c.value == Approx(value).epsilon(1e-9));
-    CHECK(c.limit == Approx(limit).epsilon(1e-9));
-    return;
-  }
-  FAIL("no check " << id << " of " << element);
-}
-
-std::string axis_text(const std::string& direction, const std::string& guide, const std::string& members) {
-  return fmt::format(R"(
-[currency]
-USD = 1.0
-[supply]
-voltage = ["24 V"]
-[[axis]]
-name = "x"
-direction = "{}"
-stroke = "500 mm"
-structure_mass = "20 kg"
-mechanism = {{ kind = "belt", idler_distance = "80 mm" }}
-{}
-[[axis.moves]]
-distance = "400 mm"
-time = "1 s"
-force = "50 N"
-dwell = "1 s"
-{}
-)",
-                     direction,
-                     guide.empty() ? std::string() : "guide = " + guide,
-                     members);
-}
-
-}  // namespace
 
 TEST_CASE("A belt axis worked by hand") {
   const MachineModel model(problem_of_text(R"(

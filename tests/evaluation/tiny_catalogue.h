@@ -161,14 +161,27 @@ class TinyCatalogue {
   }
 
   void structure() {
-    header("materials", "class,elastic_modulus [MPa],density [kg/m3],yield_strength [MPa],price_per_mass [1/kg]");
-    add(fmt::format("tiny,steel,steel,200000,8000,240,2{}", said));
-    add(fmt::format("tiny,CuSn8,copper,110000,8800,150,12{}", said));
+    header("materials",
+           "class,elastic_modulus [MPa],density [kg/m3],yield_strength [MPa],price_per_mass [1/kg],shear_modulus "
+           "[MPa],ultimate_strength [MPa],endurance_limit [MPa],endurance_basis");
+    add(fmt::format("tiny,steel,steel,200000,8000,240,2,80000,400,,{}", said));
+    add(fmt::format("tiny,CuSn8,copper,110000,8800,150,12,42000,,,{}", said));
+    add(fmt::format("tiny,alloy,aluminium,70000,2700,250,7,,300,100,measured{}", said));
     header("steel_sections",
            "kind,height [mm],width [mm],area [mm2],mass_per_length [kg/m],second_moment_x [mm4],second_moment_y "
-           "[mm4],material,elastic_modulus [MPa],price_per_length [1/m]");
-    add(fmt::format("tiny,box20,square tube,20,20,200,1.6,10000,10000,steel,200000,4{}", said));
-    add(fmt::format("tiny,box60,square tube,60,60,1000,8,500000,500000,steel,200000,15{}", said));
+           "[mm4],material,elastic_modulus [MPa],price_per_length [1/m],torsion_constant [mm4]");
+    add(fmt::format("tiny,box20,square tube,20,20,200,1.6,10000,10000,steel,200000,4,{}", said));
+    add(fmt::format("tiny,box60,square tube,60,60,1000,8,500000,500000,steel,200000,15,750000{}", said));
+    header("extrusions",
+           "height [mm],width [mm],area [mm2],mass_per_length [kg/m],second_moment_x [mm4],second_moment_y "
+           "[mm4],elastic_modulus [MPa],yield_strength [MPa],price_per_length [1/m]");
+    add(fmt::format("tiny,slot4080,80,40,1000,2.7,600000,160000,70000,200,30{}", said));
+    header("screws",
+           "designation,nominal_diameter [mm],pitch [mm],property_class,tensile_stress_area [mm2],proof_strength "
+           "[MPa],yield_strength [MPa],price");
+    add(fmt::format("tiny,M6 8.8,M6,6,1,8.8,20,600,640,0.05{}", said));
+    add(fmt::format("tiny,M8 8.8,M8,8,1.25,8.8,36,600,640,0.1{}", said));
+    add(fmt::format("tiny,M8 12.9,M8,8,1.25,12.9,36,970,,0.3{}", said));
   }
 
   Vary vary_;

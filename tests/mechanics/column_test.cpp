@@ -80,3 +80,18 @@ TEST_CASE("portal stiffness agrees with the slope-deflection equations solved by
   const double expected = 2.0 * (12.0 * e * ic / (h * h * h) - 6.0 * e * ic * turn / (h * h));
   CHECK(column::portal_stiffness(e, ic, h, ib, l) == Approx(expected).epsilon(1e-12));
 }
+
+TEST_CASE("portal moments agree with the slope-deflection equations solved by hand") {
+  const double f = 100.0, ic = 1.2e-6, h = 0.35, ib = 2e-6, l = 0.7, ratio = (ib / l) / (ic / h);
+  // A lateral force: sway δ and corners that turn by r δ, both times E; the beam's end moment is 6I_b r/L.
+  const double r = 6.0 * ic / (h * h) / (4.0 * ic / h + 6.0 * ib / l);
+  const double sway = f / (2.0 * (12.0 * ic / (h * h * h) - 6.0 * ic * r / (h * h)));
+  CHECK(column::portal_foot_moment(f, h, ratio) ==
+        Approx((6.0 * ic / (h * h) - 2.0 * ic * r / h) * sway).epsilon(1e-12));
+  CHECK(column::portal_corner_moment(f, h, ratio) == Approx(6.0 * ib * r / l * sway).epsilon(1e-12));
+  // Each column shares half of the overturning moment between its foot and its corner.
+  CHECK(column::portal_foot_moment(f, h, ratio) + column::portal_corner_moment(f, h, ratio) == Approx(f * h / 2.0));
+  // A force on the beam: the clamped beam's F L/8 is balanced by column 4I_c φ/h and beam 2I_b φ/L.
+  const double turn = f * l / 8.0 / (4.0 * ic / h + 2.0 * ib / l);
+  CHECK(column::portal_corner_moment_of_beam_load(f, l, ratio) == Approx(4.0 * ic * turn / h).epsilon(1e-12));
+}

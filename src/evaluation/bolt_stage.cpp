@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "evaluation/bolt_stage.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace millwright::evaluation {
+
+using catalogue::column;
+using catalogue::Family;
+using machine::BoltedJoint;
+
+namespace {
+
+/// A socket head cap screw with a shank of 3 d, as it is priced: head 1.5 d wide and d high (ISO 4762), steel.
+double screw_mass(double diameter) {
+  constexpr double pi = 3.14159265358979323846, steel = 7850.0;  // kg/m^3
+  constexpr double shank = 3.0, head = 1.5 * 1.5;                // in d^3 pi/4
+  return steel * 0.25 * pi * diameter * diameter * diameter * (shank + head);
+}
+
+/// Whether a word is in the list; an empty list has all.
+bool chosen(const std::vector<std::string>& words, std::string_view word) {
+  return words.empty() || std::find(words.begin(), words.end(), word) != words.end();
+}
+
+}  // namespace
+
+BoltStage::BoltStage(const machine::Axis& axis,
+                     const machine::Member& member,
+                     AxisPlace place,
+                     const catalogue::Catalogue& catalogue,
+                     const PriceBook& prices)
+    : data_{.member = member, .require = axis.require}, place_(place) {
+  name_ = axis.name + "." + member.name;
+  SlotTable table(member.name, machine::bolt_reading_fields);
+  const catalogue::Table& t = catalogue.table(Family::screws);
+  const machine::BoltPattern& pattern = member.bolts;
+  const double pieces = member.count * pattern.count();
+  for (int row = 0; row < t.rows(); ++row) {
+    const auto number = [&](const char* name) { return t.number(column(Family::screws, name), row); };
+    if (!chosen(pattern.sizes, t.text(column(Family::screws, "designation"), row)) ||
+        !chosen(pattern.property_classes, t.text(column(Family::screws, "property_class"), row)))
+      continue;
+    const std::array<double, machine::bolt_reading_fields> readings{number("nominal_diameter"),
+                                                                    number("tensile_stress_area"),
+                                                                    number("proof_strength"),
+                                                                    pattern.fitted ? number("yield_strength") : 0.0};
+    Candidate candidate = candidate_of({{member.name,
+                                         Family::screws,
+                                         row,
+                                         pieces,
+                                         0.0,
+                                         prices.line(t, row, pieces, 0.0),
+                                         pieces * screw_mass(readings[0])}},
+                                       0.0);
+    if (std::isnan(candidate.price) ||
+        std::any_of(readings.begin(), readings.end(), [](double x) { return std::isnan(x); }))
+      continue;
+    table.add(std::move(candidate), readings);
+  }
+  tables_.push_back(std::move(table));
+  finish_slots();
+  machine::bolted_joint_constraints([&](const machine::Declaration& d, auto&&, auto&&, auto&&) {
+    constraint_count_ += d.kind != machine::ConstraintKind::soft;
+  });
+}
+
+template <class T>
+BoltedJoint<T> BoltStage::design(const Selection<T>& s) const {
+  BoltedJoint<T> d;
+  d.data = &data_;
+  std::size_t field = 0;
+  visit_bolt_reading(d.bolt, [&](T& x) {
+    x = hull_of<T>(s.rows[0], [&](solver::Row row) { return tables_[0].reading(row, field); });
+    ++field;
+  });
+  d.carried_mass = s.inherited[place_.load_state];
+  d.derive();
+  return d;
+}
+
+template <class T>
+void BoltStage::answer(const Selection<T>& s, solver::Answer<T>& out) const {
+  const BoltedJoint<T> d = design(s);
+  machine::bolted_joint_constraints(UtilisationVisitor<T, BoltedJoint<T>>(d, out.utilisation));
+  const T mass = total<T>(s, [](const Candidate& c) { return c.mass; });
+  out.resources[cost_resource] = total<T>(s, [](const Candidate& c) { return c.price; });
+  out.resources[mass_resource] = mass;
+  if (data_.member.rides)
+    out.handed_on[place_.load_state] = d.carried_mass + mass;
+  else if (place_.parent_load_state)
+    out.handed_on[*place_.parent_load_state] = s.inherited[*place_.parent_load_state] + mass;
+}
+
+template BoltedJoint<double> BoltStage::design(const Selection<double>&) const;
+
+}  // namespace millwright::evaluation

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Joints of screws in a problem file: the pattern, the load beside that of every member, and which screws may be taken.
+#include <fmt/format.h>
+
+#include "machine/axis_file.h"
+#include "machine/quantity_reader.h"
+#include "text/table_reader.h"
+
+namespace millwright::machine {
+
+using text::Diagnostics;
+using text::Node;
+using text::TableReader;
+
+namespace {
+
+SourceSpan place(const Node& table, const char* key) {
+  const Node* node = table.find(key);
+  return node == nullptr ? table.span() : node->span();
+}
+
+/// Rows and columns need their spacing, and a load off the face the edge about which it tilts the joint.
+void read_pattern(TableReader& table, QuantityReader& q, Member& member, Diagnostics& diagnostics) {
+  BoltPattern& bolts = member.bolts;
+  const std::size_t before = diagnostics.error_count();
+  bolts.rows = q.count_or("rows", bolts.rows, 1, 20);
+  bolts.columns = q.count_or("columns", bolts.columns, 1, 20);
+  const auto size = [&](const char* key) { return q.quantity(key, "mm", Sign::positive).value_or(0.0); };
+  bolts.row_spacing = size("row_spacing");
+  bolts.column_spacing = size("column_spacing");
+  bolts.edge_distance = size("edge_distance");
+  member.lever_arm = q.quantity_or("lever_arm", "mm", 0.0);
+  bolts.eccentricity = q.quantity_or("eccentricity", "mm", 0.0);
+  if (diagnostics.error_count() > before) return;
+  const Node& node = table.node();
+  const auto spaced = [&](const char* count, double pieces, const char* key, double spacing) {
+    if (pieces > 1.0 && spacing <= 0.0)
+      diagnostics.error(place(node, count),
+                        fmt::format("{}: {} {} need their distance", count, pieces, count),
+                        fmt::format("add {} = \"60 mm\"", key));
+  };
+  spaced("rows", bolts.rows, "row_spacing", bolts.row_spacing);
+  spaced("columns", bolts.columns, "column_spacing", bolts.column_spacing);
+  if (member.lever_arm > 0.0 && bolts.edge_distance <= 0.0)
+    diagnostics.error(place(node, "lever_arm"),
+                      "lever_arm: the load tilts the joint; about which edge?",
+                      "add edge_distance = \"20 mm\", from the edge to the nearest screws");
+  if (bolts.eccentricity > 0.0 && bolts.count() == 1.0)
+    diagnostics.error(place(node, "eccentricity"),
+                      "eccentricity: a single screw cannot keep the joint from turning",
+                      "add rows or columns, or leave it out");
+}
+
+}  // namespace
+
+void read_bolts(TableReader& table, Member& member, Diagnostics& diagnostics) {
+  QuantityReader q(table, diagnostics);
+  read_pattern(table, q, member, diagnostics);
+  BoltPattern& bolts = member.bolts;
+  bolts.pull_force = q.quantity_or("pull_force", "N", 0.0);
+  bolts.friction = q.quantity_or("friction", "1", bolts.friction, Sign::positive);
+  bolts.joint_constant = q.share_or("joint_constant", bolts.joint_constant);
+  bolts.nut_factor = q.quantity_or("nut_factor", "1", bolts.nut_factor, Sign::positive);
+  bolts.tightening_torque = q.quantity("tightening_torque", "N.m", Sign::positive);
+  bolts.fitted = table.boolean("fitted").value_or(false);
+  bolts.sizes = q.words("sizes");
+  bolts.property_classes = q.words("property_classes");
+  if (!bolts.tightening_torque)
+    q.refuse(
+        {"nut_factor"}, "counts only with a tightening torque", "add tightening_torque = \"10 N.m\", or leave it out");
+  warn_above(table.node(),
+             "friction",
+             bolts.friction,
+             0.3,
+             "steel has 0.15 dry, aluminium 0.12, painted faces 0.10",
+             diagnostics);
+}
+
+}  // namespace millwright::machine
