@@ -9,6 +9,8 @@
 namespace millwright::machine {
 namespace {
 
+constexpr double degree = 3.14159265358979323846 / 180.0;
+
 // Those of drives come first (drive_requirements.h). One line a requirement; the order is that of the enumeration
 // (checked in Requirements::Requirements).
 constexpr std::array<RequirementDeclaration, requirement_count - drive_requirements.size()> structure_requirements{{
@@ -84,17 +86,22 @@ constexpr std::array<RequirementDeclaration, requirement_count - drive_requireme
      1.0,
      "bearing length over that at which bushings jam",
      "millwright_derivations"},
-    {Requirement::frame_twist, "frame_twist", "rad", none, "largest twist of a frame member under its torque", ""},
+    {Requirement::frame_twist,
+     "frame_twist",
+     "rad",
+     no_default,
+     "largest twist of a frame member under its torque",
+     ""},
     {Requirement::frame_natural_frequency,
      "frame_natural_frequency",
      "Hz",
-     none,
+     no_default,
      "least natural frequency of a frame member with what it carries",
      ""},
     {Requirement::ringing_amplitude,
      "ringing_amplitude",
      "m",
-     none,
+     no_default,
      "ringing that the hardest acceleration may leave; asks for a natural frequency",
      ""},
     {Requirement::fatigue_safety_factor,
