@@ -32,7 +32,10 @@ BoltStage::BoltStage(const machine::Axis& axis,
                      AxisPlace place,
                      const catalogue::Catalogue& catalogue,
                      const PriceBook& prices)
-    : data_{.member = member, .require = axis.require}, place_(place) {
+    : data_{.member = member,
+            .require = axis.require,
+            .riding_mass = member.rides ? 0.0 : machine::riding_mass_allowance(axis)},
+      place_(place) {
   name_ = axis.name + "." + member.name;
   SlotTable table(member.name, machine::bolt_reading_fields);
   const catalogue::Table& t = catalogue.table(Family::screws);

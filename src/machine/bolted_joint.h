@@ -32,6 +32,7 @@ inline constexpr std::size_t bolt_reading_fields = 4;
 struct BoltedJointData {
   Member member;
   Requirements require;
+  double riding_mass = 0.0;  ///< kg, allowance for the nut or belt of the axis that it carries
 };
 
 template <class T>
@@ -111,7 +112,8 @@ void BoltedJoint<T>::derive() {
   using namespace scalar;
   namespace bt = mechanics::bolt;
   const Member& m = data->member;
-  const T weight = carried_mass * in_unit<T>(standard_gravity, dimension::acceleration);
+  const T burden = carried_mass + in_unit<T>(data->riding_mass, dimension::mass);
+  const T weight = burden * in_unit<T>(standard_gravity, dimension::acceleration);
   force = named("F", (m.load_share * weight + in_unit<T>(m.extra_force, dimension::force)) / m.count);
   const T lateral = in_unit<T>(m.lateral_force / m.count, dimension::force);
   derive_tension(lateral);

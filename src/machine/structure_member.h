@@ -90,7 +90,10 @@ struct StructureMember {
     return scalar::in_unit<T>(data->member.lateral_force / data->member.count, scalar::dimension::force);
   }
   /// Mass that one member carries.
-  [[nodiscard]] T mass_on_member() const { return data->member.load_share / data->member.count * carried_mass; }
+  [[nodiscard]] T mass_on_member() const {
+    return data->member.load_share / data->member.count *
+           (carried_mass + scalar::in_unit<T>(data->riding_mass, scalar::dimension::mass));
+  }
   [[nodiscard]] T elastic_modulus() const {
     return scalar::in_unit<T>(data->elastic_modulus, scalar::dimension::pressure);
   }

@@ -18,6 +18,10 @@ namespace millwright::hand_worked {
 inline constexpr double pi = 3.14159265358979323846;
 inline constexpr double g = 9.80665;
 
+/// What guides and structure are sized for beside the load: the belt, chosen after them (the default of
+/// belt_mass_allowance).
+inline constexpr double belt_allowance = 0.05;
+
 inline const catalogue::Catalogue& parts() {
   static const TinyCatalogue tiny;
   return tiny.parts();

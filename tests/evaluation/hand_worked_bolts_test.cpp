@@ -21,7 +21,7 @@ MachineModel joint(const std::string& text) {
 Design bare() { return design_of(MachineModel(problem_of_text(axis_text("horizontal", "", "")), parts()), {}); }
 
 const std::string pattern = "row_spacing = \"80 mm\"\ncolumn_spacing = \"60 mm\"\n";
-constexpr double weight = 20.0 * g;
+constexpr double weight = (20.0 + belt_allowance) * g;
 
 }  // namespace
 

@@ -89,17 +89,13 @@ lost_motion = "0.1 mm"
   CHECK(d.mass == Approx(belt + 0.02 + 0.015 + 0.3 + 0.1 + 0.4));
 }
 
-/// What guides and structure are sized for beside the load: the belt, chosen after them (the default of
-/// belt_mass_allowance).
-constexpr double belt = 0.05;
-
 TEST_CASE("Guides worked by hand") {
   const std::string four =
       "{ rails = 2, carriages = 4, carriage_spacing = \"100 mm\", rail_spacing = \"200 mm\", load_offset_x = \"20 "
       "mm\", "
       "load_offset_y = \"30 mm\", force_height = \"50 mm\" }";
   const double rail = 0.5 + 0.02 + 0.1 + 0.045;
-  const double m = 20.0 + 4 * 0.05 + belt, G = m * g;
+  const double m = 20.0 + 4 * 0.05 + belt_allowance, G = m * g;
   const double pitch = G * 0.02 + 50.0 * 0.05;
   // Distance for 90 % of the carriages: 50 km (C/(1.5 P))^3; mean speed 0.4 m in the 2 s of the cycle.
   const auto life_hours = [](double rating, double load, double speed) {
@@ -137,7 +133,7 @@ TEST_CASE("Guides worked by hand") {
     const Design d = design_of(MachineModel(problem_of_text(axis_text("horizontal", bushings, "")), parts()),
                                {{"x", "guide", {{"LB16"}}, {}}});
     // Half of weight and process force on each shaft, at two places 100 mm apart in the middle.
-    const double F = ((20.0 + 0.4 + belt) * g + 50.0) / 2.0, L = 0.5 + 0.02 + 0.1 + 0.04, a = (L - 0.1) / 2.0;
+    const double F = ((20.0 + 0.4 + belt_allowance) * g + 50.0) / 2.0, L = 0.5 + 0.02 + 0.1 + 0.04, a = (L - 0.1) / 2.0;
     const double I = pi / 64.0 * std::pow(0.016, 4);
     expect(d,
            "guide",
@@ -149,7 +145,7 @@ TEST_CASE("Guides worked by hand") {
   SECTION("a single carriage takes the moments itself") {
     const std::string one =
         "{ rails = 1, carriages = 1, load_offset_x = \"20 mm\", load_offset_y = \"30 mm\", force_height = \"50 mm\" }";
-    const double weight = (20.0 + 0.4 + belt) * g;
+    const double weight = (20.0 + 0.4 + belt_allowance) * g;
     const double roll = weight * 0.03, pitching = weight * 0.02 + 50.0 * 0.05;
     const Design d = design_of(MachineModel(problem_of_text(axis_text("horizontal", one, "")), parts()),
                                {{"x", "guide", {{"R20"}}, {}}});
@@ -169,7 +165,7 @@ TEST_CASE("Members worked by hand") {
                              parts());
     return design_of(model, {chosen});
   };
-  const double E = 200e9, weight = (20.0 + belt) * g;
+  const double E = 200e9, weight = (20.0 + belt_allowance) * g;
   SECTION("two fixed round shafts with a side load") {
     const Design d = built("rod",
                            "kind = \"shaft\"\nsupport = \"fixed\"\nguide = true\nlength = \"700 mm\"\ncount = 2\n"
@@ -256,8 +252,8 @@ TEST_CASE("What rides on an axis burdens its guide, what stands does not") {
       if (c.id == "C-GD-STATIC") return c.value;
     return 0.0;
   };
-  CHECK(load("false") == Approx(2.0 * ((20.2 + belt) * g / 4.0)));
-  CHECK(load("true") == Approx(2.0 * ((20.2 + belt + 0.5 * 0.04 * 0.05 * 8000.0) * g / 4.0)));
+  CHECK(load("false") == Approx(2.0 * ((20.2 + belt_allowance) * g / 4.0)));
+  CHECK(load("true") == Approx(2.0 * ((20.2 + belt_allowance + 0.5 * 0.04 * 0.05 * 8000.0) * g / 4.0)));
 }
 
 TEST_CASE("A machine whose member has no known material says so") {

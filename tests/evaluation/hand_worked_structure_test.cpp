@@ -15,7 +15,7 @@ using evaluation::Verdict;
 
 namespace {
 
-/// The axis of hand_worked.h with one member called "part" that carries its 20 kg.
+/// The axis of hand_worked.h with one member called "part" that carries its 20 kg and a belt.
 MachineModel model_with(const std::string& member, const std::string& require = "") {
   return {problem_of_text(axis_text("horizontal",
                                     "",
@@ -34,7 +34,8 @@ const Check& check_of(const Design& design, const std::string& id) {
   return *found;
 }
 
-constexpr double weight = 20.0 * g;
+constexpr double carried = 20.0 + belt_allowance;
+constexpr double weight = carried * g;
 
 }  // namespace
 
@@ -64,7 +65,7 @@ TEST_CASE("A portal frame of a T-slot profile worked by hand") {
   // Free to sway, fixity 0.25: slenderness 0.35/12.65 mm = 27.7 is below 37.2, so Johnson, about the weak axis.
   const double johnson = A * 250e6 * (1.0 - 250e6 * h * h * A / (4.0 * 0.25 * pi * pi * E * 1.6e-7));
   expect(d, "part", "C-FR-BUCK", axial, johnson / 3.0);
-  const double swinging = 20.0 + 2.7 * (L + 2.0 * 13.0 / 35.0 * h);
+  const double swinging = carried + 2.7 * (L + 2.0 * 13.0 / 35.0 * h);
   expect(d, "part", "C-FR-FREQ", 30.0, std::sqrt(H / (s / (E * I)) / swinging) / (2.0 * pi));
   CHECK(d.mass - bare().mass == Approx(2.7 * 1.4));
   CHECK(d.cost - bare().cost == Approx(30.0 * 1.4));
@@ -148,10 +149,10 @@ TEST_CASE("Natural frequencies of members worked by hand") {
                                 require),
                      {});
   };
-  // Each of two bars carries 10 kg and weighs 2.4 kg; it swings sideways first.
+  // Each of two bars carries half of it and weighs 2.4 kg; it swings sideways first.
   const double EI = 200e9 * 0.03 * 8e-6 / 12.0, own = 0.5 * 0.02 * 0.03 * 8000.0, L3 = 0.125;
   const auto frequency = [&](double k, double part) {
-    return std::sqrt(k * EI / L3 / (10.0 + part * own)) / (2.0 * pi);
+    return std::sqrt(k * EI / L3 / (0.5 * carried + part * own)) / (2.0 * pi);
   };
   const char* stated = "frame_natural_frequency = \"40 Hz\"\nringing_amplitude = \"0.1 mm\"\n";
   expect(built("supported", stated), "part", "C-FR-FREQ", 40.0, frequency(48.0, 17.0 / 35.0));
@@ -218,7 +219,7 @@ TEST_CASE("Slope and jamming of bushings worked by hand") {
                      {{"x", "guide", {{part}}, {}}});
   };
   // Half of weight and process force on each 16 mm shaft, at two bushings 100 mm apart in the middle of 660 mm.
-  const double F = ((20.0 + 0.4) * g + 50.0) / 2.0, a = 0.28, I = pi / 64.0 * std::pow(0.016, 4);
+  const double F = ((carried + 0.4) * g + 50.0) / 2.0, a = 0.28, I = pi / 64.0 * std::pow(0.016, 4);
   const double slope = F / 2.0 * a * 0.1 / (2.0 * 206e9 * I) * 180.0 / pi;
   const Design plain = guided("LB16", "bush", ", drive_offset = \"120 mm\", bushing_friction = 0.25");
   expect(plain, "guide", "C-GD-SLOPE", slope, 0.1);
