@@ -162,13 +162,4 @@ T smallest(const std::vector<T>& values) {
   return -largest(negative);
 }
 
-/// The hardest acceleration of the cycle [m/s^2].
-template <class T>
-T largest_acceleration(const Cycle<T>& cycle) {
-  std::vector<T> accelerations;
-  for (const Phase<T>& phase : cycle.phases)
-    if (phase.may_govern) accelerations.push_back(phase.acceleration);
-  return largest(accelerations);
-}
-
 }  // namespace millwright::machine

@@ -76,6 +76,7 @@ struct BeltDrive {
   std::vector<T> axial_forces, motor_torques, angular_speeds, torque_ratios;
   T input_power{};  ///< W, drive input that the supply must be ready for
   T largest_force{}, largest_torque{}, peak_speed{}, load_torque{}, rms_torque{}, holding_force{};
+  T peak_acceleration{};  ///< of the motor, rad/s^2
   T pretension{}, wrap{}, teeth_in_mesh{};
 
   [[nodiscard]] T require(Requirement requirement, const scalar::Dimension& dimension = scalar::dimension::none) const {
@@ -100,7 +101,7 @@ void BeltDrive<T>::derive() {
   motor_torques.clear();
   angular_speeds.clear();
   torque_ratios.clear();
-  std::vector<T> governing_forces, governing_torques;
+  std::vector<T> governing_forces, governing_torques, governing_accelerations;
   const T no_torque = in_unit<T>(0.0, dimension::torque);
   T sum = in_unit<T>(0.0, dimension::torque * dimension::torque * dimension::time);
   for (const Phase<T>& phase : cycle.phases) {
@@ -109,16 +110,19 @@ void BeltDrive<T>::derive() {
     motor_torques.push_back(no_torque);
     torque_ratios.push_back(T(0.0));
     if (!phase.may_govern && !shows_everything<T>) continue;
-    motor_torques.back() = act::belt_motor_torque(
-        phase.force, radius, T(data->efficiency), rotating, phase.acceleration / radius, no_torque, T(1.0));
+    const T alpha = phase.acceleration / radius;
+    motor_torques.back() =
+        act::belt_motor_torque(phase.force, radius, T(data->efficiency), rotating, alpha, no_torque, T(1.0));
     sum = sum + square(motor_torques.back()) * phase.duration;
     if (!phase.may_govern) continue;
+    governing_accelerations.push_back(alpha);
     governing_forces.push_back(axial_forces.back());
     governing_torques.push_back(absolute(motor_torques.back()));
     torque_ratios.back() =
         governing_torques.back() / larger(available_torque(angular_speeds.back()), in_unit<T>(1e-9, dimension::torque));
   }
   peak_speed = named("ω", cycle.peak_speed / radius);
+  peak_acceleration = named("α", largest(governing_accelerations));
   largest_force = named("F_e", largest(governing_forces));
   largest_torque = named("T", largest(governing_torques));
   rms_torque = named("T_rms", sqrt(sum / cycle.total_time));
@@ -152,12 +156,6 @@ T power_off_torque(const BeltDrive<T>& d) {
   using namespace scalar;
   return larger(d.cycle.gravity_force - d.cycle.friction_force, in_unit<T>(0.0, dimension::force)) * d.radius *
          T(d.data->efficiency);
-}
-
-/// Acceleration of the motor in the hardest ramp [rad/s^2].
-template <class T>
-T largest_motor_acceleration(const BeltDrive<T>& d) {
-  return largest_acceleration(d.cycle) / d.radius;
 }
 
 /// Torque that friction costs the motor before anything moves [N.m].

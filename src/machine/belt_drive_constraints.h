@@ -106,7 +106,8 @@ void belt_constraints(Visit&& visit) {
                   .unit = "mm",
                   .source = "iso5295; fdm_printer, eq. 19 and 20",
                   .requirement = "belt_service_factor",
-                  .worst = WorstPhase::force},
+                  .worst = WorstPhase::force,
+                  .implied_by = "C-BT-TENSION"},  // with C-BT-PRET: pretension alone is at least the tight side's
       always,
       [](const auto& d) {
         const auto turning = bt::centrifugal_tension(d.belt.mass_per_length, d.cycle.peak_speed);

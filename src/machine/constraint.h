@@ -36,9 +36,16 @@ struct Declaration {
   std::string_view source = {};       ///< bibliography key, with section
   std::string_view requirement = {};  ///< key of the requirement that sets its factor or limit, empty if none
   WorstPhase worst = WorstPhase::none;
+  /// Another hard constraint that never holds where this one does not: the search holds that one only.
+  std::string_view implied_by = {};
   std::string_view file = __builtin_FILE();
   int line = __builtin_LINE();
 };
+
+/// Whether the search has to hold a constraint: all but those that are only reported, or that another one implies.
+constexpr bool is_searched(const Declaration& declaration) {
+  return declaration.kind != ConstraintKind::soft && declaration.implied_by.empty();
+}
 
 /// Whether a constraint concerns a design, or some, all or none of a set of designs.
 enum class Applies { no, yes, some };

@@ -2,8 +2,8 @@
 //
 // Constraints of motor, driver and accuracy that every drive has. They are generic over the drive's design, which
 // offers motor, cycle, torque_ratios, load_torque, load_inertia, rms_torque, peak_speed and the functions
-// back_driving_torque, power_off_torque, speed_limit, resolution, reversal_error, position_error_budget,
-// largest_motor_acceleration and friction_torque.
+// back_driving_torque, power_off_torque, speed_limit, resolution, reversal_error, position_error_budget
+// and friction_torque.
 #pragma once
 
 #include <numbers>
@@ -114,19 +114,14 @@ void motor_constraints(Visit&& visit) {
       });
   visit(
       Declaration{.id = "C-ST-START",
-                  .title = "First full step of a ramp against the start-stop rate",
-                  .symbol = "f_1",
-                  .unit = "Hz",
+                  .title = "Speed over the first full step of a ramp against the start-stop speed",
+                  .symbol = "ω_1",
+                  .unit = "rpm",
                   .source = "millwright_derivations, energy of the rotor in the field's potential well",
                   .requirement = "start_rate_factor"},
       always,
-      [](const auto& d) {
-        return st::pulse_rate(d.motor.rotor_teeth, decltype(d.peak_speed)(1.0), first_step_speed(d));
-      },
-      [](const auto& d) {
-        return d.require(start_rate_factor) *
-               st::pulse_rate(d.motor.rotor_teeth, decltype(d.peak_speed)(1.0), start_stop_speed(d));
-      });
+      [](const auto& d) { return first_step_speed(d); },
+      [](const auto& d) { return d.require(start_rate_factor) * start_stop_speed(d); });
   visit(
       Declaration{.id = "C-DR-VOLT",
                   .title = "Driver voltage",

@@ -18,16 +18,12 @@ template <class Drive>
 auto first_step_speed(const Drive& d) {
   using namespace scalar;
   using T = std::remove_cvref_t<decltype(d.peak_speed)>;
-  const T full_steps = 4.0 * d.motor.rotor_teeth;
-  T start = in_unit<T>(0.0, dimension::angular_speed);
-  if (d.data->require.known(Requirement::start_rate))
-    start =
-        named("ω_0",
-              mechanics::stepper::angular_speed(d.require(Requirement::start_rate, dimension::none / dimension::time),
-                                                T(full_steps * d.data->microsteps)));
-  const T step = named("θ_s", 2.0 * pi<T>() / full_steps);
-  const T after = named("ω_1", sqrt(square(start) + 2.0 * largest_motor_acceleration(d) * step));
-  return T(0.5 * (start + after));
+  const T step = named("θ_s", T(0.5 * pi<T>()) / d.motor.rotor_teeth);
+  const T square_of_gain = 2.0 * d.peak_acceleration * step;
+  if (!d.data->require.known(Requirement::start_rate)) return T(0.5 * sqrt(square_of_gain));
+  const T start = named(
+      "ω_0", d.require(Requirement::start_rate, dimension::none / dimension::time) * step / T(d.data->microsteps));
+  return T(0.5 * (start + sqrt(square(start) + square_of_gain)));
 }
 
 /// Speed to which the field may jump from standstill so that the rotor follows [rad/s], against the steady load with

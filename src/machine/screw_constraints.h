@@ -89,7 +89,8 @@ void screw_shaft_constraints(Visit&& visit) {
                   .unit = "mm",
                   .source = "torch_table, eq. 15",
                   .requirement = "screw_shear_safety_factor",
-                  .worst = WorstPhase::force},
+                  .worst = WorstPhase::force,
+                  .implied_by = "C-SCR-SIGMA"},  // the largest principal stress is at least the direct stress
       always,
       [](const auto& d) {
         return ps::required_core_diameter(

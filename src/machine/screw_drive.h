@@ -70,7 +70,8 @@ struct ScrewDrive {
   std::vector<T> torque_ratios;   ///< |T| / available torque at that speed, per phase that may govern, else 0
   T input_power{};                ///< W, drive input that the supply must be ready for
   T largest_force{}, largest_torque{}, screw_torque{}, peak_speed{}, load_torque{}, rms_torque{};
-  T holding_force{};  ///< static, along the travel
+  T peak_acceleration{};  ///< of the motor, rad/s^2
+  T holding_force{};      ///< static, along the travel
 
   [[nodiscard]] T require(Requirement requirement, const scalar::Dimension& dimension = scalar::dimension::none) const {
     return scalar::in_unit<T>(data->require(requirement), dimension);
@@ -123,7 +124,7 @@ void ScrewDrive<T>::derive() {
   motor_torques.clear();
   angular_speeds.clear();
   torque_ratios.clear();
-  std::vector<T> governing_forces, governing_torques;
+  std::vector<T> governing_forces, governing_torques, governing_accelerations;
   for (const Phase<T>& phase : cycle.phases) {
     axial_forces.push_back(absolute(phase.force));
     angular_speeds.push_back(mechanics::power_screw::angular_speed(phase.speed, screw.lead));
@@ -142,12 +143,14 @@ void ScrewDrive<T>::derive() {
                                                    one,
                                                    one);
     if (!phase.may_govern) continue;
+    governing_accelerations.push_back(alpha);
     governing_forces.push_back(axial_forces.back());
     governing_torques.push_back(absolute(motor_torques.back()));
     torque_ratios.back() =
         governing_torques.back() / larger(available_torque(omega), in_unit<T>(1e-9, dimension::torque));
   }
   peak_speed = named("ω", mechanics::power_screw::angular_speed(cycle.peak_speed, screw.lead));
+  peak_acceleration = named("α", largest(governing_accelerations));
   largest_force = named("F", largest(governing_forces));
   largest_torque = named("T", largest(governing_torques));
   screw_torque = named("T_R", mechanics::ball_screw::drive_torque(largest_force, screw.lead, screw.efficiency));

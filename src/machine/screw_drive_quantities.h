@@ -153,12 +153,6 @@ T friction_torque(const ScrewDrive<T>& d) {
          0.5 * (raising - lowering) + d.screw.drag_torque;
 }
 
-/// Acceleration of the motor in the hardest ramp [rad/s^2].
-template <class T>
-T largest_motor_acceleration(const ScrewDrive<T>& d) {
-  return largest_acceleration(d.cycle) * 2.0 * scalar::pi<T>() / d.screw.lead;
-}
-
 /// Travel of the nut until its thread is worn thin [m], under the mean force over the travel: wear grows with pressure
 /// times distance.
 template <class T>

@@ -101,6 +101,18 @@ TEST_CASE("A constraint is said completely") {
     }
 }
 
+TEST_CASE("What implies a constraint is a hard one of the same element that the search holds") {
+  for (const DeclaringElement& element : declaring_elements())
+    for (const Declaration& d : element.constraints) {
+      if (d.implied_by.empty()) continue;
+      INFO(element.name << ", " << d.id << " by " << d.implied_by);
+      CHECK(d.kind == ConstraintKind::hard);
+      CHECK(std::count_if(element.constraints.begin(), element.constraints.end(), [&](const Declaration& other) {
+              return other.id == d.implied_by && machine::is_searched(other);
+            }) == 1);
+    }
+}
+
 TEST_CASE("A constraint that two elements share means the same in both") {
   std::map<std::string_view, Declaration> first;
   for (const DeclaringElement& element : declaring_elements())

@@ -173,7 +173,7 @@ output_power_factor = 1.0
   const double lag = std::asin(load_torque / static_torque);
   const double barrier = (2.0 * static_torque * std::cos(lag) - load_torque * (pi - 2.0 * lag)) / 50.0;
   const double jump = std::sqrt(2.0 * barrier / (rotor + load_inertia));
-  expect(d, "C-ST-START", first, 0.5 * jump * 200.0 / (2.0 * pi));
+  expect(d, "C-ST-START", first / 200.0 * 60.0, 0.5 * jump * 30.0 / pi);
 
   // Heat: 2.8 A amplitude in 0.9 ohm, 31.44 % more at 100 degrees; rated for 80 K at 2.8 A direct in both windings.
   // Iron: 0.2 s ramps at half of 47.1 rad/s and 9.8 s at all of it, in 12.2 s.
@@ -361,7 +361,7 @@ start_rate = "400 Hz"
   const double inertia = 60e-7 + 30e-7 + m * r * r;
   const double lag = std::asin(load / static_torque);
   const double barrier = (2.0 * static_torque * std::cos(lag) - load * (pi - 2.0 * lag)) / 50.0;
-  expect(d, "C-ST-START", (from + to) / 2.0 * 100.0 / pi, 0.5 * std::sqrt(2.0 * barrier / inertia) * 100.0 / pi);
+  expect(d, "C-ST-START", (from + to) / 2.0 * 30.0 / pi, 0.5 * std::sqrt(2.0 * barrier / inertia) * 30.0 / pi);
   expect(d, "C-ACC-MICRO", friction * r / 0.95, static_torque * std::sin(pi / 32.0));
   expect(d, "C-DR-CURRENT", 2.0, 2.0);
   expect(d, "C-PSU-CURRENT", 2.0 * 2.0 / 3.0, 4.2);
