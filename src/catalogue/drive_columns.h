@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// The columns of the families that drive an axis: motors, screws, nuts, couplings, belts, electronics.
+// The columns of the families that drive an axis: motors, screws, nuts, couplings, belts, racks, electronics.
 // number: name, unit, need, plausible range in that unit, meaning, basis column.
 
 #include "catalogue/column.h"
@@ -165,6 +165,41 @@ inline constexpr ColumnDeclaration pulleys[] = {
     text("material", optional, "material"),
     number("mass", "kg", expected, 0.0003, 500, "mass", "inertia_basis"),
     number("inertia", "g.cm2", expected, 0.01, 1e8, "moment of inertia", "inertia_basis"),
+    text("inertia_basis", optional, "where mass and inertia come from"),
+};
+
+inline constexpr ColumnDeclaration racks[] = {
+    number("module", "mm", required, 0.3, 12, "module of the teeth; matches the pinion's"),
+    number("pressure_angle", "deg", required, 14, 25, "pressure angle, 20 degrees after DIN 867"),
+    number("pitch", "mm", expected, 0.9, 38, "tooth pitch = module x pi"),
+    number("face_width", "mm", required, 2, 200, "width of the teeth"),
+    number("height", "mm", expected, 3, 200, "from the back to the tips of the teeth"),
+    number("pitch_height", "mm", expected, 2, 190, "from the back to the pitch line = height - module"),
+    text("material", expected, "material of the teeth"),
+    text("quality", optional, "tooth quality: DIN 10 (milled), DIN 6 (ground), ..."),
+    number("allowable_stress", "MPa", required, 5, 1000, "allowable static bending stress of a tooth", "stress_basis"),
+    text("stress_basis", optional, "where the allowable stress comes from"),
+    number("mass_per_length", "kg/m", required, 0.02, 250, "mass per length", "mass_basis"),
+    text("mass_basis", optional, "where the mass comes from"),
+    number("pitch_error_per_1000mm", "um", expected, 2, 2000, "accumulated pitch error over 1000 mm", "error_basis"),
+    text("error_basis", optional, "where the pitch error comes from"),
+    number("piece_length", "mm", required, 50, 6000, "length of a piece; longer racks are joined from whole pieces"),
+};
+
+inline constexpr ColumnDeclaration pinions[] = {
+    number("module", "mm", required, 0.3, 12, "module of the teeth; matches the rack's"),
+    number("pressure_angle", "deg", required, 14, 25, "pressure angle, 20 degrees after DIN 867"),
+    number("teeth", "1", required, 12, 200, "number of teeth"),
+    number("face_width", "mm", required, 2, 200, "width of the teeth"),
+    number("bore", "mm", required, 1, 200, "bore"),
+    number("pitch_diameter", "mm", expected, 4, 2000, "pitch diameter = module x teeth"),
+    number("outside_diameter", "mm", expected, 4, 2000, "diameter over the tips = module x (teeth + 2)"),
+    number("overall_width", "mm", optional, 2, 400, "width with hub"),
+    text("material", expected, "material of the teeth"),
+    number("allowable_stress", "MPa", required, 5, 1000, "allowable static bending stress of a tooth", "stress_basis"),
+    text("stress_basis", optional, "where the allowable stress comes from"),
+    number("mass", "kg", required, 0.0005, 500, "mass", "inertia_basis"),
+    number("inertia", "g.cm2", required, 0.005, 1e8, "moment of inertia", "inertia_basis"),
     text("inertia_basis", optional, "where mass and inertia come from"),
 };
 

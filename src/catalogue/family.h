@@ -31,13 +31,15 @@ enum class Family : std::uint8_t {
   linear_guides,
   belts,
   pulleys,
+  racks,
+  pinions,
   drivers,
   power_supplies,
   extrusions,
   steel_sections,
   materials
 };
-inline constexpr std::size_t family_count = 17;
+inline constexpr std::size_t family_count = 19;
 
 /// One family: what it is, its own columns (beside those of every family), and which prices a row has to give (all of
 /// `needs_prices`; none for what is not for sale).
@@ -71,6 +73,8 @@ inline constexpr std::array<FamilyDeclaration, family_count> families = {{
     {Family::linear_guides, "linear_guides", "linear guides", columns::linear_guides, true, true, false},
     {Family::belts, "belts", "timing belts", columns::belts, false, true, false},
     {Family::pulleys, "pulleys", "timing pulleys", columns::pulleys, true, false, false},
+    {Family::racks, "racks", "toothed racks", columns::racks, false, true, false},
+    {Family::pinions, "pinions", "pinions for racks", columns::pinions, true, false, false},
     {Family::drivers, "drivers", "stepper drivers", columns::drivers, true, false, false},
     {Family::power_supplies, "power_supplies", "power supplies", columns::power_supplies, true, false, false},
     {Family::extrusions, "extrusions", "aluminium profiles", columns::extrusions, false, true, false},

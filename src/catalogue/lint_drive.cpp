@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plausibility rules for motors, screws, nuts, couplings, belts, pulleys and electronics. Figures are in declared units
-// (mm, N, N.m, A, mH, g.cm2, kg); the bands come from geometry, steel's density and the spread of published parts.
+// Plausibility rules for motors, screws, nuts, couplings, belts, pulleys, racks, pinions and electronics. Figures are
+// in declared units (mm, N, N.m, A, mH, g.cm2, kg); the bands come from geometry, steel's density and the spread of
+// published parts.
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -214,6 +215,50 @@ void lint_pulley(const LintRow& row) {
       "pulley-mass", mass, row(mass) / volume * 1e6, {0.2, 0.6, 8, 20}, "mass / cylinder of that size in kg/dm3");
 }
 
+/// Teeth after DIN 867: as high as 2.25 modules, as thick as a gap at the pitch line. Between root and tip they fill
+/// 1.19 modules of a full bar, so that a rack has the section width * (height - 1.06 * module).
+void lint_rack(const LintRow& row) {
+  constexpr auto of = [](std::string_view name) { return column(Family::racks, name); };
+  constexpr Column module = of("module"), width = of("face_width"), height = of("height"), mass = of("mass_per_length");
+  row.agrees("tooth-pitch", of("pitch"), row(module) * pi, 0.002, 0.02, "module x pi");
+  row.agrees("pitch-line", of("pitch_height"), row(height) - row(module), 0.01, 0.1, "height less the module");
+  row.within("root-geometry", height, row(height) / row(module), {2.25, 5, 25, 60}, "height / module");
+  row.within("face-width", width, row(width) / row(module), {1, 4, 25, 60}, "face width / module");
+  const double bar = row(width) * (row(height) - 1.06 * row(module)) * steel * 1e3;  // kg/m
+  row.agrees("rack-mass", mass, bar, 0.25, 0.95, "a steel bar of that width and height less its gaps");
+  const double count = row(of("piece_length")) / (row(module) * pi);
+  row.expect("piece-length",
+             of("piece_length"),
+             !(std::abs(count - std::round(count)) > 0.03),
+             "the piece has no whole number of teeth and cannot be joined to the next");
+}
+
+void lint_pinion(const LintRow& row) {
+  constexpr auto of = [](std::string_view name) { return column(Family::pinions, name); };
+  constexpr Column module = of("module"), teeth = of("teeth"), width = of("face_width"), bore = of("bore"),
+                   pitch = of("pitch_diameter"), mass = of("mass"), inertia = of("inertia");
+  row.demand("teeth", teeth, !(row(teeth) != std::round(row(teeth))), "the number of teeth is not whole");
+  row.agrees("pitch-diameter", pitch, row(module) * row(teeth), 0.002, 0.02, "module x teeth");
+  row.agrees("outside-diameter",
+             of("outside_diameter"),
+             row(module) * (row(teeth) + 2),
+             0.01,
+             0.1,
+             "module x (teeth + 2); more where the profile is shifted");
+  const double root = row(module) * (row(teeth) - 2.5);
+  row.demand("root-geometry", bore, !(row(bore) >= root), "the bore is as wide as the root circle");
+  row.expect("root-geometry",
+             bore,
+             !(row(bore) < root && (root - row(bore)) / 2 < row(module)),
+             "less than a module of wall between bore and tooth roots");
+  row.within("face-width", width, row(width) / row(module), {1, 4, 25, 60}, "face width / module");
+  const double ring = square(row(pitch)) - square(row(bore));
+  const double body = pi / 4 * ring * row(width) * steel;
+  row.within("pinion-mass", mass, row(mass) / body, {0.05, 0.5, 3, 10}, "mass / its steel body without hub");
+  const double cylinder = row(mass) * (square(row(pitch)) + square(row(bore))) / 8 * 10;
+  row.within("inertia", inertia, row(inertia) / cylinder, {0.2, 0.4, 1.3, 2}, "inertia / that of a ring of that mass");
+}
+
 void lint_driver(const LintRow& row) {
   constexpr auto of = [](std::string_view name) { return column(Family::drivers, name); };
   row.below("voltage-range", of("minimum_voltage"), of("maximum_voltage"));
@@ -254,6 +299,10 @@ void lint_drive(Family family, const LintRow& row) {
       return lint_belt(row);
     case Family::pulleys:
       return lint_pulley(row);
+    case Family::racks:
+      return lint_rack(row);
+    case Family::pinions:
+      return lint_pinion(row);
     case Family::drivers:
       return lint_driver(row);
     case Family::power_supplies:
