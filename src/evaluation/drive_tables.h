@@ -55,6 +55,10 @@ SlotTable support_table(const catalogue::Catalogue& catalogue,
                         bool stiffness_needed);
 /// Belt, drive pulley and idler that run together.
 SlotTable belt_table(const catalogue::Catalogue& catalogue, const machine::Axis& axis, const PriceBook& prices);
+/// Fields of machine::RackReading, in order: racks as long as the axis needs, in whole pieces.
+SlotTable rack_table(const catalogue::Catalogue& catalogue, const machine::Axis& axis, const PriceBook& prices);
+/// Fields of machine::PinionReading, in order.
+SlotTable pinion_table(const catalogue::Catalogue& catalogue, const PriceBook& prices);
 
 /// Candidate with these parts; `riding` kg of them move with the axis and `cabinet` kg burden no axis.
 Candidate candidate_of(std::vector<PartUse> parts, double riding, double cabinet = 0.0);

@@ -110,6 +110,8 @@ constexpr auto constraints_of() {
   return [](auto& visit) {
     if constexpr (std::is_same_v<Stage, ScrewDriveStage>) machine::screw_drive_constraints(visit);
     if constexpr (std::is_same_v<Stage, BeltDriveStage>) machine::belt_drive_constraints(visit);
+    if constexpr (std::is_same_v<Stage, RackDriveStage>) machine::rack_drive_constraints(visit);
+    if constexpr (std::is_same_v<Stage, RotaryDriveStage>) machine::rotary_drive_constraints(visit);
     if constexpr (std::is_same_v<Stage, GuideStage>) machine::guide_constraints(visit);
     if constexpr (std::is_same_v<Stage, MemberStage>) machine::member_constraints(visit);
     if constexpr (std::is_same_v<Stage, BoltStage>) machine::bolted_joint_constraints(visit);
@@ -175,6 +177,24 @@ void add_custom_member(const MachineModel& model,
                                    design));
 }
 
+/// A reduction is not chosen from a catalogue: price and mass are those that the problem states.
+void add_reduction(const StageEntry& entry, const StatedReduction& reduction, Design& design) {
+  if (reduction.count == 0.0) return;
+  design.cost += reduction.all_price();
+  design.mass += reduction.all_mass();
+  PartLine line;
+  line.axis = entry.axis;
+  line.slot = "reduction";
+  line.part_number = "as the problem states it";
+  line.quantity = reduction.count;
+  line.price = reduction.all_price();
+  line.unit_price = reduction.price;
+  line.currency = design.currency;
+  line.mass = reduction.all_mass();
+  line.price_basis = "stated in the problem";
+  design.parts.push_back(std::move(line));
+}
+
 /// Marks a motor, and the torque checks, whose torque at speed is the winding model's and not a published curve's.
 template <class DriveStage>
 void mark_estimated_torque(const DriveStage& stage,
@@ -223,10 +243,12 @@ Design MachineModel::design(const solver::Build& build) const {
         entry.stage);
     add_parts(*this, entry, choice.rows, design);
     const solver::Row voltage = build.shared.empty() ? 0 : build.shared.front();
-    if (const auto* drive = std::get_if<std::unique_ptr<ScrewDriveStage>>(&entry.stage))
-      mark_estimated_torque(**drive, choice, voltage, design);
-    if (const auto* drive = std::get_if<std::unique_ptr<BeltDriveStage>>(&entry.stage))
-      mark_estimated_torque(**drive, choice, voltage, design);
+    std::visit(
+        [&](const auto& stage) {
+          if constexpr (requires { stage->motors(); }) mark_estimated_torque(*stage, choice, voltage, design);
+          if constexpr (requires { stage->reduction(); }) add_reduction(entry, stage->reduction(), design);
+        },
+        entry.stage);
     const auto variables = entry.as_stage().variables();
     for (std::size_t v = 0; v < variables.size(); ++v) {
       const std::string prefix = entry.element == "drive" ? std::string() : entry.element + ".";

@@ -78,14 +78,20 @@ void MachineModel::add_axis(std::size_t index, const PriceBook& prices) {
   if (axis.guide)
     entries_.push_back({axis.name, "guide", std::make_unique<GuideStage>(axis, place, catalogue_, prices)});
   add_members(false);
-  if (axis.mechanism.kind == machine::MechanismKind::screw)
-    entries_.push_back({axis.name,
-                        "drive",
-                        std::make_unique<ScrewDriveStage>(axis, place, problem_.supply_voltages, catalogue_, prices)});
-  else
-    entries_.push_back({axis.name,
-                        "drive",
-                        std::make_unique<BeltDriveStage>(axis, place, problem_.supply_voltages, catalogue_, prices)});
+  const auto add_drive = [&]<class Stage>(std::type_identity<Stage>) {
+    entries_.push_back(
+        {axis.name, "drive", std::make_unique<Stage>(axis, place, problem_.supply_voltages, catalogue_, prices)});
+  };
+  switch (axis.mechanism.kind) {
+    case machine::MechanismKind::screw:
+      return add_drive(std::type_identity<ScrewDriveStage>{});
+    case machine::MechanismKind::belt:
+      return add_drive(std::type_identity<BeltDriveStage>{});
+    case machine::MechanismKind::rack:
+      return add_drive(std::type_identity<RackDriveStage>{});
+    case machine::MechanismKind::rotary:
+      return add_drive(std::type_identity<RotaryDriveStage>{});
+  }
 }
 
 std::vector<EmptySlot> MachineModel::empty_slots() const {

@@ -17,6 +17,7 @@
 #include "evaluation/guide_stage.h"
 #include "evaluation/ledger.h"
 #include "evaluation/member_stage.h"
+#include "evaluation/rotary_drive_stage.h"
 #include "evaluation/screw_drive_stage.h"
 #include "evaluation/supply_stage.h"
 #include "solver/solver.h"
@@ -29,6 +30,8 @@ struct StageEntry {
   std::string element;  ///< "guide", "drive", "supply", a member's name
   std::variant<std::unique_ptr<ScrewDriveStage>,
                std::unique_ptr<BeltDriveStage>,
+               std::unique_ptr<RackDriveStage>,
+               std::unique_ptr<RotaryDriveStage>,
                std::unique_ptr<GuideStage>,
                std::unique_ptr<MemberStage>,
                std::unique_ptr<BoltStage>,

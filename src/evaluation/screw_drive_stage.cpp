@@ -12,9 +12,10 @@ machine::MotionData motion_of(const machine::Axis& axis) {
   return {axis.moves,
           axis.inclination,
           axis.guide_friction,
-          axis.guide_drag,
+          machine::is_rotary(axis) ? axis.friction_torque : axis.guide_drag,
           axis.counterbalance_force,
-          axis.acceleration_time};
+          axis.acceleration_time,
+          machine::is_rotary(axis)};
 }
 
 machine::MotionData drive_motion_of(const machine::Axis& axis) {

@@ -92,6 +92,8 @@ bool is_reserved(const std::string& name) {
                                            "belt",
                                            "pulley_drive",
                                            "pulley_idle",
+                                           "rack",
+                                           "pinion",
                                            "reduction",
                                            "supply",
                                            "supply_voltage",
@@ -137,6 +139,8 @@ void read_parts(TableReader& table, QuantityReader& q, Axis& axis, Diagnostics& 
   if (const Node* members = table.array("members"); members != nullptr) read_members(*members, axis, diagnostics);
   if (const Node* require = table.table("require"); require != nullptr)
     read_requirements(*require, "[axis.require]" + of, axis.require, diagnostics);
+  if (const Node* require = table.find("require"); require != nullptr)
+    check_accuracy_keys(*require, is_rotary(axis), diagnostics);
 }
 
 void check_stroke(TableReader& table, const Axis& axis, Diagnostics& diagnostics) {
@@ -163,15 +167,19 @@ Axis read_axis(const Node& node, const Requirements& shared, Diagnostics& diagno
   QuantityReader q(table, diagnostics);
   axis.name = q.required_text("name", "name = \"x\"");
   if (name != nullptr) (void)check_name(*name, "an axis", diagnostics);
-  axis.carries = table.strings("carries");
-  read_direction(table, q, axis, diagnostics);
-  const auto stroke = q.quantity("stroke", "mm", Sign::positive, Presence::required);
+  if (!says_rotary(node)) axis.carries = table.strings("carries");
+  const bool rotary = says_rotary(node);
+  if (!rotary) read_direction(table, q, axis, diagnostics);
+  const auto stroke = q.quantity("stroke", rotary ? "rad" : "mm", Sign::positive, Presence::required);
   axis.stroke = stroke.value_or(0.1);
-  read_loads(table, q, axis, diagnostics);
+  if (rotary)
+    read_rotary_loads(table, axis, diagnostics);
+  else
+    read_loads(table, q, axis, diagnostics);
   const auto ramps = q.range("acceleration_time", "s");
   axis.acceleration_time = ramps.value_or(axis.acceleration_time);
   read_parts(table, q, axis, diagnostics);
-  if (stroke) check_stroke(table, axis, diagnostics);
+  if (stroke && !rotary) check_stroke(table, axis, diagnostics);
   const Node* given = table.find("acceleration_time");
   if (q.required("moves", "an [[axis.moves]] with distance and time") != nullptr)
     if (const Node* moves = table.array("moves"); moves != nullptr)

@@ -21,6 +21,14 @@ void read_requirements(const text::Node& node,
 
 /// The parts of an axis: what drives it, its motor, what it slides on. `title` in messages: "mechanism of axis 'x'".
 Mechanism read_mechanism(const text::Node& node, const std::string& title, text::Diagnostics& diagnostics);
+/// The keys of a rack and of a rotary table in the table of a mechanism.
+void read_rack(text::TableReader& table, Mechanism& mechanism, text::Diagnostics& diagnostics);
+void read_rotary(text::TableReader& table, Mechanism& mechanism, text::Diagnostics& diagnostics);
+/// Whether an [[axis]] says that it turns; its stroke, loads and moves are angles, inertias and torques then.
+bool says_rotary(const text::Node& axis);
+void read_rotary_loads(text::TableReader& table, Axis& axis, text::Diagnostics& diagnostics);
+/// Refuses requirements of an [axis.require] that are about the other kind of travel.
+void check_accuracy_keys(const text::Node& require, bool rotary, text::Diagnostics& diagnostics);
 MotorChoice read_motor(const text::Node& node, const std::string& title, text::Diagnostics& diagnostics);
 GuideChoice read_guide(const text::Node& node, const std::string& title, text::Diagnostics& diagnostics);
 

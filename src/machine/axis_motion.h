@@ -2,7 +2,7 @@
 //
 // The duty cycle of an axis as a list of phases: every move is split into accelerate, cruise and brake, and, where
 // gravity acts along the travel, done once against it (up) and once with it (down). A force is positive when it opposes
-// the motion.
+// the motion. The cycle of a rotary axis is the same, of angles, torques and its inertia.
 #pragma once
 
 #include <cmath>
@@ -38,7 +38,18 @@ struct MotionData {
   double guide_drag = 0.0;
   double counterbalance_force = 0.0;
   Range acceleration_time{0.05, 0.5};
+  bool rotary = false;  ///< distances are angles, forces torques and the mass is an inertia
 };
+
+/// What the numbers of an axis measure: of a rotary axis rad, rad/s, N.m where others have m, m/s, N.
+struct MotionDimensions {
+  scalar::Dimension distance, speed, acceleration, force;
+};
+inline constexpr MotionDimensions motion_dimensions(bool rotary) {
+  namespace dimension = scalar::dimension;
+  if (rotary) return {dimension::angular, dimension::angular_speed, dimension::angular_acceleration, dimension::torque};
+  return {dimension::length, dimension::speed, dimension::acceleration, dimension::force};
+}
 
 /// What the supply must be ready for in one move, whichever ramp of the range is chosen: the speed of the longest ramp
 /// and the acceleration that the shortest ramp gives it. The power a drive asks for then does not hang on the ramp.
@@ -71,35 +82,36 @@ T si(double value, const scalar::Dimension& dimension) {
 }
 }  // namespace detail
 
-/// The duty cycle for a moved mass [kg] and a ramp time [s].
+/// The duty cycle for a moved mass [kg], of a rotary axis an inertia [kg.m2], and a ramp time [s].
 template <class T>
 Cycle<T> duty_cycle(const MotionData& data, const T& mass, const T& acceleration_time) {
   using namespace scalar;
   using detail::si;
   namespace act = mechanics::actuation;
+  const MotionDimensions of = motion_dimensions(data.rotary);
   Cycle<T> cycle;
-  const T zero_force = si<T>(0.0, dimension::force);
+  const T zero_force = si<T>(0.0, of.force);
   const T inclination = T(data.inclination);
   const bool gravity = std::sin(data.inclination) > 1e-9;
   cycle.gravity_force =
-      gravity ? act::gravity_force(mass, inclination, si<T>(data.counterbalance_force, dimension::force)) : zero_force;
+      gravity ? act::gravity_force(mass, inclination, si<T>(data.counterbalance_force, of.force)) : zero_force;
   // Normal to the travel only the component of the weight across it presses on the guides.
   const double across = std::abs(std::cos(data.inclination)) < 1e-9 ? 0.0 : std::cos(data.inclination);
-  cycle.friction_force = si<T>(data.guide_drag, dimension::force);
+  cycle.friction_force = si<T>(data.guide_drag, of.force);
   if (data.guide_friction * across != 0.0)
     cycle.friction_force =
         cycle.friction_force + data.guide_friction * across * mass * si<T>(standard_gravity, dimension::acceleration);
   cycle.process_force = zero_force;
   cycle.total_time = si<T>(0.0, dimension::time);
-  cycle.travelled = si<T>(0.0, dimension::length);
-  cycle.peak_speed = si<T>(0.0, dimension::speed);
+  cycle.travelled = si<T>(0.0, of.distance);
+  cycle.peak_speed = si<T>(0.0, of.speed);
   cycle.time_ratio = T(0.0);
   for (const Move& move : data.moves) {
     const T ramp = move.acceleration_time ? si<T>(*move.acceleration_time, dimension::time) : acceleration_time;
-    const T distance = si<T>(move.distance, dimension::length);
-    const T force = si<T>(move.force, dimension::force);
+    const T distance = si<T>(move.distance, of.distance);
+    const T force = si<T>(move.force, of.force);
     // With equal ramps the distance is speed * (time - ramp).
-    const T speed = move.speed ? si<T>(*move.speed, dimension::speed)
+    const T speed = move.speed ? si<T>(*move.speed, of.speed)
                                : distance / larger(si<T>(*move.time, dimension::time) - ramp,
                                                    si<T>(1e-3 * *move.time, dimension::time));
     const T constant_time = larger(distance / speed - ramp, si<T>(0.0, dimension::time));
@@ -116,7 +128,7 @@ Cycle<T> duty_cycle(const MotionData& data, const T& mass, const T& acceleration
     const int directions = gravity ? 2 : 1;
     for (int direction = 0; direction < directions; ++direction) {
       const T weight = direction == 0 ? cycle.gravity_force : -cycle.gravity_force;
-      const T none = si<T>(0.0, dimension::acceleration);
+      const T none = si<T>(0.0, of.acceleration);
       const T one = T(1.0);
       const bool every = data.counterbalance_force > 0.0;
       const auto add = [&](const T& a, const T& mean, const T& duration, bool may_govern) {

@@ -176,6 +176,7 @@ void belt_drive_constraints(Visit&& visit) {
   belt_constraints(visit);
   motor_constraints(visit);
   motor_current_constraints(visit);
+  travel_speed_constraint(visit);
   accuracy_constraints(visit);
   spindle_constraints(visit);
 }

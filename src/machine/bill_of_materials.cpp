@@ -270,6 +270,10 @@ std::vector<std::string> slot_names(const Axis& axis) {
     if (!member.sections.empty() || member.kind == MemberKind::bolts) names.push_back(member.name);
   if (axis.mechanism.kind == MechanismKind::belt) {
     names.insert(names.end(), {"belt", "pulley_drive", "pulley_idle", "motor", "driver"});
+  } else if (axis.mechanism.kind == MechanismKind::rack) {
+    names.insert(names.end(), {"rack", "pinion", "motor", "driver"});
+  } else if (axis.mechanism.kind == MechanismKind::rotary) {
+    names.insert(names.end(), {"motor", "driver"});
   } else {
     names.insert(names.end(), {"screw", "nut", "motor", "driver", "coupling", "support_fixed"});
     if (axis.mechanism.ends != Ends::fixed_free) names.push_back("support_free");

@@ -39,7 +39,6 @@ void read_screw_families(TableReader& table, QuantityReader& q, Mechanism& mecha
 }
 
 void read_screw(TableReader& table, QuantityReader& q, Mechanism& mechanism, Diagnostics& diagnostics) {
-  q.refuse({"profiles", "efficiency", "idler_distance"}, "a screw has none", "this key goes with kind = \"belt\"");
   read_screw_families(table, q, mechanism, diagnostics);
   mechanism.thread_forms = q.words("thread_forms");
   mechanism.nut_materials = q.words("nut_materials");
@@ -86,10 +85,35 @@ void read_drives(QuantityReader& q, Mechanism& mechanism, const Node& node, Diag
             "it is at least 1/{} = {:.4g}; more where the load stands off the middle", mechanism.drives, equal));
 }
 
+/// Reports the keys of the other kinds of mechanism; efficiency is one of belts and racks.
+void refuse_of_others(QuantityReader& q, const std::string& kind) {
+  const std::string because = fmt::format("a {} has none", kind == "rotary" ? "rotary table" : kind);
+  if (kind != "screw")
+    q.refuse({"screw",
+              "ends",
+              "thread_forms",
+              "nut_materials",
+              "end_allowance",
+              "greased",
+              "thread_friction",
+              "ball_friction",
+              "preload",
+              "length"},
+             because,
+             "this key goes with kind = \"screw\"");
+  if (kind != "belt") q.refuse({"profiles", "idler_distance"}, because, "this key goes with kind = \"belt\"");
+  if (kind != "rack") q.refuse({"motor_rides", "backlash"}, because, "this key goes with kind = \"rack\"");
+  if (kind == "screw" || kind == "rotary")
+    q.refuse({"efficiency"}, because, "this key goes with kind = \"belt\" or \"rack\"");
+  if (kind == "screw" || kind == "belt")
+    q.refuse({"reduction"}, because, "this key goes with kind = \"rack\" or \"rotary\"");
+}
+
 /// Without a readable kind, what else is there tells which one was meant.
 std::string guessed_kind(const Node& node) {
   const bool belt =
       node.find("profiles") != nullptr || node.find("efficiency") != nullptr || node.find("idler_distance") != nullptr;
+  if (node.find("motor_rides") != nullptr) return "rack";
   if (belt && node.find("screw") == nullptr) return "belt";
   return node.find("screw") != nullptr ? "screw" : "";
 }
@@ -113,30 +137,23 @@ Mechanism read_mechanism(const Node& node, const std::string& title, Diagnostics
   TableReader table(node, title, diagnostics);
   QuantityReader q(table, diagnostics);
   if (!node.is_table()) return mechanism;
-  const bool has_kind = q.required("kind", "kind = \"screw\" or kind = \"belt\"") != nullptr;
-  const auto said = has_kind ? table.word("kind", {"screw", "belt"}) : std::nullopt;
+  const bool has_kind = q.required("kind", "kind = \"screw\" or kind = \"belt\", \"rack\", \"rotary\"") != nullptr;
+  const auto said = has_kind ? table.word("kind", {"screw", "belt", "rack", "rotary"}) : std::nullopt;
   const std::string kind = said.value_or(guessed_kind(node));
   if (kind.empty()) return mechanism;  // nothing to judge the other keys by
-  read_drives(q, mechanism, node, diagnostics);
+  refuse_of_others(q, kind);
+  if (kind != "rotary") read_drives(q, mechanism, node, diagnostics);
   if (kind == "screw") {
     read_screw(table, q, mechanism, diagnostics);
-  } else {
+  } else if (kind == "belt") {
     mechanism.kind = MechanismKind::belt;
-    q.refuse({"screw",
-              "ends",
-              "thread_forms",
-              "nut_materials",
-              "end_allowance",
-              "greased",
-              "thread_friction",
-              "ball_friction",
-              "preload",
-              "length"},
-             "a belt has none",
-             "this key goes with kind = \"screw\"");
     mechanism.profiles = q.words("profiles");
     mechanism.belt_efficiency = q.share_or("efficiency", mechanism.belt_efficiency);
     mechanism.idler_distance = q.quantity_or("idler_distance", "mm", 0.0);
+  } else if (kind == "rack") {
+    read_rack(table, mechanism, diagnostics);
+  } else {
+    read_rotary(table, mechanism, diagnostics);
   }
   table.finish();
   return mechanism;

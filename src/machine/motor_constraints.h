@@ -142,6 +142,11 @@ void motor_constraints(Visit&& visit) {
       always,
       [](const auto& d) { return d.motor.driver_least_voltage; },
       [](const auto& d) { return d.motor.voltage; });
+}
+
+/// The speed of an axis whose travel is a length.
+template <class Visit>
+void travel_speed_constraint(Visit&& visit) {
   visit(
       Declaration{.id = "C-SYS-SPEED",
                   .title = "Rapid speed against every speed limit",

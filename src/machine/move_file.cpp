@@ -38,22 +38,28 @@ void read_process(
   move.speed = move.cutting->feed_speed();
 }
 
-Move read_move(const Node& node, const std::string& title, Diagnostics& diagnostics) {
+/// Of a rotary axis distances are angles and forces torques.
+Move read_move(const Node& node, bool rotary, const std::string& title, Diagnostics& diagnostics) {
   Move move;
   move.where = node.span();
   TableReader table(node, title, diagnostics);
   QuantityReader q(table, diagnostics);
   move.name = table.string("name").value_or("");
-  move.distance = q.quantity("distance", "mm", Sign::positive, Presence::required).value_or(1.0);
+  move.distance = q.quantity("distance", rotary ? "rad" : "mm", Sign::positive, Presence::required).value_or(1.0);
   move.time = q.quantity("time", "s", Sign::positive);
-  move.speed = q.quantity("speed", "mm/s", Sign::positive);
+  move.speed = q.quantity("speed", rotary ? "rpm" : "mm/s", Sign::positive);
   move.acceleration_time = q.quantity("acceleration_time", "s", Sign::positive);
-  move.force = q.quantity_or("force", "N", 0.0);
+  if (rotary) q.refuse({"force"}, "a table is turned against a torque", "write torque = \"2 N.m\"");
+  move.force = rotary ? q.quantity_or("torque", "N.m", 0.0) : q.quantity_or("force", "N", 0.0);
   move.dwell = q.quantity_or("dwell", "s", 0.0);
-  read_process(table, q, title, move, diagnostics);
+  if (rotary)
+    q.refuse({"cutting"}, "cuts along a length only", "give the table the torque of the cut: torque = \"2 N.m\"");
+  else
+    read_process(table, q, title, move, diagnostics);
   if (node.is_table() && !table.has("time") && !table.has("speed") && !table.has("cutting"))
-    diagnostics.error(
-        node.span(), fmt::format("{} needs a time or a speed", title), "add time = \"1 s\" or speed = \"20 mm/s\"");
+    diagnostics.error(node.span(),
+                      fmt::format("{} needs a time or a speed", title),
+                      fmt::format("add time = \"1 s\" or speed = \"20 {}\"", rotary ? "rpm" : "mm/s"));
   table.finish();
   return move;
 }
@@ -67,8 +73,8 @@ double longest_ramp(const Move& move) {
 
 class MoveCheck {
  public:
-  MoveCheck(const Node& node, const Move& move, const MoveLimits& limits, Diagnostics& diagnostics)
-      : node_(node), move_(move), limits_(limits), diagnostics_(diagnostics) {}
+  MoveCheck(const Node& node, const Move& move, bool rotary, const MoveLimits& limits, Diagnostics& diagnostics)
+      : node_(node), move_(move), rotary_(rotary), limits_(limits), diagnostics_(diagnostics) {}
 
   /// The shortest ramp that the axis's range or the move's own ramp allows must fit.
   void ramps(const Range& range) {
@@ -78,16 +84,15 @@ class MoveCheck {
       complain("time",
                fmt::format("the move cannot be done in {}: at {} and with ramps of {} it takes {}",
                            seconds(*move_.time),
-                           scalar::format(*move_.speed, scalar::Unit::of("mm/s")),
+                           speed(),
                            seconds(ramp),
                            seconds(move_.distance / *move_.speed + ramp)),
                "allow more time, more speed or shorter ramps");
     } else if (move_.speed) {
-      complain("speed",
-               fmt::format("{} is never reached: ramps of {} take longer than the distance allows",
-                           scalar::format(*move_.speed, scalar::Unit::of("mm/s")),
-                           seconds(ramp)),
-               fmt::format("make acceleration_time {} or less, or lower the speed", seconds(longest_ramp(move_))));
+      complain(
+          "speed",
+          fmt::format("{} is never reached: ramps of {} take longer than the distance allows", speed(), seconds(ramp)),
+          fmt::format("make acceleration_time {} or less, or lower the speed", seconds(longest_ramp(move_))));
     } else {
       complain(
           "time",
@@ -99,16 +104,18 @@ class MoveCheck {
 
   void stroke(const Axis& axis) {
     if (move_.distance <= axis.stroke * rounding) return;
-    const scalar::Unit mm = scalar::Unit::of("mm");
+    const scalar::Unit unit = scalar::Unit::of(rotary_ ? "deg" : "mm");
     diagnostics_.error(node_.find("distance")->span(),
                        fmt::format("distance: {} is longer than the stroke of axis '{}', {}",
-                                   scalar::format(move_.distance, mm, 6),
+                                   scalar::format(move_.distance, unit, 6),
                                    axis.name,
-                                   scalar::format(axis.stroke, mm, 6)),
+                                   scalar::format(axis.stroke, unit, 6)),
                        "lengthen the stroke or shorten the move");
   }
 
  private:
+  std::string speed() const { return scalar::format(*move_.speed, scalar::Unit::of(rotary_ ? "rpm" : "mm/s")); }
+
   void complain(const char* key, const std::string& message, const std::string& hint) {
     text::Diagnostic diagnostic;
     const Node* said = node_.find(key);
@@ -128,6 +135,7 @@ class MoveCheck {
 
   const Node& node_;
   const Move& move_;
+  bool rotary_;
   const MoveLimits& limits_;
   Diagnostics& diagnostics_;
 };
@@ -164,13 +172,14 @@ void read_moves(const Node& moves, const MoveLimits& limits, Axis& axis, Diagnos
     diagnostics.error(moves.span(), fmt::format("axis '{}' has no moves", axis.name), "add an [[axis.moves]]");
   std::map<std::string, SourceSpan> names;
   std::vector<bool> sound;
+  const bool rotary = is_rotary(axis);
   for (const Node& node : moves.items()) {
     const std::size_t before = diagnostics.error_count();
-    axis.moves.push_back(read_move(node, fmt::format("move of axis '{}'", axis.name), diagnostics));
+    axis.moves.push_back(read_move(node, rotary, fmt::format("move of axis '{}'", axis.name), diagnostics));
     const Move& move = axis.moves.back();
     sound.push_back(diagnostics.error_count() == before);
-    if (sound.back() && limits.ramps) MoveCheck(node, move, limits, diagnostics).ramps(axis.acceleration_time);
-    if (sound.back() && limits.stroke) MoveCheck(node, move, limits, diagnostics).stroke(axis);
+    if (sound.back() && limits.ramps) MoveCheck(node, move, rotary, limits, diagnostics).ramps(axis.acceleration_time);
+    if (sound.back() && limits.stroke) MoveCheck(node, move, rotary, limits, diagnostics).stroke(axis);
     const Node* name = node.find("name");
     if (name == nullptr || move.name.empty()) continue;
     const auto [first, added] = names.try_emplace(move.name, name->span());

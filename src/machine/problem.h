@@ -33,7 +33,7 @@ enum class Ends { fixed_free, supported_supported, fixed_supported, fixed_fixed 
 /// One rest-to-rest move. Trapezoidal profile with equal ramps; time fixes the speed, or the speed is given.
 struct Move {
   std::string name;
-  double distance = 0.0;                    ///< m
+  double distance = 0.0;                    ///< m; of a rotary axis rad, as below rad/s and N.m
   std::optional<double> time;               ///< s, of the move; a limit if `speed` is given too
   std::optional<double> speed;              ///< m/s, of the constant part
   std::optional<double> acceleration_time;  ///< s; else the axis's
@@ -43,7 +43,22 @@ struct Move {
   SourceSpan where;
 };
 
-enum class MechanismKind { screw, belt };
+/// rack: the motor's pinion rolls on a rack. rotary: the motor turns a table; every length of such an axis is an angle
+/// (rad), every force a torque (N.m), and inertias (kg.m2) stand for masses.
+enum class MechanismKind { screw, belt, rack, rotary };
+
+/// A gear reduction between motor and pinion or table, as the problem states it.
+struct Reduction {
+  double ratio = 1.0;  ///< turns of the motor for one of its output
+  double efficiency = 1.0;
+  double inertia = 0.0;   ///< kg.m2, at its input
+  double backlash = 0.0;  ///< rad, at its output
+  double mass = 0.0;      ///< kg
+  double shaft = 0.0;     ///< m, diameter of the output shaft that carries the pinion
+  double price = 0.0;     ///< in `currency`
+  std::string currency = "USD";
+  SourceSpan where;
+};
 
 struct Mechanism {
   MechanismKind kind = MechanismKind::screw;
@@ -65,6 +80,12 @@ struct Mechanism {
   std::vector<std::string> profiles;  ///< belt profiles; empty = all
   double belt_efficiency = 0.95;
   double idler_distance = 0.0;  ///< m, added to stroke + carriage for the pulley centre distance
+  // rack
+  bool motor_rides = true;        ///< motor and pinion move with the axis and the rack stands; else the other way round
+  double rack_efficiency = 0.95;  ///< of the mesh
+  double backlash = 1e-4;         ///< m, of the mesh, as it is set
+  // rack and rotary
+  std::optional<Reduction> reduction;
   SourceSpan where;
 };
 
@@ -158,6 +179,8 @@ struct Axis {
   double guide_friction = 0.0;        ///< coefficient on the weight normal to the travel
   double guide_drag = 0.0;            ///< N, constant
   double counterbalance_force = 0.0;  ///< N
+  double inertia = 0.0;               ///< kg.m2, of a rotary axis, about its axis of rotation: table and workpiece
+  double friction_torque = 0.0;       ///< N.m, of a rotary axis
   Mechanism mechanism;
   MotorChoice motor;
   std::optional<GuideChoice> guide;
@@ -172,12 +195,23 @@ struct Axis {
   std::optional<std::size_t> carried_by;  ///< index of the parent axis
 };
 
-/// Mass of the nuts or belts for which guides and structure are sized [kg]; each drive is held to its part
-/// (F-NUT-MASS, F-BELT-MASS).
+inline bool is_rotary(const Axis& axis) { return axis.mechanism.kind == MechanismKind::rotary; }
+
+/// Mass of what rides of the drives and is chosen after guides and structure, for which these are sized [kg]; each
+/// drive is held to its part (F-NUT-MASS, F-BELT-MASS, F-RACK-RIDING-MASS).
 inline double riding_mass_allowance(const Axis& axis) {
-  return axis.mechanism.drives * axis.require(axis.mechanism.kind == MechanismKind::belt
-                                                  ? Requirement::belt_mass_allowance
-                                                  : Requirement::nut_mass_allowance);
+  const auto allowance = [&](Requirement each) { return axis.mechanism.drives * axis.require(each); };
+  switch (axis.mechanism.kind) {
+    case MechanismKind::screw:
+      return allowance(Requirement::nut_mass_allowance);
+    case MechanismKind::belt:
+      return allowance(Requirement::belt_mass_allowance);
+    case MechanismKind::rack:
+      return allowance(Requirement::rack_drive_mass_allowance);
+    case MechanismKind::rotary:
+      break;
+  }
+  return 0.0;
 }
 
 struct CurrencyRate {

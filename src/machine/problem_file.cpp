@@ -88,6 +88,16 @@ void read_objective(const Node& node, Problem& problem, Diagnostics& diagnostics
   reader.finish();
 }
 
+/// A stated price must be in a currency whose rate is known.
+void check_currency(const Axis& axis, const Problem& problem, Diagnostics& diagnostics) {
+  if (!axis.mechanism.reduction || axis.mechanism.reduction->price <= 0.0) return;
+  const Reduction& reduction = *axis.mechanism.reduction;
+  if (reduction.currency == problem.currency || problem.currencies.count(reduction.currency) > 0) return;
+  diagnostics.error(reduction.where,
+                    fmt::format("price: there is no rate for {}", reduction.currency),
+                    fmt::format("state it in {}, or add {} to [currency]", problem.currency, reduction.currency));
+}
+
 }  // namespace
 
 std::optional<Problem> problem_of(const text::Document& document, Diagnostics& diagnostics) {
@@ -113,6 +123,7 @@ std::optional<Problem> problem_of(const text::Document& document, Diagnostics& d
     read_requirements(*require, "[require]", shared, diagnostics);
   if (q.required("axis", "an [[axis]] with its name, stroke, mechanism and moves") != nullptr)
     if (const Node* axes = table.array("axis"); axes != nullptr) read_axes(*axes, shared, problem, diagnostics);
+  for (const Axis& axis : problem.axes) check_currency(axis, problem, diagnostics);
   table.finish();
   if (diagnostics.error_count() > errors) return std::nullopt;
   return problem;

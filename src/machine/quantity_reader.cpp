@@ -29,6 +29,9 @@ constexpr UsualValues usual[] = {
     {"m/s", "200 m/min", 1e-9, 1e3},
     {"V", "24 V", 1e-3, 1e3},
     {"deg", "30 deg", 1e-9, 10.0},
+    {"rad", "90 deg", 1e-9, 1e5},
+    {"rpm", "30 rpm", 1e-9, 1e4},
+    {"kg.m2", "0.02 kg.m2", 1e-12, 1e5},
     {"Hz", "30 kHz", 1e-3, 1e9},
     {"Pa", "80 N/mm^2", 1.0, 1e12},
     {"rad/m", "0.3 deg/m", 1e-9, 1e3},
@@ -157,7 +160,11 @@ std::optional<double> QuantityReader::of_node(const Node& node,
     if (!plain) {
       fault.message = "a bare number where a unit is needed";
       const UsualValues values = usual_values(unit);
-      fault.hint = fmt::format("write \"{} {}\"", *node.as_number(), values.unit == "m" ? "mm" : values.unit);
+      fault.hint = fmt::format("write \"{} {}\"",
+                               *node.as_number(),
+                               values.unit == "m"     ? "mm"
+                               : values.unit == "rad" ? "deg"
+                                                      : values.unit);
     }
     diagnostics_.error(node.span(), fmt::format("{}: {}", what, fault.message), fault.hint);
     return std::nullopt;

@@ -18,6 +18,7 @@ void screw_drive_constraints(Visit&& visit) {
   ball_screw_constraints(visit);
   motor_constraints(visit);
   motor_current_constraints(visit);
+  travel_speed_constraint(visit);
   coupling_constraints(visit);
   accuracy_constraints(visit);
   screw_accuracy_constraints(visit);

@@ -32,4 +32,12 @@ T lewis_stress(const T& tangential_force, const T& face_width, const T& module, 
   return tangential_force / (face_width * module * form_factor);
 }
 
+/// Share of the allowable static stress that a moving tooth may bear, commercially cut, at a pitch line speed (m/s);
+/// the 3 is a speed. Valid: up to 12.5 m/s. [khurmi_gupta2005, chapter 28]
+template <class T>
+T velocity_factor(const T& speed) {
+  const T three = in_unit<T>(3.0, dimension::speed);
+  return three / (three + speed);
+}
+
 }  // namespace millwright::mechanics::rack

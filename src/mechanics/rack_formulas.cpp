@@ -53,6 +53,16 @@ void define_rack(FormulaList& list) {
       quantity("face_width", "b", "m", "face width").typical(0.005, 0.05).falling(),
       quantity("module", "m_n", "m", "module").typical(0.0005, 0.006).falling(),
       quantity("form_factor", "Y", "1", "form factor of Lewis").typical(0.2, 0.5).falling());
+
+  define(
+      list,
+      {.name = "rack.velocity_factor",
+       .symbol = "C_v",
+       .unit = "1",
+       .title = "Velocity factor of commercially cut teeth",
+       .source = "khurmi_gupta2005, chapter 28"},
+      [](const auto&... x) { return rack::velocity_factor(x...); },
+      quantity("speed", "v", "m/s", "pitch line speed").between(0.0, 12.5).typical(0.01, 5).falling());
 }
 
 }  // namespace millwright::mechanics

@@ -34,7 +34,8 @@ std::string bom_csv(const evaluation::Design& design) {
   std::string out = "axis,slot,manufacturer,part_number,quantity,length,value\n";
   for (const evaluation::PartLine& part : design.parts) {
     // A member made to measure is told by its dimensions below; its material stands in the problem.
-    if (part.family == "materials") continue;
+    // So does a reduction, which is of no family.
+    if (part.family == "materials" || part.family.empty()) continue;
     out += fmt::format("{},{},{},{},{},{},\n",
                        csv_cell(part.axis),
                        csv_cell(part.slot),

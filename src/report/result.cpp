@@ -56,6 +56,7 @@ std::vector<RequirementLine> used_requirements(const machine::Problem& problem, 
 std::string shown_value(const RequirementLine& line) {
   const scalar::Unit declared = scalar::Unit::of(line.unit);
   const bool scaled = line.unit == "s" || line.unit == "m" || line.unit == "Pa";
+  if (line.unit == "rad") return scalar::format(line.value, scalar::Unit::of("deg"));
   return scalar::format(line.value, scaled ? scalar::readable_unit(declared.dimension(), line.value) : declared);
 }
 

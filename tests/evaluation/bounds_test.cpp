@@ -157,6 +157,63 @@ tightening_torque = "5 N.m"
 rides = true
 )";
 
+/// A rack that lifts, one that stands while its motor rides, and a table on it.
+const char* const rack_machine = R"(
+title = "rack gantry with a table"
+[currency]
+USD = 1.0
+EUR = 1.08
+[supply]
+voltage = ["24 V", "48 V"]
+[[axis]]
+name = "table"
+stroke = "360 deg"
+structure_mass = "2 kg"
+structure_inertia = "0.004 kg.m2"
+payload_inertia = "0.001 kg.m2"
+friction_torque = "0.02 N.m"
+acceleration_time = ["0.05 s", "0.3 s"]
+mechanism = { kind = "rotary", reduction = { ratio = 3, efficiency = 0.9, backlash = "5 arcmin", mass = "0.3 kg" } }
+motor = { microsteps = 16 }
+[[axis.moves]]
+distance = "90 deg"
+time = "0.8 s"
+torque = "0.05 N.m"
+[axis.require]
+angle_error = "0.2 deg"
+lost_angle = "0.15 deg"
+[[axis]]
+name = "lift"
+direction = "vertical"
+stroke = "150 mm"
+structure_mass = "1 kg"
+guide_drag = "2 N"
+acceleration_time = ["0.05 s", "0.3 s"]
+mechanism = { kind = "rack", motor_rides = false, backlash = "0.05 mm" }
+motor = { microsteps = 16, brake_torque = "0.3 N.m" }
+[[axis.moves]]
+distance = "120 mm"
+speed = "100 mm/s"
+force = "10 N"
+[[axis]]
+name = "x"
+carries = ["table", "lift"]
+stroke = "900 mm"
+structure_mass = "3 kg"
+guide_friction = 0.02
+acceleration_time = ["0.05 s", "0.6 s"]
+mechanism = { kind = "rack", efficiency = 0.9, reduction = { ratio = 4, shaft = "14 mm", efficiency = 0.9, mass = "0.5 kg", price = "40 USD" } }
+motor = { microsteps = 8 }
+guide = { rails = 2, carriages = 4, carriage_spacing = "120 mm", rail_spacing = "300 mm" }
+[[axis.moves]]
+distance = "800 mm"
+time = "2 s"
+force = "20 N"
+[axis.require]
+position_error = { limit = "0.4 mm", over = "900 mm" }
+lost_motion = "0.3 mm"
+)";
+
 const MachineModel& sander() {
   static const MachineModel model(shipped_problem("sander"), shipped_catalogue());
   return model;
@@ -166,17 +223,24 @@ const MachineModel& gantry() {
   return model;
 }
 
+const MachineModel& racks() {
+  static const MachineModel model(problem_of_text(rack_machine), shipped_catalogue());
+  return model;
+}
+
 std::vector<const StageEntry*> all_stages() {
   std::vector<const StageEntry*> all;
-  for (const MachineModel* model : {&sander(), &gantry()})
+  for (const MachineModel* model : {&sander(), &gantry(), &racks()})
     for (const StageEntry& entry : model->entries()) all.push_back(&entry);
   return all;
 }
 
 BoxSampler sampler_of(const StageEntry& entry, unsigned seed) {
-  const bool of_sander = std::any_of(
-      sander().entries().begin(), sander().entries().end(), [&](const StageEntry& e) { return &e == &entry; });
-  const MachineModel& model = of_sander ? sander() : gantry();
+  const auto has_it = [&](const MachineModel& model) {
+    return std::any_of(
+        model.entries().begin(), model.entries().end(), [&](const StageEntry& e) { return &e == &entry; });
+  };
+  const MachineModel& model = has_it(sander()) ? sander() : has_it(gantry()) ? gantry() : racks();
   return {entry.as_stage(), model.machine().supply_voltages.size(), model.problem().first_state.size(), seed};
 }
 
@@ -211,12 +275,13 @@ std::string shown(const std::string& name, double x, const Interval& range) {
 
 }  // namespace
 
-TEST_CASE("The written machine and the sander have every kind of stage") {
+TEST_CASE("The written machines and the sander have every kind of stage") {
   CHECK(sander().empty_slots().empty());
   CHECK(gantry().empty_slots().empty());
+  CHECK(racks().empty_slots().empty());
   std::map<std::size_t, int> kinds;
   for (const StageEntry* entry : all_stages()) ++kinds[entry->stage.index()];
-  CHECK(kinds.size() == 6);
+  CHECK(kinds.size() == 8);
 }
 
 TEST_CASE("Bounds of random sets contain their members") {
@@ -400,6 +465,10 @@ bool parts_go_together(const StageEntry& entry, const SampledPoint& p) {
   if (const auto* belt = std::get_if<std::unique_ptr<evaluation::BeltDriveStage>>(&entry.stage)) {
     const auto design = (*belt)->design<double>(selection);
     machine::belt_constraints(look(design));
+  }
+  if (const auto* rack = std::get_if<std::unique_ptr<evaluation::RackDriveStage>>(&entry.stage)) {
+    const auto design = (*rack)->design<double>(selection);
+    machine::rack_fit_constraints(look(design));
   }
   return good;
 }

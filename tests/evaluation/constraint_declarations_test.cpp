@@ -37,7 +37,7 @@ const std::vector<std::string> of_every_drive{
 
 TEST_CASE("Every element declares the constraints that the design rules ask of it") {
   const auto elements = declaring_elements();
-  REQUIRE(elements.size() == 6);
+  REQUIRE(elements.size() == 8);
   require_ids(elements[0], of_every_drive);
   require_ids(
       elements[0],
@@ -76,6 +76,13 @@ TEST_CASE("Every element declares the constraints that the design rules ask of i
                "C-GD-DEFL"});
   require_ids(elements[4], {"C-PSU-POWER", "C-PSU-CURRENT", "F-SUPPLY-VOLTAGE"});
   require_ids(elements[5], {"C-BOLT-PROOF", "C-BOLT-SEP", "C-BOLT-SLIP", "C-BOLT-SHEAR"});
+  require_ids(elements[6], of_every_drive);
+  require_ids(elements[6],
+              {"C-RK-BEND", "C-RK-RACK", "C-ST-RADIAL", "F-RACK-MODULE", "F-PINION-BORE", "F-RACK-RIDING-MASS"});
+  // The travel of a table is an angle: speed and accuracy are constraints of their own, and nothing is cut along it.
+  for (const std::string& id : of_every_drive)
+    if (id != "C-SYS-SPEED" && id != "C-TOOL-POWER" && id.substr(0, 6) != "C-ACC-") require_ids(elements[7], {id});
+  require_ids(elements[7], {"C-ROT-SPEED", "C-ROT-RES", "C-ROT-TOTAL", "C-ROT-LOST"});
 }
 
 TEST_CASE("No element declares a constraint twice") {

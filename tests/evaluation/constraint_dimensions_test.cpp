@@ -209,6 +209,80 @@ void check_belt_drive(bool vertical, std::set<std::string>& seen) {
   machine::belt_drive_constraints(DimensionVisitor(d, seen));
 }
 
+machine::Reduction reduction() {
+  machine::Reduction r;
+  r.ratio = 4.0;
+  r.efficiency = 0.9;
+  r.inertia = 2e-6;
+  r.backlash = 2e-3;
+  r.mass = 0.5;
+  r.shaft = 0.014;
+  return r;
+}
+
+void check_rack_drive(bool vertical, bool geared, bool rides, std::set<std::string>& seen) {
+  machine::GearedDriveData data{.motion = motion(vertical),
+                                .require = with_accuracy(),
+                                .stroke = 0.3,
+                                .microsteps = vertical ? 2.0 : 16.0,
+                                .efficiency = 0.95,
+                                .backlash = 1e-4,
+                                .vertical = vertical,
+                                .motor_rides = rides};
+  if (geared) data.reduction = reduction();
+  machine::RackDrive<Dimensioned> d;
+  d.data = &data;
+  d.rack = {length(0.0015), Dimensioned(0.35), length(0.015), pressure(1e8), Dimensioned(1e-4), mass(1.5)};
+  d.pinion = {length(0.0015),
+              Dimensioned(0.35),
+              Dimensioned(20.0),
+              length(0.012),
+              length(0.008),
+              pressure(1.2e8),
+              mass(0.1),
+              inertia(1e-5)};
+  d.motor = motor();
+  d.motor_shaft = length(0.008);
+  d.motor_mass = mass(1.2);
+  d.available_torque = [](const Dimensioned& omega) {
+    CHECK(omega.dimension == dimension::angular_speed);
+    return torque(0.8);
+  };
+  d.carried_mass = mass(6.0);
+  d.acceleration_time = time(0.1);
+  d.derive();
+  CHECK(d.input_power.dimension == dimension::power_output);
+  CHECK(d.moved_mass.dimension == dimension::mass);
+  machine::rack_drive_constraints(DimensionVisitor(d, seen));
+}
+
+void check_rotary_drive(bool geared, std::set<std::string>& seen) {
+  machine::GearedDriveData data{.motion = motion(false), .require = {}, .stroke = 6.0};
+  data.motion.rotary = true;
+  data.motion.guide_friction = 0.0;
+  data.require.set(Requirement::angle_error, 1e-3);
+  data.require.set(Requirement::lost_angle, 1e-3);
+  data.require.set(Requirement::output_power_factor, 1.0);
+  data.require.set(Requirement::start_rate, 100.0);
+  data.microsteps = geared ? 2.0 : 16.0;
+  if (geared) data.reduction = reduction();
+  // No constraint of a table without drop weight is left out but C-ST-BACK, which needs a vertical axis.
+  data.vertical = geared;
+  machine::RotaryDrive<Dimensioned> d;
+  d.data = &data;
+  d.motor = motor();
+  d.available_torque = [](const Dimensioned& omega) {
+    CHECK(omega.dimension == dimension::angular_speed);
+    return torque(0.8);
+  };
+  d.table_inertia = inertia(0.02);
+  d.acceleration_time = time(0.1);
+  d.derive();
+  CHECK(d.input_power.dimension == dimension::power_output);
+  CHECK(d.cycle.travelled.dimension == dimension::angular);
+  machine::rotary_drive_constraints(DimensionVisitor(d, seen));
+}
+
 void check_guide(double carriages, bool vertical, std::set<std::string>& seen) {
   machine::GuideData data{.choice = {}, .motion = motion(vertical), .require = {}};
   data.choice.carriages = carriages;
@@ -305,11 +379,15 @@ void check_bolts(bool fitted, bool eccentric, std::set<std::string>& seen) {
 }  // namespace
 
 TEST_CASE("Demand and capacity of every constraint have the dimension of its unit") {
-  std::vector<std::set<std::string>> seen(6);
+  std::vector<std::set<std::string>> seen(8);
   for (const bool vertical : {false, true}) {
     check_screw_drive(machine::ScrewKind::sliding, vertical, seen[0]);
     check_screw_drive(machine::ScrewKind::ball, vertical, seen[0]);
     check_belt_drive(vertical, seen[1]);
+    for (const bool geared : {false, true}) {
+      for (const bool rides : {false, true}) check_rack_drive(vertical, geared, rides, seen[6]);
+      check_rotary_drive(geared, seen[7]);
+    }
     check_guide(4.0, vertical, seen[2]);
     check_guide(1.0, vertical, seen[2]);
   }

@@ -11,6 +11,8 @@
 #include "machine/bolted_joint.h"
 #include "machine/guide_system.h"
 #include "machine/member_constraints.h"
+#include "machine/rack_drive_constraints.h"
+#include "machine/rotary_drive_constraints.h"
 #include "machine/screw_drive_constraints.h"
 
 namespace millwright {
@@ -34,6 +36,8 @@ inline std::vector<DeclaringElement> declaring_elements() {
   take("member", [](auto&& visit) { machine::member_constraints(visit); });
   take("supply", [](auto&& visit) { evaluation::supply_constraints(visit); });
   take("bolts", [](auto&& visit) { machine::bolted_joint_constraints(visit); });
+  take("rack drive", [](auto&& visit) { machine::rack_drive_constraints(visit); });
+  take("rotary drive", [](auto&& visit) { machine::rotary_drive_constraints(visit); });
   return elements;
 }
 

@@ -69,10 +69,15 @@ inline evaluation::Design design_of(const evaluation::MachineModel& model,
   return model.design(build);
 }
 
-inline void expect(
-    const evaluation::Design& design, const std::string& element, const std::string& id, double value, double limit) {
+/// `axis`: empty for the first one that has the check.
+inline void expect(const evaluation::Design& design,
+                   const std::string& element,
+                   const std::string& id,
+                   double value,
+                   double limit,
+                   const std::string& axis = {}) {
   for (const evaluation::Check& c : design.checks) {
-    if (c.id != id || c.element != element) continue;
+    if (c.id != id || c.element != element || (!axis.empty() && c.axis != axis)) continue;
     INFO(element << " " << id << " [" << c.unit << "]");
     CHECK(c.value == Approx(value).epsilon(1e-9));
     CHECK(c.limit == Approx(limit).epsilon(1e-9));

@@ -28,6 +28,7 @@ class TinyCatalogue {
     motors();
     joints();
     guides_and_belts();
+    racks();
     structure();
     for (const auto& [family, text] : files_) folder_.write(family + "/tiny.csv", text);
     parts_ = catalogue_of({folder_.path()});
@@ -158,6 +159,29 @@ class TinyCatalogue {
     add(fmt::format("tiny,G20-5,pulley,GT3,3,20,9,5,20,20,0.02,4{}", said));
     add(fmt::format("tiny,G20-6.35,pulley,GT3,3,20,9,6.35,20,20,0.02,4{}", said));
     add(fmt::format("tiny,I20,idler,GT3,3,20,9,5,20,10,0.015,3{}", said));
+  }
+
+  void racks() {
+    header("racks",
+           "module [mm],pressure_angle [deg],face_width [mm],allowable_stress [MPa],pitch_error_per_1000mm "
+           "[um],piece_length [mm],mass_per_length [kg/m],price_per_length [1/m]");
+    const auto rack = [&](const char* name, const char* figures, double price, double mass) {
+      const auto [p, m] = of(name, price, mass);
+      add(fmt::format("tiny,{},{},{},{}{}", name, figures, m, p, said));
+    };
+    rack("R1", "1,20,10,150,50,1000", 30.0, 0.7);
+    rack("R1.5", "1.5,20,15,100,100,500", 40.0, 1.5);
+    header("pinions",
+           "module [mm],pressure_angle [deg],teeth [1],face_width [mm],bore [mm],allowable_stress [MPa],inertia "
+           "[g.cm2],mass [kg],price");
+    const auto pinion = [&](const char* name, const char* figures, double price, double mass) {
+      const auto [p, m] = of(name, price, mass);
+      add(fmt::format("tiny,{},{},{},{}{}", name, figures, m, p, said));
+    };
+    pinion("P1-16-5", "1,20,16,10,5,120,8", 3.0, 0.02);
+    pinion("P1-20-8", "1,20,20,10,8,120,20", 4.0, 0.03);
+    pinion("P1.5-20-6.35", "1.5,20,20,12,6.35,120,95", 6.0, 0.085);
+    pinion("P1.5-20-8", "1.5,20,20,12,8,120,90", 6.0, 0.08);
   }
 
   void structure() {

@@ -404,6 +404,9 @@ TEST_CASE("Each declared requirement can be set, and its declaration makes sense
       const std::string contents =
           shared ? replaced(sound, "life = \"20000 h\"\n", line) : sound + "[axis.require]\n" + line;
       Outcome outcome = read(contents);
+      const bool of_tables =
+          declaration.requirement == Requirement::angle_error || declaration.requirement == Requirement::lost_angle;
+      if (!shared && of_tables) continue;  // y slides: refused there, see rack_file_test.cpp
       if (shared && (needs_limit || declaration.requirement == Requirement::position_error)) continue;  // x has its own
       INFO(text::format(outcome.diagnostics));
       CHECK(outcome.diagnostics.count() == 0);

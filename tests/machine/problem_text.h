@@ -127,8 +127,8 @@ inline void check_place(const text::Diagnostic& said, const Place& place, const 
 }
 
 /// Exactly one complaint, at the marks, in these words; a problem comes out if and only if it was no error.
-inline void check(const Case& expected) {
-  std::string contents = replaced(sound, expected.old, expected.with);
+inline void check(const Case& expected, const std::string& base = sound) {
+  std::string contents = replaced(base, expected.old, expected.with);
   const Place place = take_marks(contents);
   const Outcome outcome = read(contents);
   INFO(expected.with << "\n" << text::format(outcome.diagnostics));

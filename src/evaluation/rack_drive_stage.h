@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// A rack drive as a stage of the solver. Slots: rack, pinion, motor (with driver). One variable, the ramp time, if it
+// is not fixed. A reduction is stated in the problem: its price and mass are added to every build.
+#pragma once
+
+#include <memory>
+
+#include "evaluation/screw_drive_stage.h"
+#include "machine/rack_drive_constraints.h"
+
+namespace millwright::evaluation {
+
+/// What a drive with a stated reduction is judged by, of an axis with rack and pinion or a rotary table.
+machine::GearedDriveData geared_drive_data(const machine::Axis& axis);
+
+/// The reduction that an axis states, as a line of the build: price in the problem's currency and mass, 0 without one.
+struct StatedReduction {
+  double price = 0.0;  ///< of one
+  double mass = 0.0;   ///< of one
+  double count = 0.0;  ///< one for each drive
+  [[nodiscard]] double all_price() const { return count * price; }
+  [[nodiscard]] double all_mass() const { return count * mass; }
+};
+StatedReduction stated_reduction(const machine::Axis& axis, const PriceBook& prices);
+
+class RackDriveStage final : public ElementStage<RackDriveStage> {
+ public:
+  RackDriveStage(const machine::Axis& axis,
+                 AxisPlace place,
+                 const std::vector<double>& voltages,
+                 const catalogue::Catalogue& catalogue,
+                 const PriceBook& prices);
+
+  template <class T>
+  [[nodiscard]] machine::RackDrive<T> design(const Selection<T>& selection) const;
+  template <class T>
+  void answer(const Selection<T>& selection, solver::Answer<T>& out) const;
+
+  [[nodiscard]] bool fits(std::span<const solver::Row> shared,
+                          std::size_t slot_a,
+                          solver::Row row_a,
+                          std::size_t slot_b,
+                          solver::Row row_b) const override;
+  [[nodiscard]] const MotorSet& motors() const { return *motors_; }
+  [[nodiscard]] const machine::GearedDriveData& data() const { return data_; }
+  [[nodiscard]] const StatedReduction& reduction() const { return reduction_; }
+
+  enum SlotIndex : std::size_t { rack_slot, pinion_slot, motor_slot };
+
+ private:
+  machine::GearedDriveData data_;
+  AxisPlace place_;
+  double drives_ = 1.0;
+  double load_share_ = 1.0;  ///< of mass and forces, on the drive that is looked at
+  StatedReduction reduction_;
+  machine::Range acceleration_time_;
+  std::unique_ptr<MotorSet> motors_;
+};
+
+extern template machine::RackDrive<double> RackDriveStage::design(const Selection<double>&) const;
+
+}  // namespace millwright::evaluation

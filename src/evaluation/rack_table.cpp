@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Racks of the length that an axis needs, and pinions.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "evaluation/drive_tables.h"
+#include "machine/rack_drive.h"
+
+namespace millwright::evaluation {
+
+using catalogue::column;
+using catalogue::Family;
+using catalogue::Table;
+
+namespace {
+bool known(std::span<const double> values, const Candidate& candidate) {
+  return std::none_of(values.begin(), values.end(), [](double x) { return std::isnan(x); }) &&
+         !std::isnan(candidate.price) && !std::isnan(candidate.mass);
+}
+}  // namespace
+
+SlotTable rack_table(const catalogue::Catalogue& catalogue, const machine::Axis& axis, const PriceBook& prices) {
+  SlotTable result("rack", machine::rack_reading_fields);
+  const Table& t = catalogue.table(Family::racks);
+  const double travel = axis.stroke + 2.0 * axis.require(machine::Requirement::overtravel);
+  const bool error_counts = axis.require.known(machine::Requirement::position_error);
+  for (int row = 0; row < t.rows(); ++row) {
+    const auto number = [&](catalogue::Column c) { return t.number(c, row); };
+    const double module = number(column(Family::racks, "module"));
+    const double piece = number(column(Family::racks, "piece_length"));
+    // At both ends of the travel a tooth beyond the pinion's axis is in mesh.
+    const double needed = travel + 2.0 * 3.14159265358979323846 * module;
+    // A remainder of less than a tenth of a tooth is not worth another piece.
+    const double pieces = std::max(1.0, std::ceil((needed - 0.3 * module) / piece));
+    const double mass = pieces * piece * number(column(Family::racks, "mass_per_length"));
+    double error = number(column(Family::racks, "pitch_error_per_1000mm"));  // m over 1 m
+    if (!error_counts && std::isnan(error)) error = 0.0;
+    const std::array<double, machine::rack_reading_fields> readings{module,
+                                                                    number(column(Family::racks, "pressure_angle")),
+                                                                    number(column(Family::racks, "face_width")),
+                                                                    number(column(Family::racks, "allowable_stress")),
+                                                                    error,
+                                                                    mass};
+    Candidate candidate = candidate_of(
+        {{"rack", Family::racks, row, pieces, piece, prices.line(t, row, 0.0, pieces * piece), mass}}, 0.0);
+    if (known(readings, candidate)) result.add(std::move(candidate), readings);
+  }
+  return result;
+}
+
+SlotTable pinion_table(const catalogue::Catalogue& catalogue, const PriceBook& prices) {
+  SlotTable result("pinion", machine::pinion_reading_fields);
+  const Table& t = catalogue.table(Family::pinions);
+  for (int row = 0; row < t.rows(); ++row) {
+    const auto number = [&](catalogue::Column c) { return t.number(c, row); };
+    const double mass = number(column(Family::pinions, "mass"));
+    const std::array<double, machine::pinion_reading_fields> readings{
+        number(column(Family::pinions, "module")),
+        number(column(Family::pinions, "pressure_angle")),
+        number(column(Family::pinions, "teeth")),
+        number(column(Family::pinions, "face_width")),
+        number(column(Family::pinions, "bore")),
+        number(column(Family::pinions, "allowable_stress")),
+        mass,
+        number(column(Family::pinions, "inertia"))};
+    Candidate candidate =
+        candidate_of({{"pinion", Family::pinions, row, 1.0, 0.0, prices.line(t, row, 1.0, 0.0), mass}}, 0.0);
+    if (known(readings, candidate)) result.add(std::move(candidate), readings);
+  }
+  return result;
+}
+
+}  // namespace millwright::evaluation

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "evaluation/rotary_drive_stage.h"
+
+namespace millwright::evaluation {
+
+using machine::RotaryDrive;
+
+RotaryDriveStage::RotaryDriveStage(const machine::Axis& axis,
+                                   AxisPlace place,
+                                   const std::vector<double>& voltages,
+                                   const catalogue::Catalogue& catalogue,
+                                   const PriceBook& prices)
+    : data_(geared_drive_data(axis)),
+      inertia_(axis.inertia),
+      place_(place),
+      reduction_(stated_reduction(axis, prices)),
+      acceleration_time_(axis.acceleration_time) {
+  name_ = axis.name + ".drive";
+  const auto [slow, fast] = constant_speed_range(axis);
+  const double ratio = data_.reduction.ratio;
+  motors_ = std::make_unique<MotorSet>(motor_table(catalogue, axis, voltages, prices),
+                                       axis.require,
+                                       voltages.size(),
+                                       log_spaced(0.999 * slow * ratio, 1.001 * fast * ratio));
+  tables_.push_back(motors_->motors().table);
+  finish_slots();
+  if (!acceleration_time_.fixed())
+    variables_.push_back({"acceleration_time", acceleration_time_.lower, acceleration_time_.upper});
+  machine::rotary_drive_constraints([&](const machine::Declaration& d, auto&&, auto&&, auto&&) {
+    constraint_count_ += d.kind != machine::ConstraintKind::soft;
+  });
+}
+
+template <class T>
+RotaryDrive<T> RotaryDriveStage::design(const Selection<T>& s) const {
+  RotaryDrive<T> d;
+  d.data = &data_;
+  const std::size_t voltage = s.shared.empty() ? 0 : s.shared.front();
+  d.motor = motors_->template reading<T>(s.rows[motor_slot], voltage);
+  d.available_torque = [this, rows = s.rows[motor_slot], voltage](const T& omega) {
+    return motors_->template torque<T>(rows, voltage, omega);
+  };
+  d.table_inertia = T(inertia_);
+  d.acceleration_time = variables_.empty() ? T(acceleration_time_.lower) : s.variables[0];
+  d.derive();
+  return d;
+}
+
+template <class T>
+void RotaryDriveStage::answer(const Selection<T>& s, solver::Answer<T>& out) const {
+  const RotaryDrive<T> d = design(s);
+  machine::rotary_drive_constraints(UtilisationVisitor<T, RotaryDrive<T>>(d, out.utilisation));
+  out.resources[cost_resource] = total<T>(s, [](const Candidate& c) { return c.price; }) + reduction_.all_price();
+  out.resources[mass_resource] = total<T>(s, [](const Candidate& c) { return c.mass; }) + reduction_.all_mass();
+  out.handed_on[power_state] = s.inherited[power_state] + d.input_power;
+  out.handed_on[place_.load_state] = T(0.0);
+  if (place_.parent_load_state)
+    out.handed_on[*place_.parent_load_state] =
+        s.inherited[*place_.parent_load_state] + s.inherited[place_.load_state] +
+        total<T>(s, [](const Candidate& c) { return c.riding_mass + c.standing_mass; }) + reduction_.all_mass();
+}
+
+template RotaryDrive<double> RotaryDriveStage::design(const Selection<double>&) const;
+
+}  // namespace millwright::evaluation

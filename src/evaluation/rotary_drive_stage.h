@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// A rotary table as a stage of the solver. One slot: motor (with driver). One variable, the ramp time, if it is not
+// fixed. It turns the inertia that the problem states; its mass and that of its motor burden its parent.
+#pragma once
+
+#include <memory>
+
+#include "evaluation/rack_drive_stage.h"
+#include "machine/rotary_drive_constraints.h"
+
+namespace millwright::evaluation {
+
+class RotaryDriveStage final : public ElementStage<RotaryDriveStage> {
+ public:
+  RotaryDriveStage(const machine::Axis& axis,
+                   AxisPlace place,
+                   const std::vector<double>& voltages,
+                   const catalogue::Catalogue& catalogue,
+                   const PriceBook& prices);
+
+  template <class T>
+  [[nodiscard]] machine::RotaryDrive<T> design(const Selection<T>& selection) const;
+  template <class T>
+  void answer(const Selection<T>& selection, solver::Answer<T>& out) const;
+
+  [[nodiscard]] const MotorSet& motors() const { return *motors_; }
+  [[nodiscard]] const machine::GearedDriveData& data() const { return data_; }
+  [[nodiscard]] const StatedReduction& reduction() const { return reduction_; }
+
+  enum SlotIndex : std::size_t { motor_slot };
+
+ private:
+  machine::GearedDriveData data_;
+  double inertia_ = 0.0;
+  AxisPlace place_;
+  StatedReduction reduction_;
+  machine::Range acceleration_time_;
+  std::unique_ptr<MotorSet> motors_;
+};
+
+extern template machine::RotaryDrive<double> RotaryDriveStage::design(const Selection<double>&) const;
+
+}  // namespace millwright::evaluation

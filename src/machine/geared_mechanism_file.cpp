@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Racks, rotary tables and the gear reduction of either, in a problem file.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "machine/axis_file.h"
+#include "machine/quantity_reader.h"
+#include "scalar/unit.h"
+#include "text/number.h"
+#include "text/table_reader.h"
+
+namespace millwright::machine {
+
+using text::Diagnostics;
+using text::Node;
+using text::Presence;
+using text::TableReader;
+
+namespace {
+
+/// "60 USD": a number, a blank, the code of a currency.
+void read_price(TableReader& table, Reduction& reduction, Diagnostics& diagnostics) {
+  const Node* node = table.find("price");
+  if (node == nullptr) return;
+  const std::string text = node->as_string().value_or("");
+  const std::size_t blank = std::min(text.find(' '), text.size());
+  const auto number = text::parse_number(std::string_view(text).substr(0, blank));
+  std::string reason;
+  const auto unit =
+      blank < text.size() ? scalar::Unit::parse(std::string_view(text).substr(blank + 1), reason) : std::nullopt;
+  if (number && *number >= 0.0 && unit && unit->kind() == scalar::UnitKind::currency &&
+      unit->dimension() == scalar::dimension::none && unit->name() == unit->currency()) {
+    reduction.price = *number;
+    reduction.currency = unit->currency();
+    return;
+  }
+  diagnostics.error(node->span(),
+                    number && *number < 0.0 ? "price: must not be negative" : "price: an amount of money is needed",
+                    "write for example \"60 USD\"");
+}
+
+Reduction read_reduction(const Node& node, bool carries_pinion, const std::string& title, Diagnostics& diagnostics) {
+  Reduction reduction;
+  reduction.where = node.span();
+  TableReader table(node, title, diagnostics);
+  QuantityReader q(table, diagnostics);
+  if (!node.is_table()) return reduction;
+  if (q.required("ratio", "ratio = 5") != nullptr) reduction.ratio = q.quantity_or("ratio", "1", 1.0, Sign::positive);
+  if (const Node* ratio = table.find("ratio"); ratio != nullptr && reduction.ratio < 1.0)
+    diagnostics.error(ratio->span(),
+                      fmt::format("ratio: {:.6g} makes the output faster than the motor", reduction.ratio),
+                      "turns of the motor for one turn of the output: 5 for 5:1");
+  reduction.efficiency = q.share_or("efficiency", 0.9);
+  reduction.inertia = q.quantity_or("inertia", "kg.m2", 0.0);
+  reduction.backlash = q.quantity_or("backlash", "deg", 0.0);
+  reduction.mass = q.quantity_or("mass", "kg", 0.0);
+  if (!carries_pinion)
+    q.refuse({"shaft"}, "a table has no pinion that must fit it", "leave it out");
+  else if (q.required("shaft", "shaft = \"14 mm\", the output shaft that carries the pinion") != nullptr)
+    reduction.shaft = q.quantity_or("shaft", "mm", 0.014, Sign::positive);
+  read_price(table, reduction, diagnostics);
+  table.finish();
+  return reduction;
+}
+
+void read_reduction_of(
+    TableReader& table, bool carries_pinion, const std::string& title, Mechanism& mechanism, Diagnostics& diagnostics) {
+  if (const Node* node = table.table("reduction"); node != nullptr)
+    mechanism.reduction = read_reduction(*node, carries_pinion, "reduction in the " + title, diagnostics);
+}
+
+}  // namespace
+
+void read_rack(TableReader& table, Mechanism& mechanism, Diagnostics& diagnostics) {
+  QuantityReader q(table, diagnostics);
+  mechanism.kind = MechanismKind::rack;
+  mechanism.motor_rides = table.boolean("motor_rides").value_or(true);
+  mechanism.rack_efficiency = q.share_or("efficiency", mechanism.rack_efficiency);
+  mechanism.backlash = q.quantity_or("backlash", "mm", mechanism.backlash);
+  warn_above(table.node(),
+             "backlash",
+             mechanism.backlash,
+             5e-4,
+             "a mesh is set to 0.05 mm to 0.2 mm, a pinion pressed on by a spring has none",
+             diagnostics);
+  read_reduction_of(table, true, table.title(), mechanism, diagnostics);
+}
+
+void read_rotary(TableReader& table, Mechanism& mechanism, Diagnostics& diagnostics) {
+  mechanism.kind = MechanismKind::rotary;
+  QuantityReader(table, diagnostics).refuse({"drives", "load_share"}, "a table has one motor", "leave it out");
+  read_reduction_of(table, false, table.title(), mechanism, diagnostics);
+}
+
+bool says_rotary(const Node& axis) {
+  const Node* mechanism = axis.find("mechanism");
+  const Node* kind = mechanism == nullptr ? nullptr : mechanism->find("kind");
+  return kind != nullptr && kind->as_string().value_or("") == "rotary";
+}
+
+void read_rotary_loads(TableReader& table, Axis& axis, Diagnostics& diagnostics) {
+  QuantityReader q(table, diagnostics);
+  q.refuse({"direction", "inclination"}, "a rotary axis turns, and its load is taken as balanced", "leave it out");
+  q.refuse({"guide_friction", "guide_drag", "counterbalance_force"},
+           "a rotary axis has none",
+           "its friction is friction_torque = \"0.2 N.m\"");
+  q.refuse({"guide"}, "a rotary axis has none", "the bearing of the table comes with the table");
+  q.refuse({"members"}, "a rotary axis has none", "give them to the axis that carries it");
+  q.refuse({"carries"}, "a rotary axis carries no axis", "let another axis carry both");
+  const std::size_t before = diagnostics.error_count();
+  axis.structure_mass = q.quantity_or("structure_mass", "kg", 0.0);
+  axis.payload_mass = q.quantity_or("payload_mass", "kg", 0.0);
+  const bool given = q.required("structure_inertia", "structure_inertia = \"0.02 kg.m2\"") != nullptr;
+  axis.inertia = q.quantity_or("structure_inertia", "kg.m2", 0.0, Sign::positive);
+  axis.inertia += q.quantity_or("payload_inertia", "kg.m2", 0.0);
+  axis.friction_torque = q.quantity_or("friction_torque", "N.m", 0.0);
+  if (given && diagnostics.error_count() == before && axis.structure_mass + axis.payload_mass == 0.0)
+    diagnostics.warning(table.node().find("structure_inertia")->span(),
+                        fmt::format("structure_inertia: table '{}' has an inertia, but no mass", axis.name),
+                        "what carries it has to bear it: structure_mass = \"3 kg\"");
+}
+
+void check_accuracy_keys(const Node& require, bool rotary, Diagnostics& diagnostics) {
+  const auto refuse = [&](const char* key, const char* instead) {
+    if (require.find(key) == nullptr) return;
+    diagnostics.error(require.key_span(key),
+                      fmt::format("{}: the travel of this axis is {}", key, rotary ? "an angle" : "a length"),
+                      fmt::format("write {}", instead));
+  };
+  if (rotary) {
+    refuse("position_error", "angle_error = \"0.1 deg\"");
+    refuse("position_error_over", "angle_error = \"0.1 deg\"");
+    refuse("lost_motion", "lost_angle = \"0.1 deg\"");
+  } else {
+    refuse("angle_error", "position_error = \"0.05 mm\"");
+    refuse("lost_angle", "lost_motion = \"0.05 mm\"");
+  }
+}
+
+}  // namespace millwright::machine

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Rack and pinion drive. Usually motor and pinion ride on the axis and the rack stands on its parent; with motor_rides
+// = false it is the other way round, and the rack is what rides.
+#pragma once
+
+#include <span>
+
+#include "machine/geared_drive.h"
+#include "mechanics/rack.h"
+
+namespace millwright::machine {
+
+/// Rack of the length that the axis needs, joined from whole pieces.
+template <class T>
+struct RackReading {
+  T module{}, pressure_angle{}, face_width{}, allowable_stress{}, pitch_error_per_length{}, mass{};
+};
+
+template <class Reading, class Visit>
+void visit_rack_reading(Reading& r, Visit&& visit) {
+  for (auto* field :
+       {&r.module, &r.pressure_angle, &r.face_width, &r.allowable_stress, &r.pitch_error_per_length, &r.mass})
+    visit(*field);
+}
+inline constexpr std::size_t rack_reading_fields = 6;
+
+template <class T>
+struct PinionReading {
+  T module{}, pressure_angle{}, teeth{}, face_width{}, bore{}, allowable_stress{}, mass{}, inertia{};
+};
+
+template <class Reading, class Visit>
+void visit_pinion_reading(Reading& r, Visit&& visit) {
+  for (auto* field :
+       {&r.module, &r.pressure_angle, &r.teeth, &r.face_width, &r.bore, &r.allowable_stress, &r.mass, &r.inertia})
+    visit(*field);
+}
+inline constexpr std::size_t pinion_reading_fields = 8;
+
+template <class T>
+struct RackDrive : GearedDrive<T> {
+  RackReading<T> rack;
+  PinionReading<T> pinion;
+  T motor_shaft{}, motor_mass{};
+  T carried_mass{};
+
+  T riding_mass{};   ///< kg, of this drive: what of it moves with the axis
+  T moved_mass{};    ///< kg
+  T output_shaft{};  ///< m, of motor or reduction, that carries the pinion
+  T face_width{};    ///< m, of the teeth in mesh
+  T rack_stress{}, pinion_stress{}, velocity_factor{};
+
+  void derive();
+};
+
+template <class T>
+void RackDrive<T>::derive() {
+  using namespace scalar;
+  namespace rk = mechanics::rack;
+  const GearedDriveData& given = *this->data;
+  const Reduction& reduction = given.reduction;
+  riding_mass = given.motor_rides ? named("m_r", motor_mass + pinion.mass + in_unit<T>(reduction.mass, dimension::mass))
+                                  : rack.mass;
+  moved_mass = named("m", carried_mass + given.moved_share * riding_mass);
+  output_shaft = reduction.shaft > 0.0 ? in_unit<T>(reduction.shaft, dimension::length) : motor_shaft;
+  this->derive_gears(moved_mass, named("r", 0.5 * rk::pitch_diameter(pinion.module, pinion.teeth)), pinion.inertia);
+  face_width = smaller(rack.face_width, pinion.face_width);
+  velocity_factor = named("C_v", rk::velocity_factor(this->cycle.peak_speed));
+  pinion_stress = rk::lewis_stress(this->largest_force, face_width, pinion.module, rk::lewis_form_factor(pinion.teeth));
+  // The teeth of a rack are those of an endlessly large gear: the form factor without its part 0.912/z.
+  rack_stress = rk::lewis_stress(this->largest_force, face_width, rack.module, 0.154 * pi<T>());
+}
+
+/// Error budget of the axis [m]: pitch error of the rack, play and motor lag systematically, steps at random. The pitch
+/// error counts over the stated travel and at least over 0.3 m: that of a few teeth is no smaller share of it.
+template <class T>
+T position_error_budget(const RackDrive<T>& d) {
+  using namespace scalar;
+  const double over = d.data->require.known(Requirement::position_error_over)
+                          ? d.data->require(Requirement::position_error_over)
+                          : d.data->stroke;
+  const T counted = in_unit<T>(over > 0.3 ? over : 0.3, dimension::length);
+  const std::array<T, 3> systematic{named("e_p", d.rack.pitch_error_per_length * counted),
+                                    named("e_r", reversal_error(d)),
+                                    named("e_s", motor_lag(d))};
+  const std::array<T, 2> random = step_errors(d);
+  return mechanics::accuracy::mixed_error(std::span<const T>(systematic), std::span<const T>(random));
+}
+
+}  // namespace millwright::machine
