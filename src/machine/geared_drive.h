@@ -45,6 +45,7 @@ struct GearedDrive {
   std::vector<T> axial_forces, motor_torques, angular_speeds, torque_ratios;
   T input_power{};  ///< W, drive input that the supply must be ready for
   T largest_force{}, largest_torque{}, peak_speed{}, load_torque{}, rms_torque{}, holding_force{};
+  T peak_acceleration{};  ///< of the motor, rad/s^2
 
   [[nodiscard]] T require(Requirement requirement, const scalar::Dimension& dimension = scalar::dimension::none) const {
     return scalar::in_unit<T>(data->require(requirement), dimension);
@@ -90,7 +91,7 @@ void GearedDrive<T>::derive_phases(const T& rotating) {
   motor_torques.clear();
   angular_speeds.clear();
   torque_ratios.clear();
-  std::vector<T> governing_forces, governing_torques;
+  std::vector<T> governing_forces, governing_torques, governing_accelerations;
   const T no_torque = in_unit<T>(0.0, dimension::torque);
   T sum = in_unit<T>(0.0, dimension::torque * dimension::torque * dimension::time);
   for (const Phase<T>& phase : cycle.phases) {
@@ -99,15 +100,17 @@ void GearedDrive<T>::derive_phases(const T& rotating) {
     motor_torques.push_back(no_torque);
     torque_ratios.push_back(T(0.0));
     if (!phase.may_govern && !shows_everything<T>) continue;
-    motor_torques.back() = act::belt_motor_torque(
-        phase.force, radius, efficiency, rotating, phase.acceleration * ratio / radius, no_torque, ratio);
+    const T alpha = phase.acceleration * ratio / radius;
+    motor_torques.back() = act::belt_motor_torque(phase.force, radius, efficiency, rotating, alpha, no_torque, ratio);
     sum = sum + square(motor_torques.back()) * phase.duration;
     if (!phase.may_govern) continue;
+    governing_accelerations.push_back(alpha);
     governing_forces.push_back(axial_forces.back());
     governing_torques.push_back(absolute(motor_torques.back()));
     torque_ratios.back() =
         governing_torques.back() / larger(available_torque(angular_speeds.back()), in_unit<T>(1e-9, dimension::torque));
   }
+  peak_acceleration = named("α", largest(governing_accelerations));
   largest_force = named("F_t", largest(governing_forces));
   largest_torque = named("T", largest(governing_torques));
   rms_torque = named("T_rms", sqrt(sum / cycle.total_time));
@@ -137,12 +140,6 @@ T power_off_torque(const GearedDrive<T>& d) {
   using namespace scalar;
   return back_driving_torque(
       d, larger(d.cycle.gravity_force - d.cycle.friction_force, in_unit<T>(0.0, d.dimensions().force)));
-}
-
-/// Acceleration of the motor in the hardest ramp [rad/s^2].
-template <class T>
-T largest_motor_acceleration(const GearedDrive<T>& d) {
-  return largest_acceleration(d.cycle) * d.ratio / d.radius;
 }
 
 /// Torque that friction costs the motor before anything moves [N.m].
