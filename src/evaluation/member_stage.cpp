@@ -43,7 +43,7 @@ MemberStage::MemberStage(const machine::Axis& axis,
   }
   finish_slots();
   machine::member_constraints([&](const machine::Declaration& d, auto&&, auto&&, auto&&) {
-    constraint_count_ += d.kind != machine::ConstraintKind::soft;
+    constraint_count_ += machine::is_searched(d);
   });
 }
 

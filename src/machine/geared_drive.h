@@ -44,7 +44,8 @@ struct GearedDrive {
   T radius{}, ratio{}, efficiency{}, load_inertia{};
   std::vector<T> axial_forces, motor_torques, angular_speeds, torque_ratios;
   T input_power{};  ///< W, drive input that the supply must be ready for
-  T largest_force{}, largest_torque{}, peak_speed{}, peak_acceleration{}, load_torque{}, rms_torque{}, holding_force{};
+  T largest_force{}, largest_torque{}, peak_speed{}, load_torque{}, rms_torque{}, holding_force{};
+  T peak_acceleration{};  ///< of the motor, rad/s^2
 
   [[nodiscard]] T require(Requirement requirement, const scalar::Dimension& dimension = scalar::dimension::none) const {
     return scalar::in_unit<T>(data->require(requirement), dimension);
@@ -99,11 +100,11 @@ void GearedDrive<T>::derive_phases(const T& rotating) {
     motor_torques.push_back(no_torque);
     torque_ratios.push_back(T(0.0));
     if (!phase.may_govern && !shows_everything<T>) continue;
-    motor_torques.back() = act::belt_motor_torque(
-        phase.force, radius, efficiency, rotating, phase.acceleration * ratio / radius, no_torque, ratio);
+    const T alpha = phase.acceleration * ratio / radius;
+    motor_torques.back() = act::belt_motor_torque(phase.force, radius, efficiency, rotating, alpha, no_torque, ratio);
     sum = sum + square(motor_torques.back()) * phase.duration;
     if (!phase.may_govern) continue;
-    governing_accelerations.push_back(phase.acceleration * ratio / radius);
+    governing_accelerations.push_back(alpha);
     governing_forces.push_back(axial_forces.back());
     governing_torques.push_back(absolute(motor_torques.back()));
     torque_ratios.back() =
