@@ -42,9 +42,8 @@ MemberStage::MemberStage(const machine::Axis& axis,
     if (member.kind == MemberKind::plate) variable("thickness", member.thickness);
   }
   finish_slots();
-  machine::member_constraints([&](const machine::Declaration& d, auto&&, auto&&, auto&&) {
-    constraint_count_ += machine::is_searched(d);
-  });
+  machine::member_constraints(
+      [&](const machine::Declaration& d, auto&&, auto&&, auto&&) { constraint_count_ += machine::is_searched(d); });
 }
 
 void MemberStage::take_material(const catalogue::Table& materials, const PriceBook& prices) {

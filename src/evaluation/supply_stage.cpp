@@ -31,9 +31,8 @@ SupplyStage::SupplyStage(const std::vector<double>& voltages,
   }
   tables_.push_back(std::move(table));
   finish_slots();
-  supply_constraints([&](const machine::Declaration& d, auto&&, auto&&, auto&&) {
-    constraint_count_ += machine::is_searched(d);
-  });
+  supply_constraints(
+      [&](const machine::Declaration& d, auto&&, auto&&, auto&&) { constraint_count_ += machine::is_searched(d); });
 }
 
 template <class T>

@@ -15,7 +15,6 @@ namespace millwright::machine {
 
 using text::Diagnostics;
 using text::Node;
-using text::Presence;
 using text::TableReader;
 
 namespace {
