@@ -44,7 +44,8 @@ report::MachineResult search(const Options& options, const MachineInput& input) 
   result.missing = missing_slots(synthesis.empty_slots);
   result.lower_bound = synthesis.lower_bound;
   result.gap = synthesis.gap;
-  result.certificate = {synthesis.combinations, synthesis.nodes, synthesis.evaluations, synthesis.method};
+  result.certificate = {
+      synthesis.combinations, synthesis.nodes, synthesis.evaluations, synthesis.method, synthesis.front_tolerance};
   set_designs(result, input.problem, std::move(synthesis.designs));
   result.timing.solve = watch.seconds();
   return result;

@@ -177,6 +177,13 @@ void add_custom_member(const MachineModel& model,
                                    design));
 }
 
+/// How many drives, each with its motor, an axis has.
+std::size_t drives_of(const machine::Problem& problem, const std::string& axis) {
+  for (const machine::Axis& each : problem.axes)
+    if (each.name == axis) return static_cast<std::size_t>(each.mechanism.drives);
+  return 0;
+}
+
 /// A reduction is not chosen from a catalogue: price and mass are those that the problem states.
 void add_reduction(const StageEntry& entry, const StatedReduction& reduction, Design& design) {
   if (reduction.count == 0.0) return;
@@ -232,7 +239,9 @@ Design MachineModel::design(const solver::Build& build) const {
         [&](const auto& stage) {
           using Kind = std::remove_cvref_t<decltype(*stage)>;
           auto element = stage->template design<double>(selection);
-          if constexpr (HasMotor<decltype(element)>) motor_currents.push_back(element.motor.rated_current);
+          if constexpr (HasMotor<decltype(element)>) {
+            motor_currents.insert(motor_currents.end(), drives_of(problem_, entry.axis), element.motor.rated_current);
+          }
           if constexpr (std::is_same_v<Kind, SupplyStage>) element.motor_currents = motor_currents;
           CheckVisitor visitor(element, entry, design.checks);
           constraints_of<Kind>()(visitor);

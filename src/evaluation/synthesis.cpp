@@ -35,6 +35,7 @@ Synthesis synthesise(const MachineModel& model, const SearchOptions& options) {
   synthesis.combinations = summary.combinations;
   synthesis.nodes = summary.nodes;
   synthesis.evaluations = summary.evaluations;
+  synthesis.front_tolerance = summary.front_tolerance;
   synthesis.method = summary.method;
   synthesis.seconds = summary.seconds;
   return synthesis;

@@ -25,6 +25,20 @@ T in_unit_like(const T& /*like*/, double value, const scalar::Dimension& dimensi
   return scalar::in_unit<T>(value, dimension);
 }
 
+/// Whether the moves can be made in their time: every drive.
+template <class Visit>
+void move_time_constraint(Visit&& visit) {
+  visit(
+      Declaration{.id = "C-SYS-TIME",
+                  .title = "Ramps and cruise fit into the move",
+                  .symbol = "t/t_allowed",
+                  .unit = "1",
+                  .source = "millwright_derivations, kinematics of equal ramps"},
+      always,
+      [](const auto& d) { return d.cycle.time_ratio; },
+      [](const auto& d) { return decltype(d.cycle.time_ratio)(1.0); });
+}
+
 /// Motor and driver.
 template <class Visit>
 void motor_constraints(Visit&& visit) {

@@ -91,15 +91,7 @@ void rack_fit_constraints(Visit&& visit) {
 template <class Visit>
 void rack_constraints(Visit&& visit) {
   using namespace scalar;
-  visit(
-      Declaration{.id = "C-SYS-TIME",
-                  .title = "Ramps and cruise fit into the move",
-                  .symbol = "t/t_allowed",
-                  .unit = "1",
-                  .source = "millwright_derivations, kinematics of equal ramps"},
-      always,
-      [](const auto& d) { return d.cycle.time_ratio; },
-      [](const auto& d) { return decltype(d.cycle.time_ratio)(1.0); });
+  move_time_constraint(visit);
   visit(
       Declaration{.id = "C-RK-BEND",
                   .title = "Tooth bending of the pinion, Lewis",

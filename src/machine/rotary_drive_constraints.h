@@ -13,15 +13,7 @@ template <class Visit>
 void rotary_constraints(Visit&& visit) {
   using namespace scalar;
   using enum Requirement;
-  visit(
-      Declaration{.id = "C-SYS-TIME",
-                  .title = "Ramps and cruise fit into the move",
-                  .symbol = "t/t_allowed",
-                  .unit = "1",
-                  .source = "millwright_derivations, kinematics of equal ramps"},
-      always,
-      [](const auto& d) { return d.cycle.time_ratio; },
-      [](const auto& d) { return decltype(d.cycle.time_ratio)(1.0); });
+  move_time_constraint(visit);
   visit(
       Declaration{.id = "C-ROT-SPEED",
                   .title = "Rapid speed of the table against the pulse rate",

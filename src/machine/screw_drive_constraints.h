@@ -3,6 +3,7 @@
 // All constraints of a screw drive; those of motor, driver, accuracy and spindle are shared with other drives.
 #pragma once
 
+#include "machine/ball_screw_constraints.h"
 #include "machine/motor_constraints.h"
 #include "machine/screw_accuracy_constraints.h"
 #include "machine/screw_constraints.h"

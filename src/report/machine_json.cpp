@@ -173,6 +173,7 @@ std::string front_json(const MachineResult& result) {
                              {"build", build_of(design)},
                              {"governing", governing_of(result, design)}});
   json["complete"] = result.status != Status::limit;
+  json["tolerance"] = result.certificate.front_tolerance;
   add_missing(result, json);
   json["certificate"] = certificate_of(result);
   json["timing_s"] = timing_of(result);

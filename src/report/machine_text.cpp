@@ -60,8 +60,12 @@ std::string certificate_text(const MachineResult& result, const Style& style) {
                              objective_text(objective, result.lower_bound, design->currency),
                              100.0 * result.gap);
   } else if (result.objectives.size() > 1) {
-    out += result.status == Status::optimal ? "  Proved: the front is complete.\n"
-                                            : "  Not proved: the limit was reached, points may be missing.\n";
+    const double tolerance = certificate.front_tolerance;
+    out += result.status == Status::optimal
+               ? tolerance > 0.0
+                     ? fmt::format("  Proved: the front is covered to {:.3g} %, as said below.\n", 100.0 * tolerance)
+                     : "  Proved: the front is complete and exact.\n"
+               : "  Not proved: the limit was reached, points may be missing.\n";
   }
   out += fmt::format("  {} combinations of parts.\n", scalar::format_number(certificate.combinations, 3));
   if (!certificate.method.empty()) out += "  " + wrapped(certificate.method, 78, 2) + "\n";

@@ -46,6 +46,7 @@ struct Certificate {
   std::uint64_t nodes = 0;
   std::uint64_t evaluations = 0;
   std::string method;
+  double front_tolerance = 0.0;  ///< relative, to which a front is covered; 0 = exact
 };
 
 /// Seconds.

@@ -197,6 +197,7 @@ class Solve {
     const bool closed = complete_ || (criteria_.objectives == 1 && out.gap <= control_.options().gap);
     out.status = !closed ? Status::limit : out.builds.empty() ? Status::infeasible : Status::optimal;
     out.seconds = control_.seconds();
+    if (priced_ && criteria_.objectives > 1) out.front_tolerance = front_tolerance();
     out.method = method();
     if (priced_ && control_.options().confirm && criteria_.objectives == 1 && !out.builds.empty()) {
       out.confirmations = confirm(problem_, criteria_, out.builds.front(), priced_stages_);
@@ -211,9 +212,10 @@ class Solve {
         "stages with dominance in proved directions only, every shared choice tried";
     if (stagewise_) text += "; the front stage by stage, with the designs of a stage found once for all labels";
     if (priced_ && criteria_.objectives > 1) {
-      text += "; where continuous variables move the objectives the front is covered to " +
-              std::to_string(100.0 * front_tolerance()).substr(0, 4) +
-              " %: what beats it by more holds only for being lighter by no more than that";
+      text +=
+          "; where continuous variables move the objectives the front is covered to its tolerance: what beats it by "
+          "more "
+          "holds only for being lighter by no more than that";
     }
     if (priced_) text += "; continuous variables that move the objective by SLSQP and Ipopt proposals inside the bound";
     return text;

@@ -67,6 +67,7 @@ struct Summary {
   double combinations = 0.0;  ///< size of the discrete search space
   std::uint64_t nodes = 0;
   std::uint64_t evaluations = 0;
+  double front_tolerance = 0.0;             ///< to which a front is covered (Options::front_tolerance); 0 = exact
   std::string method;                       ///< a sentence for the certificate
   std::vector<Confirmation> confirmations;  ///< of a single objective that continuous variables move; else empty
   double seconds = 0.0;

@@ -118,12 +118,13 @@ TEST_CASE("Several drives draw as much more power from the supply") {
   const std::string two = axis_with(fmt::format("{}, drives = 2", screw), 12.0, 60.0);
   const Design a = cheapest(two);
   const Design b = on(axis_with(screw, 6.0, 30.0), bill_of(a));
-  const auto power = [](const Design& design) {
+  const auto value_of = [](const Design& design, std::string_view id) {
     for (const auto& check : design.checks)
-      if (check.id == "C-PSU-POWER") return check.value;
+      if (check.id == id) return check.value;
     throw std::runtime_error("no supply check");
   };
-  CHECK(power(a) == Approx(2.0 * power(b)).epsilon(1e-12));
+  for (const char* id : {"C-PSU-POWER", "C-PSU-CURRENT"})
+    CHECK(value_of(a, id) == Approx(2.0 * value_of(b, id)).epsilon(1e-12));
 }
 
 TEST_CASE("A bill with fewer or shorter pieces than the axis takes is refused") {
