@@ -7,6 +7,7 @@
 #include <span>
 
 #include "machine/screw_drive.h"
+#include "mechanics/ball_screw_cycle.h"
 
 namespace millwright::machine {
 
@@ -37,21 +38,46 @@ T sliding_speed(const ScrewDrive<T>& d) {
   return mechanics::power_screw::sliding_speed(d.peak_speed, d.screw.mean_diameter, d.screw.lead);
 }
 
+/// Cubic mean over the cycle of the load of the raceway that governs [N].
+template <class T>
+T ball_screw_mean_load(const ScrewDrive<T>& d) {
+  using namespace scalar;
+  namespace bs = mechanics::ball_screw;
+  const std::vector<Phase<T>>& phases = d.cycle.phases;
+  const auto angular_speed = [&](const Phase<T>& phase) {
+    return mechanics::power_screw::angular_speed(phase.mean_speed, d.screw.lead);
+  };
+  if constexpr (Enclosing<T>) {
+    // The two ramps of a move together: see ball_screw_cycle.h.
+    T weighted = T(0.0), turns = T(0.0);
+    for (std::size_t i = 0; i + 2 < phases.size(); i += 3) {
+      const T ramp = angular_speed(phases[i]) * phases[i].duration;
+      const T cruise = angular_speed(phases[i + 1]) * phases[i + 1].duration;
+      const T& steady = phases[i + 1].force;
+      const T inertia = d.moved_mass * phases[i].acceleration;
+      weighted = weighted + ramp * bs::cubed_ramp_loads(steady, inertia, d.screw.preload, d.data->preloaded) +
+                 cruise * cube(bs::raceway_load(T(absolute(steady)), d.screw.preload, d.data->preloaded));
+      turns = turns + 2.0 * ramp + cruise;
+    }
+    return cbrt(weighted / turns);
+  } else {
+    std::vector<T> forces, speeds, durations;
+    for (std::size_t i = 0; i < phases.size(); ++i) {
+      forces.push_back(bs::raceway_load(d.axial_forces[i], d.screw.preload, d.data->preloaded));
+      speeds.push_back(angular_speed(phases[i]));
+      durations.push_back(phases[i].duration);
+    }
+    return bs::mean_load(std::span<const T>(forces), std::span<const T>(speeds), std::span<const T>(durations));
+  }
+}
+
 /// Life of the ball screw [s]: cubic mean load over the cycle (with preload), at the mean speed of the cycle, dwells
 /// included.
 template <class T>
 T ball_screw_life(const ScrewDrive<T>& d) {
   using namespace scalar;
   namespace bs = mechanics::ball_screw;
-  std::vector<T> forces, speeds, durations;
-  for (std::size_t i = 0; i < d.cycle.phases.size(); ++i) {
-    const Phase<T>& phase = d.cycle.phases[i];
-    forces.push_back(d.data->preloaded ? bs::loaded_side_force(d.axial_forces[i], d.screw.preload) : d.axial_forces[i]);
-    speeds.push_back(mechanics::power_screw::angular_speed(phase.mean_speed, d.screw.lead));
-    durations.push_back(phase.duration);
-  }
-  const T mean_load = named(
-      "F_m", bs::mean_load(std::span<const T>(forces), std::span<const T>(speeds), std::span<const T>(durations)));
+  const T mean_load = named("F_m", ball_screw_mean_load(d));
   const T revolutions =
       named("L", bs::life_revolutions(d.screw.dynamic_rating, mean_load, d.require(Requirement::fatigue_load_factor)));
   const T mean_speed = named("ω_m", d.cycle.travelled * 2.0 * pi<T>() / d.screw.lead / d.cycle.total_time);
@@ -61,8 +87,7 @@ T ball_screw_life(const ScrewDrive<T>& d) {
 /// Largest load of one raceway [N], preload included.
 template <class T>
 T static_load(const ScrewDrive<T>& d) {
-  return d.data->preloaded ? mechanics::ball_screw::loaded_side_force(d.largest_force, d.screw.preload)
-                           : d.largest_force;
+  return mechanics::ball_screw::raceway_load(d.largest_force, d.screw.preload, d.data->preloaded);
 }
 
 /// Torque that a force along the travel puts on the motor shaft at standstill [N.m]; 0 when self-locking.

@@ -249,12 +249,13 @@ void BranchAndBound::start() {
   if (make_stream(0, 0, stream)) push(std::move(stream));
 }
 
-SearchResult BranchAndBound::run() {
-  start();
+SearchResult BranchAndBound::run(std::uint64_t most_nodes) {
+  if (labels_.empty()) start();
+  std::uint64_t nodes = 0;
   std::vector<Node> batch;
   std::vector<Outcome> outcomes;
   while (!heap_.empty()) {
-    if (control_.time_is_up()) return {false, open_bound()};
+    if (control_.time_is_up() || nodes >= most_nodes) return {false, open_bound()};
     batch.clear();
     while (!heap_.empty() && batch.size() < batch_size) {
       Node node = pop();
@@ -264,6 +265,7 @@ SearchResult BranchAndBound::run() {
     control_.crew().run(batch.size(),
                         [&](std::size_t i, unsigned thread) { expand(batch[i], outcomes[i], control_.desk(thread)); });
     control_.nodes += batch.size();
+    nodes += batch.size();
     for (std::size_t i = 0; i < batch.size(); ++i) merge(batch[i], outcomes[i]);
     if (!heap_.empty()) control_.report(std::min(heap_.front().score[0], undecided_bound_), incumbents_.best());
   }

@@ -41,7 +41,8 @@ class BranchAndBound {
                  SearchControl& control,
                  double leaf_tolerance);
 
-  SearchResult run();
+  /// Goes on until the search is done, time is up, or so many nodes more have been looked at.
+  SearchResult run(std::uint64_t most_nodes = std::numeric_limits<std::uint64_t>::max());
 
  private:
   static constexpr std::size_t whole_stage = static_cast<std::size_t>(-1);

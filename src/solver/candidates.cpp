@@ -118,7 +118,7 @@ class Search {
     node.region = std::move(region);
     read_bounds(plan_, desk_.bound(*plan_.stage, plan_.shared, question_.states, node.region), node.bounds);
     if (node.bounds.utilisation > 1.0) return;
-    if (!below_staircase(question_.useful, node.bounds.score[0], node.bounds.score[1])) return;
+    if (!below_staircase(question_.useful, node.bounds.score[0], plan_.criteria->second(node.bounds.score))) return;
     for (std::size_t h = 0; h < to_reference_.size(); ++h) {
       node.bounds.handed_on[h].lower += to_reference_[h].first;
       node.bounds.handed_on[h].upper += to_reference_[h].second;
@@ -204,7 +204,7 @@ std::vector<Pair> least_front(const StagePlan& plan, std::size_t node_limit, Des
     node.region = std::move(region);
     read_bounds(plan, desk.bound(*plan.stage, plan.shared, plan.best_inherited, node.region), node.bounds);
     if (node.bounds.utilisation > 1.0) return;
-    node.key = {node.bounds.score[0], node.bounds.score[1]};
+    node.key = {node.bounds.score[0], plan.criteria->second(node.bounds.score)};
     if (known.dominates(node.key)) return;
     if (cut_variables(plan, plan.best_inherited, node.region, node.bounds, desk)) heap.push(std::move(node));
   };

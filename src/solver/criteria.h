@@ -35,6 +35,8 @@ struct Criteria {
   std::vector<double> limit;                ///< [score]: the total must not exceed this
 
   [[nodiscard]] std::size_t size() const { return weight.size(); }
+  /// The score that is set against the first one in staircases: the second objective, or the first tie; 0 without one.
+  [[nodiscard]] double second(std::span<const double> score) const { return size() > 1 ? score[1] : 0.0; }
   /// Whether any score reads this resource.
   [[nodiscard]] bool reads(std::size_t resource) const;
   /// The scores of resources (value by value; the same order of additions for every T).

@@ -20,6 +20,9 @@ constexpr std::size_t most_combinations = std::size_t{1} << 22;  // kept at a ti
 /// Room for the rounding of sums, so that bounds stay bounds.
 double with_slack(double bound) { return std::isfinite(bound) ? bound + 1e-11 * std::fabs(bound) : bound; }
 
+/// The largest value that does not count as equal.
+double less_than(double score) { return score - 1e-12 * std::fabs(score); }
+
 }  // namespace
 
 Frontier::Frontier(const Problem& problem,
@@ -30,6 +33,7 @@ Frontier::Frontier(const Problem& problem,
     : problem_(problem), criteria_(criteria), plans_(plans), incumbents_(incumbents), control_(control) {
   std::size_t priced = 0;
   for (const StagePlan& plan : plans_) {
+    if (plan.any_priced && criteria_.objectives == 1) applicable_ = false;  // its covers are coarser than a gap
     forms_.push_back(find_state_form(plan, control_.desk(0)));
     applicable_ = applicable_ && (plan.any_priced ? plan.stage->slots().empty() : forms_.back().additive);
     priced += plan.any_priced ? 1 : 0;
@@ -60,13 +64,20 @@ void Frontier::find_rest() {
 
 /// A total matters only below a corner between two neighbours of the known front (equals may win a tie).
 void Frontier::update_useful() {
+  const std::vector<RankedBuild>& builds = incumbents_.builds();
   std::vector<Pair> corners;
-  double second = infinity;
-  for (const RankedBuild& build : incumbents_.builds()) {
-    corners.push_back({with_slack(build.score[0]), with_slack(second)});
-    second = build.score[1];
+  if (criteria_.objectives == 1 && !builds.empty()) {
+    // Something cheaper, or something as cheap that may win the tie.
+    corners.push_back({less_than(builds[0].score[0]), infinity});
+    corners.push_back({with_slack(builds[0].score[0]), with_slack(criteria_.second(builds[0].score))});
+  } else {
+    double second = infinity;
+    for (const RankedBuild& build : builds) {
+      corners.push_back({with_slack(build.score[0]), with_slack(second)});
+      second = build.score[1];
+    }
+    corners.push_back({infinity, with_slack(second)});
   }
-  corners.push_back({infinity, with_slack(second)});
   useful_.clear();
   for (const auto& rest : rest_) useful_.push_back(difference_of_staircases(corners, rest, staircase_points));
 }
@@ -151,7 +162,7 @@ std::vector<Frontier::Chunk> Frontier::make_chunks(std::size_t stage, const Comp
     std::map<std::vector<double>, std::uint32_t> groups;
     for (const std::uint32_t index : chunk.labels) {
       const Label& label = labels[index];
-      scores.push_back({label.score[0], label.score[1]});
+      scores.push_back({label.score[0], criteria_.second(label.score)});
       std::vector<double> deciding;
       for (std::size_t c = 0; c < label.state.size(); ++c) {
         if (form.influences[c]) deciding.push_back(label.state[c]);
@@ -185,7 +196,7 @@ void Frontier::combine(std::size_t stage, std::uint32_t index, const Chunk& chun
     for (std::uint32_t j = 0; j < chunk.set.candidates.size(); ++j) {
       const Candidate& candidate = chunk.set.candidates[j];
       for (std::size_t k = 0; k < score.size(); ++k) score[k] = label.score[k] + candidate.score[k];
-      if (!below_staircase(useful, score[0], score[1])) continue;
+      if (!below_staircase(useful, score[0], criteria_.second(score))) continue;
       for (std::size_t c = 0; c < state.size(); ++c) state[c] = candidate.state[c] + change[c];
       combinations_.push_back({index, i, j, keys_.size()});
       keys_.resize(keys_.size() + comparison.dimensions());

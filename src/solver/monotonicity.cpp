@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace millwright::solver {
 namespace {
@@ -33,13 +34,24 @@ class Claim {
     const int wanted = direction_ == Direction::smaller_is_better ? sign : -sign;
     return wanted > 0 ? slope.lower >= -nothing : slope.upper <= nothing;
   }
-  [[nodiscard]] bool holds(const Part& part, Desk& desk) const;
-  [[nodiscard]] bool split(const Part& part, Part& left, Part& right) const;
+  /// 0 when `right`, else above 0 and at most 1: how much of the slope is on the wrong side.
+  [[nodiscard]] double wrong_share(const Interval& slope, int sign) const;
+  [[nodiscard]] double doubt(const Part& part, Desk& desk) const;
+  [[nodiscard]] bool split(const Part& part, bool carefully, Part& left, Part& right, Desk& desk) const;
 
   const MonotonicityQuestion& question_;
   std::size_t component_;
   Direction direction_;
 };
+
+double Claim::wrong_share(const Interval& slope, int sign) const {
+  if (right(slope, sign)) return 0.0;
+  if (direction_ == Direction::irrelevant || sign == 0) return 1.0;
+  const int wanted = direction_ == Direction::smaller_is_better ? sign : -sign;
+  const double wrong = wanted > 0 ? -slope.lower : slope.upper;
+  const double good = std::max(wanted > 0 ? slope.upper : -slope.lower, 0.0);
+  return std::isfinite(wrong) && std::isfinite(good) ? wrong / (wrong + good) : 1.0;
+}
 
 int sign_of(Direction next) {
   switch (next) {
@@ -52,27 +64,28 @@ int sign_of(Direction next) {
   }
 }
 
-bool Claim::holds(const Part& part, Desk& desk) const {
+/// How far the claim is from proved over the part: 0 when it holds there, else a share of wrong slope for each
+/// constraint, resource or state that stands against it.
+double Claim::doubt(const Part& part, Desk& desk) const {
   const Stage& stage = *question_.stage;
   const auto& values = desk.bound(stage, question_.shared, part.inherited, part.region);
-  if (worst_lower(values.utilisation) > 1.0) return true;
+  if (worst_lower(values.utilisation) > 1.0) return 0.0;
   thread_local std::vector<bool> satisfied;
   satisfied.assign(values.utilisation.size(), false);
   for (std::size_t c = 0; c < satisfied.size(); ++c) satisfied[c] = values.utilisation[c].upper <= 1.0;
   const Input input{Input::Kind::inherited, component_};
   const auto& slopes = desk.slopes(stage, question_.shared, part.inherited, part.region, input);
+  double sum = 0.0;
   for (std::size_t c = 0; c < satisfied.size(); ++c) {
-    if (!satisfied[c] && !right(slopes.utilisation[c], 1)) return false;
+    if (!satisfied[c]) sum += wrong_share(slopes.utilisation[c], 1);
   }
   for (std::size_t r = 0; r < slopes.resources.size(); ++r) {
-    if (question_.criteria->reads(r) && !right(slopes.resources[r], 1)) return false;
+    if (question_.criteria->reads(r)) sum += wrong_share(slopes.resources[r], 1);
   }
   for (std::size_t s = 0; s < slopes.handed_on.size(); ++s) {
-    if (question_.next[s] != Direction::irrelevant && !right(slopes.handed_on[s], sign_of(question_.next[s]))) {
-      return false;
-    }
+    if (question_.next[s] != Direction::irrelevant) sum += wrong_share(slopes.handed_on[s], sign_of(question_.next[s]));
   }
-  return true;
+  return sum;
 }
 
 double relative_width(const Interval& now, const Interval& whole) {
@@ -87,33 +100,12 @@ void halve(const Interval& whole, Interval& left, Interval& right) {
   right = {cut, whole.upper};
 }
 
-/// Halves what is still largest relative to the whole question; false when nothing is left to split.
-bool Claim::split(const Part& part, Part& left, Part& right) const {
-  constexpr double smallest = 1e-3;  // a narrower interval will not decide what this one did not
-  double largest = smallest;
-  std::size_t choice = 0;
-  const std::size_t slots = part.region.rows.size();
-  const std::size_t variables = part.region.variables.size();
-  const auto offer = [&](double size, std::size_t index) {
-    if (size > largest) {
-      largest = size;
-      choice = index + 1;
-    }
-  };
-  for (std::size_t s = 0; s < slots; ++s) {
-    const double size = static_cast<double>(part.region.rows[s]->size());
-    if (size > 1.0) offer(size / static_cast<double>(question_.region->rows[s]->size()), s);
-  }
-  for (std::size_t v = 0; v < variables; ++v) {
-    offer(relative_width(part.region.variables[v], question_.region->variables[v]), slots + v);
-  }
-  for (std::size_t i = 0; i < part.inherited.size(); ++i) {
-    offer(relative_width(part.inherited[i], question_.inherited[i]), slots + variables + i);
-  }
-  if (choice == 0) return false;
+/// One of the inputs of a part, cut in two.
+void halve(const Part& part, std::size_t index, Part& left, Part& right) {
   left = part;
   right = part;
-  const std::size_t index = choice - 1;
+  const std::size_t slots = part.region.rows.size();
+  const std::size_t variables = part.region.variables.size();
   if (index < slots) {
     const std::vector<Row>& rows = *part.region.rows[index];
     const auto cut = rows.begin() + static_cast<std::ptrdiff_t>(rows.size() / 2);
@@ -126,7 +118,41 @@ bool Claim::split(const Part& part, Part& left, Part& right) const {
     const std::size_t i = index - slots - variables;
     halve(part.inherited[i], left.inherited[i], right.inherited[i]);
   }
-  return true;
+}
+
+/// Halves what is still largest relative to the whole question, or `carefully` what leaves the least doubt; false when
+/// nothing is left to split.
+bool Claim::split(const Part& part, bool carefully, Part& left, Part& right, Desk& desk) const {
+  constexpr double smallest = 1e-3;  // a narrower interval will not decide what this one did not
+  const std::size_t slots = part.region.rows.size();
+  const std::size_t variables = part.region.variables.size();
+  double best = std::numeric_limits<double>::infinity();
+  bool found = false;
+  std::size_t choice = 0;
+  const auto offer = [&](double size, std::size_t index) {
+    if (!(size > smallest)) return;
+    double value = -size;
+    if (carefully) {
+      halve(part, index, left, right);
+      value = doubt(left, desk) + doubt(right, desk) - 1e-6 * size;
+    }
+    if (found && !(value < best)) return;
+    found = true;
+    best = value;
+    choice = index;
+  };
+  for (std::size_t s = 0; s < slots; ++s) {
+    const double size = static_cast<double>(part.region.rows[s]->size());
+    if (size > 1.0) offer(size / static_cast<double>(question_.region->rows[s]->size()), s);
+  }
+  for (std::size_t v = 0; v < variables; ++v) {
+    offer(relative_width(part.region.variables[v], question_.region->variables[v]), slots + v);
+  }
+  for (std::size_t i = 0; i < part.inherited.size(); ++i) {
+    offer(relative_width(part.inherited[i], question_.inherited[i]), slots + variables + i);
+  }
+  if (found) halve(part, choice, left, right);
+  return found;
 }
 
 bool Claim::prove(Desk& desk) const {
@@ -134,14 +160,15 @@ bool Claim::prove(Desk& desk) const {
   open.push_back({*question_.region, {question_.inherited.begin(), question_.inherited.end()}});
   // That something has no influence at all is seen at once or not at all.
   const std::size_t limit = direction_ == Direction::irrelevant ? 1 : question_.node_limit;
+  constexpr std::size_t quick = 200;  // enough for most claims; others are worth a choice of what to split
   for (std::size_t nodes = 0; !open.empty(); ++nodes) {
     if (nodes >= limit) return false;
     const Part part = std::move(open.back());
     open.pop_back();
-    if (holds(part, desk)) continue;
+    if (doubt(part, desk) == 0.0) continue;
     Part left;
     Part right;
-    if (!split(part, left, right)) return false;
+    if (!split(part, nodes >= quick, left, right, desk)) return false;
     open.push_back(std::move(left));
     open.push_back(std::move(right));
   }

@@ -30,8 +30,8 @@ void RowProfile::record(
 }
 
 void RowProfile::finish(const Region& region, std::span<const double> score_scale) {
-  // A doubling of a utilisation weighs as much as a fifth of the whole score.
-  constexpr double score_weight = 3.5;
+  // A doubling of a utilisation weighs as much as two thirds of the whole score.
+  constexpr double score_weight = 1.0;
   weight_.assign(width_, 1.0);
   for (std::size_t k = 0; k < scores_; ++k) {
     weight_[k] = score_weight / std::max(std::fabs(score_scale[k]), 1e-12);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include "solver/branch_and_bound.h"
@@ -91,7 +93,7 @@ class Solve {
   Summary run() {
     if (problem_.stages.empty()) throw std::invalid_argument("Problem::stages is empty");
     constexpr double small = 1e3;  // combinations below which the ends and the guides are not worth their while
-    if (criteria_.objectives == 2 && !control_.options().stagewise_front && !has_empty_slot(problem_) &&
+    if (criteria_.objectives == 2 && !control_.options().stagewise && !has_empty_slot(problem_) &&
         search_space(problem_) > small) {
       find_ends();
     }
@@ -129,48 +131,88 @@ class Solve {
   }
 
   void search() {
-    std::vector<Combination> open = combinations_of(problem_, criteria_, control_.desk(0));
-    for (std::size_t i = 0; i < open.size(); ++i) {
-      if (control_.time_is_up()) {
-        leave_open(open[i].score[0]);
-        return;
-      }
-      if (incumbents_.hopeless(open[i].score, 0.0)) continue;
-      search(open[i]);
+    std::vector<Combination> combinations = combinations_of(problem_, criteria_, control_.desk(0));
+    std::vector<OpenSearch> open;
+    // A single objective looks at every combination briefly first: what is found in one settles much of the others.
+    for (const Combination& combination : combinations) {
+      if (control_.time_is_up()) return leave_open(combination.score[0]);
+      if (incumbents_.hopeless(combination.score, 0.0)) continue;
+      if (auto started = start(combination)) open.push_back(std::move(*started));
     }
+    for (OpenSearch& search : open) finish(search);
   }
 
-  void search(const Combination& combination) {
-    std::vector<StagePlan> plans = make_plans(problem_, combination.shared, criteria_, control_.desk(0));
-    if (plans.empty()) return;
+  /// A combination that has been begun; `search` points into `plans`.
+  struct OpenSearch {
+    std::unique_ptr<std::vector<StagePlan>> plans;
+    std::unique_ptr<BranchAndBound> search;
+    double lower_bound = 0.0;
+  };
+
+  /// A point that stands for designs a little better than itself may be too heavy for a later stage where they are not.
+  /// What stays undecided for that reason is decided with points that stand for less.
+  [[nodiscard]] double first_leaf_tolerance() const {
+    return 0.25 * (criteria_.objectives > 1 ? front_tolerance() : control_.options().gap);
+  }
+
+  std::unique_ptr<BranchAndBound> label_by_label(std::vector<StagePlan>& plans, double leaf_tolerance) {
+    return std::make_unique<BranchAndBound>(problem_, criteria_, plans, incumbents_, control_, leaf_tolerance);
+  }
+
+  /// Empty when the combination is settled.
+  std::optional<OpenSearch> start(const Combination& combination) {
+    OpenSearch open{
+        std::make_unique<std::vector<StagePlan>>(make_plans(problem_, combination.shared, criteria_, control_.desk(0))),
+        nullptr,
+        combination.score[0]};
+    std::vector<StagePlan>& plans = *open.plans;
+    if (plans.empty()) return std::nullopt;
     priced_stages_.resize(plans.size());
     for (std::size_t i = 0; i < plans.size(); ++i) {
       priced_ = priced_ || plans[i].any_priced;
       priced_stages_[i] = priced_stages_[i] || plans[i].any_priced;
     }
-    const bool front = criteria_.objectives > 1;
-    if (criteria_.objectives == 2 && control_.options().stagewise_front) {
-      Frontier frontier(problem_, criteria_, plans, incumbents_, control_);
-      if (frontier.applicable()) {
-        stagewise_ = true;
-        if (frontier.run()) return;
-        if (!frontier.undecided() || control_.time_is_up()) return leave_open(combination.score[0]);
-      }
-    }
-    const double gap = front ? front_tolerance() : control_.options().gap;
-    incumbents_.tolerance = priced_ ? 0.5 * gap : 0.0;
-    // A point that stands for designs a little better than itself may be too heavy for a later stage where they are
-    // not. What stays undecided for that reason is decided with points that stand for less.
+    if (criteria_.objectives > 1 && stage_by_stage(plans, combination.score[0])) return std::nullopt;
+    set_tolerance();
+    open.search = label_by_label(plans, first_leaf_tolerance());
+    if (criteria_.objectives > 1) return open;
+    const SearchResult result = open.search->run(control_.options().patience);
+    if (result.complete) return std::nullopt;
+    open.lower_bound = result.lower_bound;
+    return open;
+  }
+
+  void finish(OpenSearch& open) {
+    if (criteria_.objectives == 1 && stage_by_stage(*open.plans, open.lower_bound)) return;
+    set_tolerance();
     constexpr int refinements = 4;
     constexpr double finer = 1.0 / 16.0;
-    double leaf_tolerance = 0.25 * gap;
+    double leaf_tolerance = first_leaf_tolerance();
     SearchResult result;
     for (int attempt = 0; attempt <= refinements; ++attempt) {
-      result = BranchAndBound(problem_, criteria_, plans, incumbents_, control_, leaf_tolerance).run();
+      if (attempt > 0) open.search = label_by_label(*open.plans, leaf_tolerance);
+      result = open.search->run();
       if (result.complete || control_.time_is_up()) break;
       leaf_tolerance *= finer;
     }
     if (!result.complete) leave_open(result.lower_bound);
+  }
+
+  void set_tolerance() {
+    const double gap = criteria_.objectives > 1 ? front_tolerance() : control_.options().gap;
+    incumbents_.tolerance = priced_ ? 0.5 * gap : 0.0;
+  }
+
+  /// One or two objectives by frontier.h; false when that method does not apply or leaves something undecided.
+  bool stage_by_stage(std::vector<StagePlan>& plans, double lower_bound) {
+    if (criteria_.objectives > 2 || !control_.options().stagewise) return false;
+    Frontier frontier(problem_, criteria_, plans, incumbents_, control_);
+    if (!frontier.applicable()) return false;
+    stagewise_ = true;
+    if (frontier.run()) return true;
+    if (frontier.undecided() && !control_.time_is_up()) return false;
+    leave_open(lower_bound);
+    return true;
   }
 
   [[nodiscard]] double front_tolerance() const {
@@ -210,7 +252,7 @@ class Solve {
     std::string text =
         "best-first branch and bound with outward-rounded interval bounds over row sets and boxes, labels between "
         "stages with dominance in proved directions only, every shared choice tried";
-    if (stagewise_) text += "; the front stage by stage, with the designs of a stage found once for all labels";
+    if (stagewise_) text += "; stage by stage, with the designs of a stage found once for all labels";
     if (priced_ && criteria_.objectives > 1) {
       text +=
           "; where continuous variables move the objectives the front is covered to its tolerance: what beats it by "

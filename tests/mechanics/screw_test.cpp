@@ -2,10 +2,12 @@
 // Identities between the formulas of power screws, ball screws and belts, and published table values.
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include "catch.h"
 #include "formula_samples.h"
 #include "mechanics/ball_screw.h"
+#include "mechanics/ball_screw_cycle.h"
 #include "mechanics/belt.h"
 #include "mechanics/buckling.h"
 #include "mechanics/critical_speed.h"
@@ -170,4 +172,36 @@ TEST_CASE("belt around equal pulleys, and few teeth in mesh") {
   CHECK(belt::tooth_factor(0.5) == 0.0);
   // 20 teeth, half wrapped: exactly ten teeth, however rounded.
   CHECK(belt::tooth_factor(belt::teeth_in_mesh(12.0, std::numbers::pi)) == 1.0);
+}
+
+TEST_CASE("The two ramps of a move load a ball screw more, the greater the steady and the inertia force") {
+  using millwright::scalar::Dual;
+  std::mt19937 random(20);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  for (int i = 0; i < 2000; ++i) {
+    const bool preloaded = i % 2 == 0;
+    const double preload = preloaded ? 50.0 + 2000.0 * share(random) : 0.0;
+    const double b = -300.0 + 3000.0 * share(random), b_width = 500.0 * share(random);
+    const double c = 3000.0 * share(random), c_width = 500.0 * share(random);
+    Dual<Interval> steady{Interval(b, b + b_width)}, inertia{Interval(c, c + c_width)};
+    const bool by_steady = i % 4 < 2;
+    (by_steady ? steady : inertia).slope[0] = Interval(1.0);
+    const auto range = ball_screw::cubed_ramp_loads(steady, inertia, Dual<Interval>{Interval(preload)}, preloaded);
+    if (!by_steady || b >= 0.0) CHECK(range.slope[0].lower >= 0.0);
+    for (int k = 0; k < 8; ++k) {
+      Dual<double> f{b + b_width * share(random)}, a{c + c_width * share(random)};
+      (by_steady ? f : a).slope[0] = 1.0;
+      // The sum of cubes of the two loads one by one.
+      const auto load = [&](const Dual<double>& force) {
+        const Dual<double> size = absolute(force);
+        return preloaded ? ball_screw::loaded_side_force(size, Dual<double>{preload}) : size;
+      };
+      const Dual<double> sum = cube(load(f + a)) + cube(load(f - a));
+      CHECK(range.value.lower <= sum.value * (1.0 + 1e-12));
+      CHECK(range.value.upper >= sum.value * (1.0 - 1e-12));
+      const double slack = 1e-9 * std::abs(sum.slope[0]);
+      CHECK(range.slope[0].lower <= sum.slope[0] + slack);
+      CHECK(range.slope[0].upper >= sum.slope[0] - slack);
+    }
+  }
 }

@@ -72,7 +72,7 @@ void check_build(const Stack& stack, const Build& build, bool with_fits = true) 
 /// Both methods for fronts find the same points.
 void check_same_front(const Stack& stack, const Summary& front) {
   Options options = by({0, 1}, {});
-  options.stagewise_front = false;
+  options.stagewise = false;
   const Summary other = solve(stack.problem, options);
   REQUIRE(other.status == front.status);
   if (stack.priced) return;  // points within the spacing of each other may differ
@@ -80,6 +80,25 @@ void check_same_front(const Stack& stack, const Summary& front) {
   for (std::size_t i = 0; i < front.builds.size(); ++i) {
     REQUIRE(same(front.builds[i].resources[0], other.builds[i].resources[0], 1e-11));
     REQUIRE(same(front.builds[i].resources[1], other.builds[i].resources[1], 1e-11));
+  }
+}
+
+/// Stage by stage at once and never: the same least cost, and among designs of that cost the same least mass.
+void check_both_methods(const Stack& stack, const Everything& all, const Summary& cheapest) {
+  double mass = std::numeric_limits<double>::infinity();
+  for (const Total& total : all.designs) {
+    if (same(total.cost, all.least(&Total::cost), 1e-12)) mass = std::min(mass, total.mass);
+  }
+  for (const bool stagewise : {true, false}) {
+    Options options = by({0}, {1});
+    options.stagewise = stagewise;
+    options.patience = 0;
+    const Summary other = solve(stack.problem, options);
+    REQUIRE(other.status == cheapest.status);
+    if (all.designs.empty()) continue;
+    REQUIRE(same(other.builds[0].resources[0], all.least(&Total::cost), stack.priced ? 2e-7 : 1e-10));
+    if (!stack.priced) REQUIRE(same(other.builds[0].resources[1], mass, 1e-10));
+    check_build(stack, other.builds[0]);
   }
 }
 
@@ -92,6 +111,7 @@ void check_stack(const Stack& stack, const Everything& all) {
   REQUIRE(lightest.status == expected);
   REQUIRE(front.status == expected);
   check_same_front(stack, front);
+  check_both_methods(stack, all, cheapest);
   if (all.designs.empty()) return;
   const double tolerance = stack.priced ? 2e-7 : 1e-10;
   REQUIRE(same(cheapest.builds[0].resources[0], all.least(&Total::cost), tolerance));
