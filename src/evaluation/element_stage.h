@@ -66,7 +66,7 @@ class UtilisationVisitor {
   UtilisationVisitor(const Element& element, std::vector<T>& out) : element_(element), out_(out) {}
   template <class When, class Demand, class Capacity>
   void operator()(const machine::Declaration& declaration, When when, Demand demand, Capacity capacity) {
-    if (!machine::is_searched(declaration)) return;
+    if (!machine::is_searched(declaration, element_.data->require)) return;
     switch (when(element_)) {
       case machine::Applies::no:
         out_.push_back(T(0.0));

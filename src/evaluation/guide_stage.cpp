@@ -53,14 +53,15 @@ GuideStage::GuideStage(const machine::Axis& axis,
         rail_length,
         number(column(Family::linear_guides, "maximum_rail_length")),
         bush ? number(column(Family::linear_guides, "size")) : 0.0,
-        number(column(Family::linear_guides, "friction_coefficient"))};
+        number(column(Family::linear_guides, "friction_coefficient")),
+        number(column(Family::linear_guides, "radial_stiffness"))};
     // Carriage and rail are one line: the carriages by piece, each rail cut to length.
     const double price = prices.line(t, row, choice.carriages, choice.rails * rail_length);
     Candidate candidate = candidate_of(
         {{"guide", Family::linear_guides, row, choice.carriages, rail_length, price, carriages + rails}}, carriages);
     const bool known = std::none_of(
         readings.begin(), readings.begin() + machine::guide_readings_needed, [](double x) { return std::isnan(x); });
-    if (std::isnan(price) || !known) continue;
+    if (std::isnan(price) || !known || (place.tool && std::isnan(readings.back()))) continue;
     table.add(std::move(candidate), readings);
     unsupported_.push_back(bush);
     bushings_.push_back(bush || kind.find("round") != std::string_view::npos);
@@ -68,7 +69,7 @@ GuideStage::GuideStage(const machine::Axis& axis,
   tables_.push_back(std::move(table));
   finish_slots();
   machine::guide_constraints(
-      [&](const machine::Declaration& d, auto&&, auto&&, auto&&) { constraint_count_ += machine::is_searched(d); });
+      [&](const machine::Declaration& d, auto&&, auto&&, auto&&) { constraint_count_ += machine::is_searched(d, axis.require); });
 }
 
 namespace {
@@ -108,6 +109,7 @@ void GuideStage::answer(const Selection<T>& s, solver::Answer<T>& out) const {
   machine::guide_constraints(UtilisationVisitor<T, GuideSystem<T>>(d, out.utilisation));
   out.resources[cost_resource] = total<T>(s, [](const Candidate& c) { return c.price; });
   out.resources[mass_resource] = total<T>(s, [](const Candidate& c) { return c.mass; });
+  add_compliance(place_, d, out);
   out.handed_on[place_.load_state] = d.carried_mass + total<T>(s, [](const Candidate& c) { return c.riding_mass; });
   if (place_.parent_load_state)
     out.handed_on[*place_.parent_load_state] =

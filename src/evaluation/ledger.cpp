@@ -82,7 +82,9 @@ class CheckVisitor {
     check.id = declaration.id;
     check.title = declaration.title;
     check.symbol = declaration.symbol;
-    check.kind = declaration.kind;
+    const bool enforced =
+        declaration.kind == ConstraintKind::soft && element_.data->require.enforces(declaration.id);
+    check.kind = enforced ? ConstraintKind::hard : declaration.kind;
     check.unit = declaration.unit;
     check.source = declaration.source;
     check.requirement = declaration.requirement;
@@ -95,6 +97,10 @@ class CheckVisitor {
     const bool known = !std::isnan(value) && !std::isnan(limit);
     check.utilisation = known ? utilisation(value, limit) : std::numeric_limits<double>::quiet_NaN();
     check.verdict = !known ? Verdict::not_evaluated : check.utilisation <= 1.0 ? Verdict::satisfied : Verdict::violated;
+    if (enforced && !known) {
+      check.verdict = Verdict::violated;
+      check.note = "enforced, and a figure of a part is missing";
+    }
     check.phase = worst_phase(element_, declaration.worst);
     out_.push_back(std::move(check));
   }
@@ -116,6 +122,7 @@ constexpr auto constraints_of() {
     if constexpr (std::is_same_v<Stage, MemberStage>) machine::member_constraints(visit);
     if constexpr (std::is_same_v<Stage, BoltStage>) machine::bolted_joint_constraints(visit);
     if constexpr (std::is_same_v<Stage, SupplyStage>) supply_constraints(visit);
+    if constexpr (std::is_same_v<Stage, WholeStage>) whole_constraints(visit);
   };
 }
 
@@ -243,8 +250,16 @@ Design MachineModel::design(const solver::Build& build) const {
             motor_currents.insert(motor_currents.end(), drives_of(problem_, entry.axis), element.motor.rated_current);
           }
           if constexpr (std::is_same_v<Kind, SupplyStage>) element.motor_currents = motor_currents;
+          if constexpr (std::is_same_v<Kind, WholeStage>) {
+            element.cost = design.cost;
+            element.mass = design.mass;
+          }
           CheckVisitor visitor(element, entry, design.checks);
           constraints_of<Kind>()(visitor);
+          if constexpr (std::is_same_v<Kind, WholeStage>) {
+            for (Check& check : design.checks)
+              if (check.id == "C-SYS-COST") check.unit = design.currency;
+          }
           if constexpr (std::is_same_v<Kind, MemberStage>) {
             if (stage->tables().empty()) add_custom_member(*this, entry, element, design);
           }

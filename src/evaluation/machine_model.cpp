@@ -48,6 +48,8 @@ MachineModel::MachineModel(const machine::Problem& given,
   const PriceBook prices(problem);
   solver_problem_.shared.push_back({"supply_voltage", static_cast<solver::Row>(problem.supply_voltages.size())});
   solver_problem_.first_state.assign(first_load_state + problem.axes.size(), 0.0);
+  for (const auto& state : compliance_states(problem))
+    if (state) solver_problem_.first_state.push_back(0.0);
   for (std::size_t i = 0; i < problem.axes.size(); ++i)
     solver_problem_.first_state[first_load_state + i] = problem.axes[i].structure_mass + problem.axes[i].payload_mass;
   for (const std::size_t index : problem.order) add_axis(index, prices);
@@ -55,15 +57,25 @@ MachineModel::MachineModel(const machine::Problem& given,
   for (const machine::Axis& axis : problem.axes)
     reserve = std::max(reserve, axis.require(machine::Requirement::supply_reserve));
   entries_.push_back(
-      {"machine", "supply", std::make_unique<SupplyStage>(problem.supply_voltages, reserve, catalogue, prices)});
+      {"machine", "supply", std::make_unique<SupplyStage>(
+           problem.supply_voltages, SupplyData{problem.require, reserve}, catalogue, prices)});
+  if (problem.tool || problem.cost_limit || problem.mass_limit)
+    entries_.push_back({"machine", "whole", std::make_unique<WholeStage>(problem)});
   for (const StageEntry& entry : entries_) solver_problem_.stages.push_back(&entry.as_stage());
-  solver_problem_.resources = {{"cost"}, {"mass"}};
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  solver_problem_.resources = {{"cost", problem.cost_limit.value_or(infinity)},
+                               {"mass", problem.mass_limit.value_or(infinity)}};
 }
 
 void MachineModel::add_axis(std::size_t index, const PriceBook& prices) {
   const machine::Axis& axis = problem_.axes[index];
-  AxisPlace place{.load_state = first_load_state + index, .parent_load_state = std::nullopt};
+  AxisPlace place;
+  place.load_state = first_load_state + index;
   if (axis.carried_by) place.parent_load_state = first_load_state + *axis.carried_by;
+  if (problem_.tool && !machine::is_rotary(axis)) {
+    place.tool = machine::tool_place(problem_, index);
+    place.compliance_state = compliance_states(problem_);
+  }
   const auto add_members = [&](bool riding) {
     for (const machine::Member& member : axis.members)
       if (member.rides == riding && member.kind == machine::MemberKind::bolts)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A machine as the solver's problem: the elements of all axes as stages, from the tools to the base, then the power
-// supply. The state they hand on is the supply power and, for each axis, the load it has to carry so far; the supply
-// voltage is a choice shared by all.
+// supply. The state they hand on is the supply power, for each axis the load it has to carry so far, and how far the tool gives
+// way; the supply voltage is a choice shared by all.
 #pragma once
 
 #include <memory>
@@ -20,6 +20,7 @@
 #include "evaluation/rotary_drive_stage.h"
 #include "evaluation/screw_drive_stage.h"
 #include "evaluation/supply_stage.h"
+#include "evaluation/whole_stage.h"
 #include "solver/solver.h"
 
 namespace millwright::evaluation {
@@ -35,7 +36,8 @@ struct StageEntry {
                std::unique_ptr<GuideStage>,
                std::unique_ptr<MemberStage>,
                std::unique_ptr<BoltStage>,
-               std::unique_ptr<SupplyStage>>
+               std::unique_ptr<SupplyStage>,
+               std::unique_ptr<WholeStage>>
       stage;
   [[nodiscard]] const solver::Stage& as_stage() const;
   [[nodiscard]] const std::vector<SlotTable>& tables() const;

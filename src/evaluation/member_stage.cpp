@@ -43,7 +43,7 @@ MemberStage::MemberStage(const machine::Axis& axis,
   }
   finish_slots();
   machine::member_constraints(
-      [&](const machine::Declaration& d, auto&&, auto&&, auto&&) { constraint_count_ += machine::is_searched(d); });
+      [&](const machine::Declaration& d, auto&&, auto&&, auto&&) { constraint_count_ += machine::is_searched(d, axis.require); });
 }
 
 void MemberStage::take_material(const catalogue::Table& materials, const PriceBook& prices) {
@@ -64,6 +64,8 @@ void MemberStage::take_material(const catalogue::Table& materials, const PriceBo
   else if (data_.member.sections.empty() && std::isnan(data_.price_per_mass))
     missing_ = fmt::format("material '{}' has no price per mass in a currency of the problem", name);
   data_.shear_modulus = materials.number(column(Family::materials, "shear_modulus"), row);
+  if (place_.tool && missing_.empty() && std::isnan(data_.shear_modulus))
+    missing_ = fmt::format("material '{}' lacks its shear modulus, which [tool] needs", name);
   if (data_.member.rotating && missing_.empty()) take_fatigue(materials, row);
 }
 
@@ -102,12 +104,14 @@ void MemberStage::take_sections(const catalogue::Catalogue& catalogue, const Pri
                                                                          t.number(mass, row),
                                                                          t.number(torsion, row)};
       // A portal frame is cut of one length: two columns and a beam.
+      const bool twisted = place_.tool && place_.tool->height_arm + place_.tool->across_arm + place_.tool->along_arm > 0.0;
       const double piece = m.kind == MemberKind::portal_frame ? m.length + 2.0 * m.column_height : m.length;
       const double length = m.count * piece;
       Candidate candidate = candidate_of(
           {{m.name, family, row, m.count, piece, prices.line(t, row, 0.0, length), readings[5] * length}}, 0.0);
       if (std::isnan(candidate.price) || std::any_of(readings.begin(),
-                                                     readings.begin() + machine::section_readings_needed,
+                                                     readings.begin() + (twisted ? machine::section_reading_fields
+                                                                                   : machine::section_readings_needed),
                                                      [](double v) { return std::isnan(v); }))
         continue;
       table.add(std::move(candidate), readings);
@@ -173,6 +177,7 @@ void MemberStage::answer(const Selection<T>& s, solver::Answer<T>& out) const {
     out.resources[cost_resource] = d.mass * data_.price_per_mass;
   }
   out.resources[mass_resource] = mass;
+  add_compliance(place_, d, out);
   if (data_.member.rides)
     out.handed_on[place_.load_state] = d.carried_mass + mass;
   else if (place_.parent_load_state)

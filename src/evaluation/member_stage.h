@@ -5,6 +5,7 @@
 #pragma once
 
 #include "evaluation/screw_drive_stage.h"
+#include "machine/member_compliance.h"
 #include "machine/member_constraints.h"
 
 namespace millwright::evaluation {

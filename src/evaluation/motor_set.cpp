@@ -12,7 +12,7 @@ MotorSet::MotorSet(MotorTable motors,
                    const machine::Requirements& require,
                    std::size_t voltages,
                    std::vector<double> speeds)
-    : motors_(std::move(motors)), speeds_(std::move(speeds)) {
+    : motors_(std::move(motors)), require_(require), speeds_(std::move(speeds)) {
   readings_.resize(voltages);
   torque_table_.resize(voltages);
   const std::size_t ranges = speeds_.size() - 1;

@@ -62,7 +62,7 @@ class MotorSet {
       ++field;
     };
     visit_motor_reading(result, read);
-    if constexpr (machine::shows_everything<T>) visit_shown_motor_reading(result, read);
+    if (machine::wants_everything<T>(require_)) visit_shown_motor_reading(result, read);
     return result;
   }
 
@@ -88,6 +88,7 @@ class MotorSet {
                                                const scalar::Interval& speed) const;
 
   MotorTable motors_;
+  machine::Requirements require_;
   std::vector<std::vector<double>> readings_;  ///< per voltage
   std::vector<double> speeds_;
   std::vector<std::vector<scalar::Interval>> torque_table_;  ///< per voltage: row * ranges + range

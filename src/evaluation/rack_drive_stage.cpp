@@ -74,7 +74,7 @@ RackDriveStage::RackDriveStage(const machine::Axis& axis,
   if (!acceleration_time_.fixed())
     variables_.push_back({"acceleration_time", acceleration_time_.lower, acceleration_time_.upper});
   machine::rack_drive_constraints(
-      [&](const machine::Declaration& d, auto&&, auto&&, auto&&) { constraint_count_ += machine::is_searched(d); });
+      [&](const machine::Declaration& d, auto&&, auto&&, auto&&) { constraint_count_ += machine::is_searched(d, axis.require); });
 }
 
 template <class T>
@@ -110,6 +110,7 @@ void RackDriveStage::answer(const Selection<T>& s, solver::Answer<T>& out) const
   machine::rack_drive_constraints(UtilisationVisitor<T, RackDrive<T>>(d, out.utilisation));
   out.resources[cost_resource] = total<T>(s, [](const Candidate& c) { return c.price; }) + reduction_.all_price();
   out.resources[mass_resource] = total<T>(s, [](const Candidate& c) { return c.mass; }) + reduction_.all_mass();
+  add_compliance(place_, d, out);
   out.handed_on[power_state] = s.inherited[power_state] + (drives_ == 1.0 ? d.input_power : drives_ * d.input_power);
   out.handed_on[place_.load_state] = T(0.0);
   if (place_.parent_load_state)

@@ -103,7 +103,7 @@ ScrewDriveStage::ScrewDriveStage(const machine::Axis& axis,
   if (!acceleration_time_.fixed())
     variables_.push_back({"acceleration_time", acceleration_time_.lower, acceleration_time_.upper});
   machine::screw_drive_constraints(
-      [&](const machine::Declaration& d, auto&&, auto&&, auto&&) { constraint_count_ += machine::is_searched(d); });
+      [&](const machine::Declaration& d, auto&&, auto&&, auto&&) { constraint_count_ += machine::is_searched(d, axis.require); });
 }
 
 template <class T>
@@ -119,7 +119,7 @@ ScrewDrive<T> ScrewDriveStage::design(const Selection<T>& s) const {
   };
   std::size_t field = 0;
   visit_screw_reading(d.screw, [&](T& x) { x = read(screw_slot, field++); });
-  if constexpr (machine::shows_everything<T>)
+  if (machine::wants_everything<T>(data_.require))
     visit_shown_screw_reading(d.screw, [&](T& x) { x = read(screw_slot, field++); });
   const std::size_t voltage = s.shared.empty() ? 0 : s.shared.front();
   d.motor = motors_->template reading<T>(s.rows[motor_slot], voltage);
@@ -136,7 +136,7 @@ ScrewDrive<T> ScrewDriveStage::design(const Selection<T>& s) const {
                 T{},
                 T{},
                 T{}};
-  if constexpr (machine::shows_everything<T>) {
+  if (machine::wants_everything<T>(data_.require)) {
     d.coupling.parallel_misalignment = read(coupling_slot, 6);
     d.coupling.angular_misalignment = read(coupling_slot, 7);
     d.coupling.axial_misalignment = read(coupling_slot, 8);
@@ -163,6 +163,7 @@ void ScrewDriveStage::answer(const Selection<T>& s, solver::Answer<T>& out) cons
   machine::screw_drive_constraints(UtilisationVisitor<T, ScrewDrive<T>>(d, out.utilisation));
   out.resources[cost_resource] = total<T>(s, [](const Candidate& c) { return c.price; });
   out.resources[mass_resource] = total<T>(s, [](const Candidate& c) { return c.mass; });
+  add_compliance(place_, d, out);
   out.handed_on[power_state] = s.inherited[power_state] + (drives_ == 1.0 ? d.input_power : drives_ * d.input_power);
   out.handed_on[place_.load_state] = T(0.0);
   if (place_.parent_load_state)

@@ -10,6 +10,7 @@
 #include "evaluation/motor_set.h"
 #include "evaluation/price_book.h"
 #include "machine/screw_drive_constraints.h"
+#include "machine/tool_chain.h"
 
 namespace millwright::evaluation {
 
@@ -17,7 +18,20 @@ namespace millwright::evaluation {
 struct AxisPlace {
   std::size_t load_state = 0;
   std::optional<std::size_t> parent_load_state;
+  std::optional<machine::ToolPlace> tool;  ///< where compliance counts
+  /// Of the tool's compliance along x, y and z, where it is asked for.
+  std::array<std::optional<std::size_t>, 3> compliance_state;
 };
+
+/// Adds what an element gives way under the tool.
+template <class T, class Element>
+void add_compliance(const AxisPlace& place, const Element& element, solver::Answer<T>& out) {
+  if (!place.tool) return;
+  const machine::Compliance<T> compliance = tool_compliance(element, *place.tool);
+  for (std::size_t i = 0; i < compliance.size(); ++i)
+    if (place.compliance_state[i])
+      out.handed_on[*place.compliance_state[i]] = out.handed_on[*place.compliance_state[i]] + machine::whole_steps(compliance[i], place.tool->step[i]);
+}
 
 machine::MotionData motion_of(const machine::Axis& axis);
 /// The same for the most loaded of the axis's drives: its share of the forces.

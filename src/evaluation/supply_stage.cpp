@@ -12,10 +12,10 @@ using catalogue::column;
 using catalogue::Family;
 
 SupplyStage::SupplyStage(const std::vector<double>& voltages,
-                         double reserve,
+                         SupplyData data,
                          const catalogue::Catalogue& catalogue,
                          const PriceBook& prices)
-    : voltages_(voltages), reserve_(reserve) {
+    : voltages_(voltages), data_(std::move(data)) {
   name_ = "machine.supply";
   SlotTable table("supply", 3);
   const catalogue::Table& t = catalogue.table(Family::power_supplies);
@@ -32,7 +32,7 @@ SupplyStage::SupplyStage(const std::vector<double>& voltages,
   tables_.push_back(std::move(table));
   finish_slots();
   supply_constraints(
-      [&](const machine::Declaration& d, auto&&, auto&&, auto&&) { constraint_count_ += machine::is_searched(d); });
+      [&](const machine::Declaration& d, auto&&, auto&&, auto&&) { constraint_count_ += machine::is_searched(d, data_.require); });
 }
 
 template <class T>
@@ -41,7 +41,8 @@ Supply<T> SupplyStage::design(const Selection<T>& s) const {
     return hull_of<T>(s.rows[0], [&](solver::Row row) { return tables_[0].reading(row, field); });
   };
   Supply<T> d;
-  d.demanded_power = T(reserve_) * s.inherited[power_state];
+  d.data = &data_;
+  d.demanded_power = T(data_.reserve) * s.inherited[power_state];
   d.rated_power = read(0);
   d.voltage = read(1);
   d.required_voltage = T(voltages_[s.shared.empty() ? 0 : s.shared.front()]);

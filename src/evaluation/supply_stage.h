@@ -10,8 +10,14 @@
 
 namespace millwright::evaluation {
 
+struct SupplyData {
+  machine::Requirements require;
+  double reserve = 1.0;
+};
+
 template <class T>
 struct Supply {
+  const SupplyData* data = nullptr;
   T demanded_power{};  ///< W, with reserve
   T rated_power{};
   T voltage{}, required_voltage{};
@@ -69,7 +75,7 @@ void supply_constraints(Visit&& visit) {
 class SupplyStage final : public ElementStage<SupplyStage> {
  public:
   SupplyStage(const std::vector<double>& voltages,
-              double reserve,
+              SupplyData data,
               const catalogue::Catalogue& catalogue,
               const PriceBook& prices);
 
@@ -80,7 +86,7 @@ class SupplyStage final : public ElementStage<SupplyStage> {
 
  private:
   std::vector<double> voltages_;
-  double reserve_;
+  SupplyData data_;
 };
 
 extern template Supply<double> SupplyStage::design(const Selection<double>&) const;

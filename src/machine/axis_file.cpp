@@ -169,7 +169,10 @@ Axis read_axis(const Node& node, const Requirements& shared, Diagnostics& diagno
   if (name != nullptr) (void)check_name(*name, "an axis", diagnostics);
   if (!says_rotary(node)) axis.carries = table.strings("carries");
   const bool rotary = says_rotary(node);
-  if (!rotary) read_direction(table, q, axis, diagnostics);
+  if (!rotary) {
+    read_direction(table, q, axis, diagnostics);
+    read_axis_directions(table, axis, diagnostics);
+  }
   const auto stroke = q.quantity("stroke", rotary ? "rad" : "mm", Sign::positive, Presence::required);
   axis.stroke = stroke.value_or(0.1);
   if (rotary)

@@ -150,6 +150,12 @@ template <class T>
 inline constexpr bool shows_everything =
     std::is_same_v<T, double> || std::is_same_v<T, scalar::Traced> || std::is_same_v<T, scalar::Dimensioned>;
 
+/// The same, or soft constraints are enforced, which read what the search leaves out otherwise.
+template <class T>
+bool wants_everything(const Requirements& require) {
+  return shows_everything<T> || require.enforces_any();
+}
+
 /// The largest of a list. Bounds and derivatives go through `larger`; a traced value keeps only the winner, so that a
 /// calculation sheet shows the phase that governs and not a chain of comparisons.
 template <class T>

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "machine/tool_chain.h"
 #include "machine/axis_motion.h"
 #include "machine/motor.h"
 #include "mechanics/accuracy.h"
@@ -109,7 +110,7 @@ void BeltDrive<T>::derive() {
     angular_speeds.push_back(phase.speed / radius);
     motor_torques.push_back(no_torque);
     torque_ratios.push_back(T(0.0));
-    if (!phase.may_govern && !shows_everything<T>) continue;
+    if (!phase.may_govern && !wants_everything<T>(data->require)) continue;
     const T alpha = phase.acceleration / radius;
     motor_torques.back() =
         act::belt_motor_torque(phase.force, radius, T(data->efficiency), rotating, alpha, no_torque, T(1.0));
@@ -217,6 +218,15 @@ T position_error_budget(const BeltDrive<T>& d) {
   const std::array<T, 2> random{named("e_t", 0.05 * travel / (4.0 * d.motor.rotor_teeth)),
                                 named("e_q", 0.5 * resolution(d))};
   return mechanics::accuracy::mixed_error(std::span<const T>(systematic), std::span<const T>(random));
+}
+
+/// The belt at its longest span and the motor's field.
+template <class T>
+Compliance<T> tool_compliance(const BeltDrive<T>& d, const ToolPlace& place) {
+  const T one = 1.0 / belt_stiffness(d) + along_travel(T(0.5 * d.belt.pitch_diameter), motor_stiffness(d.motor));
+  Compliance<T> result = no_compliance<T>();
+  result[place.travel] = sharing_factor(place) * one;
+  return result;
 }
 
 }  // namespace millwright::machine

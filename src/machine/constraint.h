@@ -18,6 +18,8 @@
 
 #include <string_view>
 
+#include "machine/requirement.h"
+
 namespace millwright::machine {
 
 /// hard: must hold for a compliant build. soft: reported, not enforced. fit: two parts that must go together; hard.
@@ -38,13 +40,20 @@ struct Declaration {
   WorstPhase worst = WorstPhase::none;
   /// Another hard constraint that never holds where this one does not: the search holds that one only.
   std::string_view implied_by = {};
+  /// A limit of cost or mass, which the solver holds itself: the search need not evaluate it.
+  bool held_by_limit = false;
   std::string_view file = __builtin_FILE();
   int line = __builtin_LINE();
 };
 
 /// Whether the search has to hold a constraint: all but those that are only reported, or that another one implies.
 constexpr bool is_searched(const Declaration& declaration) {
-  return declaration.kind != ConstraintKind::soft && declaration.implied_by.empty();
+  return declaration.kind != ConstraintKind::soft && declaration.implied_by.empty() && !declaration.held_by_limit;
+}
+/// The same where the problem file makes some of those that are only reported binding.
+inline bool is_searched(const Declaration& declaration, const Requirements& require) {
+  if (is_searched(declaration)) return true;
+  return declaration.kind == ConstraintKind::soft && require.enforces_any() && require.enforces(declaration.id);
 }
 
 /// Whether a constraint concerns a design, or some, all or none of a set of designs.

@@ -99,7 +99,7 @@ void GearedDrive<T>::derive_phases(const T& rotating) {
     angular_speeds.push_back(phase.speed * ratio / radius);
     motor_torques.push_back(no_torque);
     torque_ratios.push_back(T(0.0));
-    if (!phase.may_govern && !shows_everything<T>) continue;
+    if (!phase.may_govern && !wants_everything<T>(data->require)) continue;
     const T alpha = phase.acceleration * ratio / radius;
     motor_torques.back() = act::belt_motor_torque(phase.force, radius, efficiency, rotating, alpha, no_torque, ratio);
     sum = sum + square(motor_torques.back()) * phase.duration;

@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "mechanics/tool_point.h"
+#include "machine/tool_chain.h"
 #include "machine/axis_motion.h"
 #include "machine/constraint.h"
 #include "machine/motor_constraints.h"
@@ -22,6 +24,7 @@ struct GuideReading {
   T carriage_mass{}, rail_mass{}, rail_length{}, largest_rail_length{};
   T shaft_diameter{};  ///< unsupported round shaft, else 0
   T friction{};        ///< of a bushing; NaN where the catalogue has none
+  T radial_stiffness{};  ///< N/m, of a carriage; read where a tool must not give way
 };
 
 template <class Reading, class Visit>
@@ -37,11 +40,12 @@ void visit_guide_reading(Reading& r, Visit&& visit) {
                       &r.rail_length,
                       &r.largest_rail_length,
                       &r.shaft_diameter,
-                      &r.friction})
+                      &r.friction,
+                      &r.radial_stiffness})
     visit(*field);
 }
-inline constexpr std::size_t guide_reading_fields = 12;
-inline constexpr std::size_t guide_readings_needed = 11;  ///< the last is for a soft check only
+inline constexpr std::size_t guide_reading_fields = 13;
+inline constexpr std::size_t guide_readings_needed = 11;  ///< the next is for a soft check only
 
 struct GuideData {
   GuideChoice choice;
@@ -235,6 +239,28 @@ void guide_constraints(Visit&& visit) {
       always,
       [](const auto& d) { return d.guide.rail_length; },
       [](const auto& d) { return d.guide.largest_rail_length; });
+}
+
+/// Four carriages: they press evenly, and a force beside them tilts them about the three axes. The lateral stiffness of
+/// a carriage is taken as the radial one (rails with four equally loaded rows).
+template <class T>
+Compliance<T> tool_compliance(const GuideSystem<T>& d, const ToolPlace& place) {
+  using namespace scalar;
+  namespace tp = mechanics::tool_point;
+  const auto arm = [](double metres) { return in_unit<T>(metres, dimension::length); };
+  const GuideChoice& c = d.data->choice;
+  const T& carriage = d.guide.radial_stiffness;
+  const T all = c.carriages * carriage;
+  const T pitch = mechanics::guide::pitch_stiffness(carriage, arm(c.carriage_spacing));
+  const T roll = mechanics::guide::pitch_stiffness(carriage, arm(c.rail_spacing));
+  const auto tilt = [&](double lever, const T& stiffness) { return T(tp::rotary_compliance(arm(lever), stiffness)); };
+  Compliance<T> result = no_compliance<T>();
+  result[place.travel] = tilt(place.height_arm, pitch);
+  // Two drives side by side hold the table straight themselves.
+  if (place.drives <= 1.0) result[place.travel] = result[place.travel] + tilt(place.across_arm, pitch);
+  result[place.across] = 1.0 / all + tilt(place.height_arm, roll) + tilt(place.along_arm, pitch);
+  result[place.normal] = 1.0 / all + tilt(place.across_arm, roll) + tilt(place.along_arm, pitch);
+  return result;
 }
 
 }  // namespace millwright::machine

@@ -210,6 +210,22 @@ void read_bushings(TableReader& table, QuantityReader& q, GuideChoice& guide, Di
 
 }  // namespace
 
+/// Three lengths: along the travel, across it, above the guides.
+void read_tool_at(TableReader& table, QuantityReader& q, GuideChoice& guide, Diagnostics& diagnostics) {
+  const Node* node = table.find("tool_at");
+  if (node == nullptr) return;
+  if (!node->is_array() || node->size() != 3) {
+    diagnostics.error(node->span(),
+                      "tool_at: needs three lengths",
+                      "along the travel, across it, above the guides: [\"0 mm\", \"90 mm\", \"150 mm\"]");
+    return;
+  }
+  std::array<double, 3> at{};
+  for (std::size_t i = 0; i < at.size(); ++i)
+    at[i] = q.of_node(node->items()[i], "tool_at", "mm", Sign::any).value_or(0.0);
+  guide.tool_at = at;
+}
+
 GuideChoice read_guide(const Node& node, const std::string& title, Diagnostics& diagnostics) {
   GuideChoice guide;
   guide.where = node.span();
@@ -228,6 +244,7 @@ GuideChoice read_guide(const Node& node, const std::string& title, Diagnostics& 
   guide.load_offset_x = q.quantity_or("load_offset_x", "mm", 0.0, Sign::any);
   guide.load_offset_y = q.quantity_or("load_offset_y", "mm", 0.0, Sign::any);
   guide.force_height = q.quantity_or("force_height", "mm", 0.0, Sign::any);
+  read_tool_at(table, q, guide, diagnostics);
   read_bushings(table, q, guide, diagnostics);
   const auto place = [&](const char* key) {
     const Node* value = table.find(key);

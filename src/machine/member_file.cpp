@@ -207,6 +207,7 @@ Member read_member(const Node& node, const std::string& axis, Diagnostics& diagn
   if (kind != MemberKind::bolts)
     member.material = q.required_text("material", "material = \"S235JR\", a part number of the materials catalogue");
   member.rides = table.boolean("rides").value_or(false);
+  member.along = read_direction_name(table, "along");
   read_end_fixity(table, q, member, diagnostics);
   read_load(q, member);
   if (!kind) return member;  // nothing to judge the other keys by

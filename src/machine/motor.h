@@ -130,4 +130,11 @@ T modelled_torque(const MotorFigures<T>& f, const T& current, const T& angular_s
                                               in_unit<T>(speed_loss, dimension::time));
 }
 
+/// Magnetic stiffness of a stepper that holds its position without load [N.m/rad]: slope of its static torque over the
+/// load angle.
+template <class T>
+T motor_stiffness(const MotorReading<T>& motor) {
+  return motor.rotor_teeth * motor.static_torque;
+}
+
 }  // namespace millwright::machine

@@ -5,6 +5,8 @@
 // line.
 #pragma once
 
+#include <array>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -96,6 +98,19 @@ struct MotorChoice {
   SourceSpan where;
 };
 
+/// Directions of the machine: x and y level, z upright.
+inline constexpr std::array<std::string_view, 3> direction_names{"x", "y", "z"};
+inline constexpr std::size_t upright = 2;
+
+/// What presses on the tool and how far it may give way (C-TOOL-DEFL-X, -Y, -Z).
+struct Tool {
+  std::size_t axis = 0;                                          ///< that carries the tool
+  std::array<double, 3> force{};                                 ///< N, along each direction; 0 = not asked
+  double deflection = 5e-5;                                      ///< m, in any of them
+  double stiffness = std::numeric_limits<double>::infinity();    ///< N/m, of the tool in its holder
+  SourceSpan where;
+};
+
 /// Profile rails or round shafts that carry the axis.
 struct GuideChoice {
   std::vector<std::string> kinds;  ///< words in the catalogue's kind; empty = all
@@ -109,6 +124,9 @@ struct GuideChoice {
   bool self_aligning = false;              ///< bushings that follow the slope of their shaft
   std::optional<double> drive_offset;      ///< m, of the drive's line from the shaft, across it
   std::optional<double> bushing_friction;  ///< overrides the catalogue's, for plain bushings
+  /// m, of the tool from the centre of the carriages: along the travel, across it, above the guides. With every other
+  /// axis in the middle of its stroke.
+  std::optional<std::array<double, 3>> tool_at;
   SourceSpan where;
 };
 
@@ -164,7 +182,8 @@ struct Member {
   double joint_width = 0.0, joint_depth = 0.0;  ///< m, weld all around a rectangle
   Range leg;                                    ///< m, weld leg
   BoltPattern bolts;
-  double end_fixity = 1.0;  ///< column; a portal free to sway 0.25
+  double end_fixity = 1.0;           ///< column; a portal free to sway 0.25
+  std::optional<std::size_t> along;  ///< direction of the machine in which it lies; else the travel of its axis
   SourceSpan where;
 };
 
@@ -172,6 +191,8 @@ struct Axis {
   std::string name;
   std::vector<std::string> carries;
   Direction direction = Direction::horizontal;
+  std::optional<std::size_t> along;   ///< direction of the machine in which the axis travels
+  std::optional<std::size_t> normal;  ///< direction of the machine in which its guides press
   double inclination = 0.0;           ///< rad; 0 horizontal, pi/2 vertical
   double stroke = 0.0;                ///< m
   double structure_mass = 0.0;        ///< kg, moves with the axis and is not chosen here
@@ -193,6 +214,7 @@ struct Axis {
 
   // filled by the reader
   std::optional<std::size_t> carried_by;  ///< index of the parent axis
+  bool stiffness_counts = false;          ///< [tool] reads how far its parts give way
 };
 
 inline bool is_rotary(const Axis& axis) { return axis.mechanism.kind == MechanismKind::rotary; }
@@ -230,6 +252,10 @@ struct Problem {
   std::vector<std::string> catalogues;  ///< overlay folders beside the problem file
   std::vector<Axis> axes;               ///< as in the file
   std::vector<std::size_t> order;       ///< axes from the tools to the bases: an axis comes after all it carries
+  Requirements require;                 ///< of the whole machine; each axis has its own, which start from these
+  std::optional<Tool> tool;
+  std::optional<double> cost_limit;  ///< in `currency`
+  std::optional<double> mass_limit;  ///< kg, of everything chosen
 };
 
 }  // namespace millwright::machine

@@ -118,12 +118,14 @@ std::optional<Problem> problem_of(const text::Document& document, Diagnostics& d
     read_currencies(*currencies, problem, diagnostics);
   if (q.required("supply", "a table [supply] with voltage = [\"24 V\", \"36 V\"]") != nullptr)
     if (const Node* supply = table.table("supply"); supply != nullptr) read_supply(*supply, problem, diagnostics);
-  Requirements shared;
+  Requirements& shared = problem.require;
   if (const Node* require = table.table("require"); require != nullptr)
     read_requirements(*require, "[require]", shared, diagnostics);
   if (q.required("axis", "an [[axis]] with its name, stroke, mechanism and moves") != nullptr)
     if (const Node* axes = table.array("axis"); axes != nullptr) read_axes(*axes, shared, problem, diagnostics);
   for (const Axis& axis : problem.axes) check_currency(axis, problem, diagnostics);
+  if (const Node* tool = table.table("tool"); tool != nullptr) read_tool(*tool, table.find("axis"), problem, diagnostics);
+  if (const Node* limits = table.table("limits"); limits != nullptr) read_limits(*limits, problem, diagnostics);
   table.finish();
   if (diagnostics.error_count() > errors) return std::nullopt;
   return problem;

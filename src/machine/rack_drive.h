@@ -6,6 +6,7 @@
 
 #include <span>
 
+#include "machine/tool_chain.h"
 #include "machine/geared_drive.h"
 #include "mechanics/rack.h"
 
@@ -86,6 +87,14 @@ T position_error_budget(const RackDrive<T>& d) {
                                     named("e_s", motor_lag(d))};
   const std::array<T, 2> random = step_errors(d);
   return mechanics::accuracy::mixed_error(std::span<const T>(systematic), std::span<const T>(random));
+}
+
+/// The motor's field alone: the teeth are taken as rigid.
+template <class T>
+Compliance<T> tool_compliance(const RackDrive<T>& d, const ToolPlace& place) {
+  Compliance<T> result = no_compliance<T>();
+  result[place.travel] = sharing_factor(place) * along_travel(T(d.radius / d.ratio), motor_stiffness(d.motor));
+  return result;
 }
 
 }  // namespace millwright::machine

@@ -187,6 +187,14 @@ void Requirements::set(Requirement requirement, double value) {
   given_[static_cast<std::size_t>(requirement)] = true;
 }
 
+void Requirements::enforce(std::string_view constraint) {
+  if (!enforces(constraint)) enforced_.emplace_back(constraint);
+}
+
+bool Requirements::enforces(std::string_view constraint) const {
+  return std::find(enforced_.begin(), enforced_.end(), constraint) != enforced_.end();
+}
+
 bool Requirements::known(Requirement requirement) const { return !std::isnan((*this)(requirement)); }
 
 }  // namespace millwright::machine

@@ -8,7 +8,9 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace millwright::machine {
 
@@ -131,9 +133,15 @@ class Requirements {
   /// Whether there is a value at all (a default or a given one).
   [[nodiscard]] bool known(Requirement requirement) const;
 
+  /// Makes a constraint that is only reported by default one that must hold.
+  void enforce(std::string_view constraint);
+  [[nodiscard]] bool enforces(std::string_view constraint) const;
+  [[nodiscard]] bool enforces_any() const { return !enforced_.empty(); }
+
  private:
   std::array<double, requirement_count> values_{};
   std::array<bool, requirement_count> given_{};
+  std::vector<std::string> enforced_;  ///< ids of constraints
 };
 
 }  // namespace millwright::machine

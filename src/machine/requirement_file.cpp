@@ -8,6 +8,8 @@
 
 #include "machine/axis_file.h"
 #include "machine/quantity_reader.h"
+#include "machine/reported_constraints.h"
+#include "text/nearest.h"
 #include "text/table_reader.h"
 
 namespace millwright::machine {
@@ -104,11 +106,29 @@ void read_position_error(const Node& value, Requirements& require, Diagnostics& 
   inner.finish();
 }
 
+/// enforce = ["C-ST-RMS"]: makes binding what is only reported by default.
+void read_enforced(TableReader& table, QuantityReader& q, Requirements& require, Diagnostics& diagnostics) {
+  if (table.find("enforce") == nullptr) return;
+  const std::vector<std::string_view> known = reported_constraints();
+  (void)q.words("enforce");
+  for (const Node* node : table.list("enforce")) {
+    const std::string id = node->as_string().value_or("");
+    if (id.empty()) continue;
+    if (std::find(known.begin(), known.end(), id) == known.end())
+      diagnostics.error(node->span(),
+                        fmt::format("enforce: {} is no constraint that is only reported", text::quoted(id)),
+                        text::did_you_mean(id, known, "those marked * in a report; the others must hold anyway"));
+    else
+      require.enforce(id);
+  }
+}
+
 }  // namespace
 
 void read_requirements(const Node& node, const std::string& title, Requirements& require, Diagnostics& diagnostics) {
   TableReader table(node, title, diagnostics);
   QuantityReader q(table, diagnostics);
+  read_enforced(table, q, require, diagnostics);
   for (const RequirementDeclaration& declaration : requirements()) {
     const Node* value = table.find(declaration.key);
     if (value == nullptr) continue;

@@ -130,7 +130,7 @@ void ScrewDrive<T>::derive() {
     angular_speeds.push_back(mechanics::power_screw::angular_speed(phase.speed, screw.lead));
     motor_torques.push_back(nothing);
     torque_ratios.push_back(T(0.0));
-    if (!phase.may_govern && !shows_everything<T>) continue;
+    if (!phase.may_govern && !wants_everything<T>(data->require)) continue;
     const T& omega = angular_speeds.back();
     const T alpha = phase.acceleration * turn / screw.lead;
     motor_torques.back() = act::screw_motor_torque(phase.force,

@@ -6,6 +6,7 @@
 #include <array>
 #include <span>
 
+#include "machine/tool_chain.h"
 #include "machine/screw_drive.h"
 #include "mechanics/ball_screw_cycle.h"
 
@@ -144,9 +145,9 @@ T axial_stiffness(const ScrewDrive<T>& d) {
 
 /// Axial stiffness between motor and table at the worst place of the nut [N/m]: the far end, or, with thrust taken at
 /// both ends, where the two sides, each a length of shaft with its bearing, give way alike: there one quarter of the
-/// compliance that shaft and bearings have in a row. The ball nut at its preload, else at the largest force.
+/// compliance that shaft and bearings have in a row. The ball nut at its preload, else at the given force [N].
 template <class T>
-T least_axial_stiffness(const ScrewDrive<T>& d) {
+T least_axial_stiffness(const ScrewDrive<T>& d, const T& force) {
   using namespace scalar;
   namespace bs = mechanics::ball_screw;
   const T shaft = named("k_S",
@@ -160,7 +161,7 @@ T least_axial_stiffness(const ScrewDrive<T>& d) {
     const T nut = named(
         "k_N",
         d.data->preloaded ? bs::preloaded_nut_stiffness(d.screw.nut_stiffness, d.screw.preload, d.screw.dynamic_rating)
-                          : bs::nut_stiffness(d.screw.nut_stiffness, d.largest_force, d.screw.dynamic_rating));
+                          : bs::nut_stiffness(d.screw.nut_stiffness, force, d.screw.dynamic_rating));
     const std::array<T, 2> chain{held, nut};
     return bs::chain_stiffness(std::span<const T>(chain));
   });
@@ -270,6 +271,18 @@ T free_support_fit(const ScrewDrive<T>& d) {
   // What cannot clamp is as far from clamping as from fitting.
   const T clamping = clamped + (1.0 - d.support_free.clamps) * 1e3;
   return smaller(turned, clamping);
+}
+
+/// Screw, nut, thrust bearing, twist of screw and coupling, and the motor's field.
+template <class T>
+Compliance<T> tool_compliance(const ScrewDrive<T>& d, const ToolPlace& place) {
+  using namespace scalar;
+  const T per_angle = d.screw.lead / (2.0 * pi<T>());
+  const T one = 1.0 / least_axial_stiffness(d, in_unit<T>(std::max(place.force, 1.0), dimension::force)) + along_travel(per_angle, torsional_stiffness(d)) +
+                along_travel(per_angle, motor_stiffness(d.motor));
+  Compliance<T> result = no_compliance<T>();
+  result[place.travel] = sharing_factor(place) * one;
+  return result;
 }
 
 }  // namespace millwright::machine

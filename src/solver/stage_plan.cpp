@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "solver/relaxation.h"
 
@@ -42,6 +43,22 @@ bool cut_slices(const StagePlan& plan,
   return false;
 }
 
+/// Whether what is handed on may lead to a feasible design.
+bool bearable(const StagePlan& plan, const Answer<Interval>& answer) {
+  constexpr double slack = 1e-11;  // a state is the same sum in another order in the end
+  for (std::size_t c = 0; c < plan.most_after.size(); ++c) {
+    const double most = plan.most_after[c];
+    if (answer.handed_on[c].lower > most + slack * std::fabs(most)) return false;
+  }
+  return true;
+}
+
+/// Whether no design of the region is feasible, or leads to one, at any of the inherited states.
+bool hopeless(const StagePlan& plan, std::span<const Interval> inherited, const Region& region, Desk& desk) {
+  const auto& answer = desk.bound(*plan.stage, plan.shared, inherited, region);
+  return worst_lower(answer.utilisation) > 1.0 || !bearable(plan, answer);
+}
+
 }  // namespace
 
 void read_bounds(const StagePlan& plan, const Answer<Interval>& answer, Bounds& bounds) {
@@ -51,6 +68,7 @@ void read_bounds(const StagePlan& plan, const Answer<Interval>& answer, Bounds& 
   for (std::size_t k = 0; k < score.size(); ++k) bounds.score[k] = score[k].lower;
   bounds.handed_on = answer.handed_on;
   bounds.utilisation = worst_lower(answer.utilisation);
+  if (!bearable(plan, answer)) bounds.utilisation = std::numeric_limits<double>::infinity();
   bounds.open = 0;
   for (std::size_t c = 0; c < answer.utilisation.size(); ++c) {
     if (!(answer.utilisation[c].upper <= 1.0)) bounds.open |= std::uint64_t{1} << (c % 64);
@@ -89,8 +107,7 @@ bool shave(StagePlan& plan, std::span<const Interval> inherited, Desk& desk) {
       for (const Row row : *all) {
         Region trial = plan.region;
         trial.rows[slot] = only(row);
-        const auto& answer = desk.bound(*plan.stage, plan.shared, inherited, trial);
-        if (worst_lower(answer.utilisation) > 1.0) continue;
+        if (hopeless(plan, inherited, trial, desk)) continue;
         if (!plan.fits.filter(trial, slot)) continue;
         kept.push_back(row);
       }
@@ -102,8 +119,7 @@ bool shave(StagePlan& plan, std::span<const Interval> inherited, Desk& desk) {
     }
     if (!changed) break;
   }
-  const auto& whole = desk.bound(*plan.stage, plan.shared, inherited, plan.region);
-  return worst_lower(whole.utilisation) <= 1.0;
+  return !hopeless(plan, inherited, plan.region, desk);
 }
 
 namespace {
@@ -133,6 +149,47 @@ bool find_states(const Problem& problem, std::vector<StagePlan>& plans, Desk& de
     if (!plan.fits.filter(plan.region, plan.region.rows.size())) return false;
     if (!shave(plan, plan.inherited, desk)) return false;
     state = desk.bound(*plan.stage, plan.shared, plan.inherited, plan.region).handed_on;
+  }
+  return true;
+}
+
+/// The least value of a component from which on nothing is feasible, as far as bounds prove it.
+double most_bearable(const StagePlan& plan, std::size_t component, Desk& desk) {
+  std::vector<Interval> state = plan.inherited;
+  const Interval whole = state[component];
+  const auto refused_from = [&](double value) {
+    state[component] = {value, whole.upper};
+    return hopeless(plan, state, plan.region, desk);
+  };
+  if (!(whole.upper > whole.lower) || !std::isfinite(whole.upper) || !refused_from(whole.upper)) return whole.upper;
+  double bearable_at = whole.lower;
+  double refused_at = whole.upper;
+  constexpr int halvings = 20;
+  for (int i = 0; i < halvings; ++i) {
+    const double value = 0.5 * (bearable_at + refused_at);
+    (refused_from(value) ? refused_at : bearable_at) = value;
+  }
+  return refused_at;
+}
+
+/// What later stages can bear, from the base to the tool; then the states that can still arrive, and the rows that can
+/// still be chosen. False when nothing is left.
+bool find_limits(std::vector<StagePlan>& plans, Desk& desk) {
+  std::vector<double> most(plans.empty() ? 0 : plans.front().inherited.size(),
+                           std::numeric_limits<double>::infinity());
+  for (auto plan = plans.rbegin(); plan != plans.rend(); ++plan) {
+    plan->most_after = most;
+    for (std::size_t c = 0; c < most.size(); ++c) most[c] = most_bearable(*plan, c, desk);
+  }
+  std::vector<Interval> state = plans.empty() ? std::vector<Interval>{} : plans.front().inherited;
+  for (StagePlan& plan : plans) {
+    plan.inherited = state;
+    if (!shave(plan, plan.inherited, desk)) return false;
+    state = desk.bound(*plan.stage, plan.shared, plan.inherited, plan.region).handed_on;
+    for (std::size_t c = 0; c < state.size(); ++c) {
+      const double most_here = plan.most_after[c] + 1e-11 * std::fabs(plan.most_after[c]);
+      state[c].upper = std::max(std::min(state[c].upper, most_here), state[c].lower);
+    }
   }
   return true;
 }
@@ -203,7 +260,7 @@ std::vector<StagePlan> make_plans(const Problem& problem,
                                   Desk& desk) {
   std::vector<StagePlan> plans;
   for (const Stage* stage : problem.stages) plans.emplace_back(*stage, shared, criteria);
-  if (!find_states(problem, plans, desk)) return {};
+  if (!find_states(problem, plans, desk) || !find_limits(plans, desk)) return {};
   find_directions(plans, desk);
   std::vector<Interval> best(problem.first_state.begin(), problem.first_state.end());
   for (StagePlan& plan : plans) {

@@ -5,6 +5,10 @@
 // proved direction, which variables only decide feasibility, and the least this stage and all after it will add to
 // each score.
 //
+// What later stages can bear of a component (a mass, a compliance that must stay below a limit at the end of the chain)
+// is found from the base to the tool: where bounds prove that no design of a later stage is feasible from some value
+// on, nothing that hands more on is looked at.
+//
 // The least is found at the best state that can arrive (`best_inherited`): the good end of each component with a proved
 // direction, the whole range of the others. What is infeasible or dear there is so for every label.
 #pragma once
@@ -42,6 +46,7 @@ struct StagePlan {
   std::vector<Interval> inherited;       ///< every state that can arrive
   std::vector<Interval> best_inherited;  ///< the best that can arrive
   std::vector<Direction> before, after;  ///< of the inherited and of the handed-on components
+  std::vector<double> most_after;        ///< per handed-on component: from more no later stage has a feasible design
   std::vector<bool> priced;              ///< per variable: it moves a score or a state that matters
   bool any_priced = false;
   RowProfile profile;

@@ -35,6 +35,7 @@ inline std::vector<DeclaringElement> declaring_elements() {
   take("guide", [](auto&& visit) { machine::guide_constraints(visit); });
   take("member", [](auto&& visit) { machine::member_constraints(visit); });
   take("supply", [](auto&& visit) { evaluation::supply_constraints(visit); });
+  take("whole", [](auto&& visit) { evaluation::whole_constraints(visit); });
   take("bolts", [](auto&& visit) { machine::bolted_joint_constraints(visit); });
   take("rack drive", [](auto&& visit) { machine::rack_drive_constraints(visit); });
   take("rotary drive", [](auto&& visit) { machine::rotary_drive_constraints(visit); });

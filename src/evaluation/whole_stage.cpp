@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "evaluation/whole_stage.h"
+
+namespace millwright::evaluation {
+
+std::array<std::optional<std::size_t>, 3> compliance_states(const machine::Problem& problem) {
+  std::array<std::optional<std::size_t>, 3> states;
+  if (!problem.tool) return states;
+  std::size_t next = first_load_state + problem.axes.size();
+  for (std::size_t i = 0; i < states.size(); ++i)
+    if (problem.tool->force[i] > 0.0) states[i] = next++;
+  return states;
+}
+
+WholeStage::WholeStage(const machine::Problem& problem)
+    : data_{.require = problem.require,
+            .tool = problem.tool,
+            .cost_limit = problem.cost_limit.value_or(0.0),
+            .mass_limit = problem.mass_limit.value_or(0.0)},
+      states_(compliance_states(problem)) {
+  name_ = "machine.whole";
+  whole_constraints([&](const machine::Declaration& d, auto&&, auto&&, auto&&) {
+    constraint_count_ += machine::is_searched(d, data_.require);
+  });
+}
+
+template <class T>
+WholeMachine<T> WholeStage::design(const Selection<T>& s) const {
+  WholeMachine<T> d;
+  d.data = &data_;
+  for (std::size_t i = 0; i < states_.size(); ++i)
+    if (states_[i]) d.compliance[i] = s.inherited[*states_[i]];
+  return d;
+}
+
+template <class T>
+void WholeStage::answer(const Selection<T>& s, solver::Answer<T>& out) const {
+  const WholeMachine<T> d = design(s);
+  whole_constraints(UtilisationVisitor<T, WholeMachine<T>>(d, out.utilisation));
+}
+
+template WholeMachine<double> WholeStage::design(const Selection<double>&) const;
+// Small enough to be inlined here, and asked for by whoever sees the virtual functions.
+template void WholeStage::answer(const Selection<double>&, solver::Answer<double>&) const;
+template void WholeStage::answer(const Selection<scalar::Interval>&, solver::Answer<scalar::Interval>&) const;
+template void WholeStage::answer(const Selection<scalar::Dual<double, 1>>&,
+                                 solver::Answer<scalar::Dual<double, 1>>&) const;
+template void WholeStage::answer(const Selection<scalar::Dual<scalar::Interval, 1>>&,
+                                 solver::Answer<scalar::Dual<scalar::Interval, 1>>&) const;
+
+}  // namespace millwright::evaluation

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What is asked of the machine as a whole: how far the tool gives way, and limits of cost and mass. The last stage,
+// without slots; the limits are the solver's own, here they are only reported.
+#pragma once
+
+#include <array>
+
+#include "evaluation/element_stage.h"
+#include "machine/problem.h"
+#include "mechanics/tool_point.h"
+
+namespace millwright::evaluation {
+
+struct WholeData {
+  machine::Requirements require;
+  std::optional<machine::Tool> tool;
+  double cost_limit = 0.0, mass_limit = 0.0;  ///< 0 = none
+};
+
+template <class T>
+struct WholeMachine {
+  const WholeData* data = nullptr;
+  std::array<T, 3> compliance{};  ///< m/N, of axes and structure along x, y and z
+  T cost{}, mass{};               ///< of a finished design; the search does not fill them in
+};
+
+/// Where the state vector holds the compliance along x, y and z: where the tool is pressed in that direction.
+std::array<std::optional<std::size_t>, 3> compliance_states(const machine::Problem& problem);
+
+/// Deflection of the tool in one direction [m]: of the machine, and of the tool itself in its holder.
+template <class T>
+T tool_deflection(const WholeMachine<T>& d, std::size_t direction) {
+  using namespace scalar;
+  const machine::Tool& tool = *d.data->tool;
+  const T own = in_unit<T>(1.0 / tool.stiffness, dimension::none / dimension::stiffness);
+  return mechanics::tool_point::deflection(in_unit<T>(tool.force[direction], dimension::force),
+                                           T(d.compliance[direction] + own));
+}
+
+template <class Visit>
+void whole_constraints(Visit&& visit) {
+  using machine::Applies;
+  using machine::Declaration;
+  const auto deflection = [&visit]<std::size_t direction>(Declaration declaration,
+                                                          std::integral_constant<std::size_t, direction>) {
+    declaration.symbol = "\u03b4";
+    declaration.unit = "um";
+    declaration.source = "slocum1992, chapter 2";
+    visit(
+        declaration,
+        [](const auto& d) {
+          return d.data->tool && d.data->tool->force[direction] > 0.0 ? Applies::yes : Applies::no;
+        },
+        [](const auto& d) { return tool_deflection(d, direction); },
+        [](const auto& d) {
+          using T = std::remove_cvref_t<decltype(d.cost)>;
+          return scalar::in_unit<T>(d.data->tool->deflection, scalar::dimension::length);
+        });
+  };
+  using std::integral_constant;
+  deflection(Declaration{.id = "C-TOOL-DEFL-X", .title = "Tool gives way along x"},
+             integral_constant<std::size_t, 0>{});
+  deflection(Declaration{.id = "C-TOOL-DEFL-Y", .title = "Tool gives way along y"},
+             integral_constant<std::size_t, 1>{});
+  deflection(Declaration{.id = "C-TOOL-DEFL-Z", .title = "Tool gives way along z"},
+             integral_constant<std::size_t, 2>{});
+  visit(
+      Declaration{.id = "C-SYS-COST",
+                  .title = "Cost of everything chosen",
+                  .symbol = "K",
+                  .unit = "1",
+                  .source = "millwright_derivations, sum of prices",
+                  .held_by_limit = true},
+      [](const auto& d) { return d.data->cost_limit > 0.0 ? Applies::yes : Applies::no; },
+      [](const auto& d) { return d.cost; },
+      [](const auto& d) { return std::remove_cvref_t<decltype(d.cost)>(d.data->cost_limit); });
+  visit(
+      Declaration{.id = "C-SYS-MASS",
+                  .title = "Mass of everything chosen",
+                  .symbol = "m",
+                  .unit = "kg",
+                  .source = "millwright_derivations, sum of masses",
+                  .held_by_limit = true},
+      [](const auto& d) { return d.data->mass_limit > 0.0 ? Applies::yes : Applies::no; },
+      [](const auto& d) { return d.mass; },
+      [](const auto& d) {
+        using T = std::remove_cvref_t<decltype(d.mass)>;
+        return scalar::in_unit<T>(d.data->mass_limit, scalar::dimension::mass);
+      });
+}
+
+class WholeStage final : public ElementStage<WholeStage> {
+ public:
+  explicit WholeStage(const machine::Problem& problem);
+
+  template <class T>
+  [[nodiscard]] WholeMachine<T> design(const Selection<T>& selection) const;
+  template <class T>
+  void answer(const Selection<T>& selection, solver::Answer<T>& out) const;
+
+ private:
+  WholeData data_;
+  std::array<std::optional<std::size_t>, 3> states_;
+};
+
+extern template WholeMachine<double> WholeStage::design(const Selection<double>&) const;
+
+}  // namespace millwright::evaluation

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a problem file asks of the machine as a whole: [tool], the force on the tool and how far it may give way, with
+// what every axis must say for that, and [limits] of cost and mass.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "machine/axis_file.h"
+#include "machine/quantity_reader.h"
+#include "scalar/unit.h"
+#include "text/nearest.h"
+#include "text/table_reader.h"
+
+namespace millwright::machine {
+
+using text::Diagnostics;
+using text::Node;
+using text::Presence;
+using text::TableReader;
+
+std::optional<std::size_t> read_direction_name(TableReader& table, std::string_view key) {
+  const auto word = table.word(key, {"x", "y", "z"});
+  if (!word) return std::nullopt;
+  const auto found = std::find(direction_names.begin(), direction_names.end(), *word);
+  return static_cast<std::size_t>(found - direction_names.begin());
+}
+
+void read_axis_directions(TableReader& table, Axis& axis, Diagnostics& diagnostics) {
+  const bool vertical = axis.direction == Direction::vertical;
+  axis.along = read_direction_name(table, "along");
+  axis.normal = read_direction_name(table, "normal");
+  if (axis.along && axis.direction != Direction::inclined && (*axis.along == upright) != vertical)
+    diagnostics.error(table.find("along")->span(),
+                      fmt::format("along: axis '{}' is {}", axis.name, vertical ? "vertical" : "horizontal"),
+                      vertical ? "a vertical axis travels along z" : "a horizontal axis travels along x or y");
+  if (!axis.along && vertical) axis.along = upright;
+  const auto named = std::find(direction_names.begin(), direction_names.end(), axis.name);
+  if (!axis.along && axis.direction == Direction::horizontal && (axis.name == "x" || axis.name == "y"))
+    axis.along = static_cast<std::size_t>(named - direction_names.begin());
+  const bool given = axis.normal.has_value();
+  if (!axis.normal && !vertical) axis.normal = upright;
+  if (given && axis.along && axis.along == axis.normal)
+    diagnostics.error(table.find("normal")->span(),
+                      "normal: that is the direction of the travel",
+                      "the guides press across it: a horizontal axis lies on z, a vertical one leans on x or y");
+}
+
+namespace {
+
+/// What the chain from tool to workpiece asks of one axis.
+void check_axis(const Node& node, const Axis& axis, Diagnostics& diagnostics) {
+  const auto error = [&](const Node& where, const std::string& message, const std::string& hint) {
+    diagnostics.error(where.span(), message, hint);
+  };
+  if (is_rotary(axis)) return;  // its bearing is taken as rigid
+  if (axis.direction == Direction::inclined)
+    return error(*node.find("direction"),
+                 fmt::format("direction: axis '{}' is inclined, and [tool] looks along x, y and z", axis.name),
+                 "leave out [tool], or take the axis as horizontal or vertical");
+  if (!axis.along)
+    error(node, fmt::format("along: in which direction does axis '{}' travel?", axis.name), "add along = \"x\"");
+  if (!axis.guide) return;
+  const Node& guide = *node.find("guide");
+  if (!axis.normal)
+    error(guide,
+          fmt::format("normal: in which direction do the guides of axis '{}' press?", axis.name),
+          "add normal = \"y\" to the axis: a vertical axis leans on x or y");
+  if (axis.guide->carriages < 4.0)
+    error(guide, "carriages: [tool] needs the stiffness of four carriages", "a single one has no published stiffness");
+  if (!axis.guide->tool_at)
+    error(guide,
+          fmt::format("tool_at: where is the tool, seen from the carriages of axis '{}'?", axis.name),
+          "add tool_at = [\"0 mm\", \"90 mm\", \"150 mm\"]: along the travel, across it, above the guides");
+}
+
+void read_force(TableReader& table, QuantityReader& q, Tool& tool, Diagnostics& diagnostics) {
+  const Node* force = q.required("force", "force = { x = \"200 N\", y = \"200 N\", z = \"100 N\" }");
+  if (force == nullptr) return;
+  if (!force->is_table()) {
+    if (const auto all = q.of_node(*force, "force", "N", Sign::positive)) tool.force.fill(*all);
+    (void)table.find("force");
+    return;
+  }
+  TableReader inner(*force, "force of [tool]", diagnostics);
+  QuantityReader components(inner, diagnostics);
+  for (std::size_t i = 0; i < direction_names.size(); ++i)
+    tool.force[i] = components.quantity_or(direction_names[i], "N", 0.0);
+  inner.finish();
+  if (*std::max_element(tool.force.begin(), tool.force.end()) <= 0.0)
+    diagnostics.error(force->span(), "force: there is none", "write force = { x = \"200 N\" }");
+}
+
+}  // namespace
+
+void read_tool(const Node& node, const Node* axes, Problem& problem, Diagnostics& diagnostics) {
+  TableReader table(node, "[tool]", diagnostics);
+  QuantityReader q(table, diagnostics);
+  Tool tool;
+  tool.where = node.span();
+  const std::string name = q.required_text("axis", "axis = \"z\": the axis that carries the tool");
+  read_force(table, q, tool, diagnostics);
+  tool.deflection = q.quantity_or("deflection", "mm", tool.deflection, Sign::positive);
+  tool.stiffness = q.quantity_or("stiffness", "N/m", tool.stiffness, Sign::positive);
+  table.finish();
+  const auto found =
+      std::find_if(problem.axes.begin(), problem.axes.end(), [&](const Axis& axis) { return axis.name == name; });
+  if (found == problem.axes.end()) {
+    std::vector<std::string_view> names;
+    for (const Axis& axis : problem.axes) names.push_back(axis.name);
+    if (!name.empty())
+      diagnostics.error(table.find("axis")->span(),
+                        fmt::format("axis: there is no axis {}", text::quoted(name)),
+                        text::did_you_mean(name, names, "the name of an [[axis]]"));
+  } else {
+    tool.axis = static_cast<std::size_t>(found - problem.axes.begin());
+  }
+  if (axes != nullptr && axes->size() == problem.axes.size())
+    for (std::size_t i = 0; i < problem.axes.size(); ++i) check_axis(axes->items()[i], problem.axes[i], diagnostics);
+  problem.tool = tool;
+  for (Axis& axis : problem.axes) axis.stiffness_counts = !is_rotary(axis);
+}
+
+void read_limits(const Node& node, Problem& problem, Diagnostics& diagnostics) {
+  TableReader table(node, "[limits]", diagnostics);
+  QuantityReader q(table, diagnostics);
+  if (node.size() == 0)
+    diagnostics.error(node.span(), "limits: the table is empty", "write cost = \"400 USD\" or mass = \"12 kg\"");
+  problem.mass_limit = q.quantity("mass", "kg", Sign::positive);
+  if (const Node* cost = table.find("cost"); cost != nullptr) {
+    const std::string text = cost->as_string().value_or("");
+    const std::size_t blank = std::min(text.find(' '), text.size());
+    std::string reason;
+    const auto amount = scalar::parse_number(text.substr(0, blank), reason);
+    const std::string currency = text.substr(std::min(blank + 1, text.size()));
+    const auto rate = problem.currencies.find(currency);
+    const bool own = currency == problem.currency;
+    if (!amount || !(*amount > 0.0) || (!own && rate == problem.currencies.end()))
+      diagnostics.error(cost->span(),
+                        "cost: needs an amount above zero in a currency of the problem",
+                        fmt::format("write cost = \"400 {}\"", problem.currency));
+    else
+      problem.cost_limit = *amount * (own ? 1.0 : rate->second.rate);
+  }
+  table.finish();
+}
+
+}  // namespace millwright::machine
