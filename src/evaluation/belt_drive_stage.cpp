@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t pitch_diameter_field = 9;
 constexpr std::size_t bore_field = 13;
 
-std::vector<double> speed_edges(const machine::Axis& axis, const SlotTable& belts) {
+std::vector<double> speed_edges(const machine::Axis& axis, const SlotTable& belts, const ReductionSlot& reduction) {
   double smallest = scalar::rounding::infinity, largest = 0.0;
   for (std::size_t row = 0; row < belts.rows(); ++row) {
     smallest = std::min(smallest, 0.5 * belts.reading(row, pitch_diameter_field));
@@ -19,7 +19,8 @@ std::vector<double> speed_edges(const machine::Axis& axis, const SlotTable& belt
   }
   if (belts.rows() == 0) return {0.0, 1.0};
   const auto [slow, fast] = constant_speed_range(axis);
-  return log_spaced(0.999 * slow / largest, 1.001 * fast / smallest);
+  return log_spaced(0.999 * slow / largest * reduction.least_ratio(),
+                    1.001 * fast / smallest * reduction.largest_ratio());
 }
 }  // namespace
 
@@ -28,24 +29,20 @@ BeltDriveStage::BeltDriveStage(const machine::Axis& axis,
                                const std::vector<double>& voltages,
                                const catalogue::Catalogue& catalogue,
                                const PriceBook& prices)
-    : data_{.motion = drive_motion_of(axis),
-            .require = axis.require,
-            .stroke = axis.stroke,
-            .microsteps = axis.motor.microsteps,
-            .brake_torque = axis.motor.brake_torque,
-            .efficiency = axis.mechanism.belt_efficiency,
-            .vertical = gravity_acts(axis)},
+    : data_(geared_drive_data(axis)),
       place_(place),
       drives_(axis.mechanism.drives),
       load_share_(axis.mechanism.load_share),
-      acceleration_time_(axis.acceleration_time) {
+      acceleration_time_(axis.acceleration_time),
+      reduction_(axis, prices) {
   name_ = axis.name + ".drive";
   tables_.push_back(belt_table(catalogue, axis, prices));
   motors_ = std::make_unique<MotorSet>(motor_table(catalogue, axis, voltages, prices),
                                        axis.require,
                                        voltages.size(),
-                                       speed_edges(axis, tables_.front()));
+                                       speed_edges(axis, tables_.front(), reduction_));
   tables_.push_back(motors_->motors().table);
+  reduction_.add_to(tables_);
   for (SlotTable& table : tables_) table.multiply(drives_);
   finish_slots();
   if (!acceleration_time_.fixed())
@@ -65,7 +62,8 @@ BeltDrive<T> BeltDriveStage::design(const Selection<T>& s) const {
   });
   const std::size_t voltage = s.shared.empty() ? 0 : s.shared.front();
   d.motor = motors_->template reading<T>(s.rows[motor_slot], voltage);
-  d.motor_shaft = hull_of<T>(s.rows[motor_slot], [&](solver::Row row) { return motors_->motors().pairs[row].shaft; });
+  d.motor_shaft = motors_->template shaft<T>(s.rows[motor_slot]);
+  d.reduction = reduction_.reading<T>(s.rows);
   d.available_torque = [this, rows = s.rows[motor_slot], voltage](const T& omega) {
     return motors_->template torque<T>(rows, voltage, omega);
   };
@@ -94,7 +92,12 @@ void BeltDriveStage::answer(const Selection<T>& s, solver::Answer<T>& out) const
 bool BeltDriveStage::fits(
     std::span<const solver::Row>, std::size_t slot_a, solver::Row row_a, std::size_t slot_b, solver::Row row_b) const {
   if (slot_a > slot_b) return fits({}, slot_b, row_b, slot_a, row_a);
-  return std::abs(tables_[belt_slot].reading(row_a, bore_field) - motors_->motors().pairs[row_b].shaft) < 1e-6;
+  const auto bore_is = [&](double shaft) {
+    return std::abs(tables_[belt_slot].reading(row_a, bore_field) - shaft) < 1e-6;
+  };
+  if (slot_a != belt_slot) return true;
+  if (reduction_.is(slot_b)) return bore_is(reduction_.shaft(row_b));
+  return reduction_.slot().has_value() || bore_is(motors_->motors().pairs[row_b].shaft);
 }
 
 template BeltDrive<double> BeltDriveStage::design(const Selection<double>&) const;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A belt drive as a stage of the solver. Slots: belt (with drive pulley and idler), motor (with driver). One variable,
-// the ramp time.
+// A belt drive as a stage of the solver. Slots: belt (with drive pulley and idler), motor (with driver) and, if any
+// is stated, reduction. One variable, the ramp time.
 #pragma once
 
 #include <memory>
@@ -30,16 +30,17 @@ class BeltDriveStage final : public ElementStage<BeltDriveStage> {
                           std::size_t slot_b,
                           solver::Row row_b) const override;
   [[nodiscard]] const MotorSet& motors() const { return *motors_; }
-  [[nodiscard]] const machine::BeltDriveData& data() const { return data_; }
+  [[nodiscard]] const machine::GearedDriveData& data() const { return data_; }
 
   enum SlotIndex : std::size_t { belt_slot, motor_slot };
 
  private:
-  machine::BeltDriveData data_;
+  machine::GearedDriveData data_;
   AxisPlace place_;
   double drives_ = 1.0;
   double load_share_ = 1.0;  ///< of mass and forces, on the drive that is looked at
   machine::Range acceleration_time_;
+  ReductionSlot reduction_;
   std::unique_ptr<MotorSet> motors_;
 };
 

@@ -29,7 +29,10 @@ std::vector<std::string> slots_of(const SlotTable& table) {
   return result;
 }
 
-bool is_part(const catalogue::Table& table, const PartUse& use, const BomLine& line) {
+bool is_part(const catalogue::Catalogue& catalogue, const PartUse& use, const BomLine& line) {
+  if (!use.stated.empty())
+    return use.stated == line.part_number && (line.manufacturer.empty() || line.manufacturer == "generic");
+  const catalogue::Table& table = catalogue.table(use.family);
   return table.part_number(use.row) == line.part_number &&
          (line.manufacturer.empty() || table.manufacturer(use.row) == line.manufacturer);
 }
@@ -79,15 +82,17 @@ class Holder {
       const auto& parts = table.candidate(row).parts;
       bool matches = true;
       for (std::size_t i = 0; i < parts.size() && matches; ++i)
-        matches = given[i] == nullptr || is_part(model_.catalogue().table(parts[i].family), parts[i], *given[i]);
+        matches = given[i] == nullptr || is_part(model_.catalogue(), parts[i], *given[i]);
       if (matches) rows.push_back(row);
     }
     if (rows.empty())
       report_no_candidate(entry, table, given);
     else
       report_too_little(entry, table.candidate(rows.front()), given);
+    // The only one that the problem states needs no line.
+    const bool only = table.rows() == 1 && !table.candidate(0).parts.front().stated.empty();
     held.allowed.push_back(std::move(rows));
-    held.named.push_back(all);
+    held.named.push_back(all || only);
   }
 
   /// Fewer or shorter pieces than the axis needs would be another machine than the one that is checked.
@@ -125,6 +130,15 @@ class Holder {
       result_.problems.push_back({lines_.empty() ? machine::SourceSpan{} : lines_.back()->where,
                                   fmt::format("no catalogue row can be the {} of axis '{}'", table.name(), entry.axis),
                                   "add a catalogue that has one, or ask less of it"});
+      return;
+    }
+    if (table.rows() > 0 && !table.candidate(0).parts.front().stated.empty()) {
+      std::vector<std::string> names;
+      for (solver::Row row = 0; row < table.rows(); ++row) names.push_back(table.candidate(row).parts.front().stated);
+      result_.problems.push_back(
+          {given.front()->where,
+           fmt::format("axis '{}' states no {} '{}'", entry.axis, table.name(), given.front()->part_number),
+           fmt::format("stated: {}", fmt::join(names, ", "))});
       return;
     }
     for (const BomLine* line : given) {

@@ -126,19 +126,26 @@ constexpr auto constraints_of() {
   };
 }
 
-PartLine part_line(const catalogue::Table& table, const PartUse& use, const std::string& axis, const Design& design) {
+PartLine part_line(const MachineModel& model, const PartUse& use, const std::string& axis, const Design& design) {
   PartLine line;
   line.axis = axis;
   line.slot = use.slot;
-  line.family = catalogue::declaration(use.family).name;
-  line.manufacturer = table.manufacturer(use.row);
-  line.part_number = table.part_number(use.row);
   line.quantity = use.quantity;
   line.length = use.length;
   line.price = use.price;
   line.unit_price = use.price / use.quantity;
   line.currency = design.currency;
   line.mass = use.mass;
+  if (!use.stated.empty()) {
+    line.manufacturer = use.is_named() ? "generic" : "";
+    line.part_number = use.stated;
+    line.price_basis = "stated in the problem";
+    return line;
+  }
+  const catalogue::Table& table = model.catalogue().table(use.family);
+  line.family = catalogue::declaration(use.family).name;
+  line.manufacturer = table.manufacturer(use.row);
+  line.part_number = table.part_number(use.row);
   const auto where = table.where(use.row);
   line.where = where.text ? where.text->path() + ":" + std::to_string(where.line) : std::string();
   line.price_basis = table.text(catalogue::column(use.family, "price_basis"), use.row);
@@ -154,8 +161,7 @@ void add_parts(const MachineModel& model,
   const auto& tables = entry.tables();
   for (std::size_t slot = 0; slot < tables.size(); ++slot) {
     const Candidate& candidate = tables[slot].candidate(rows[slot]);
-    for (const PartUse& use : candidate.parts)
-      design.parts.push_back(part_line(model.catalogue().table(use.family), use, entry.axis, design));
+    for (const PartUse& use : candidate.parts) design.parts.push_back(part_line(model, use, entry.axis, design));
     design.cost += candidate.price;
     design.mass += candidate.mass;
   }
@@ -172,7 +178,7 @@ void add_custom_member(const MachineModel& model,
   design.mass += member.mass;
   design.cost += price;
   if (!found || found.rows.empty()) return;
-  design.parts.push_back(part_line(materials,
+  design.parts.push_back(part_line(model,
                                    {.slot = member.data->member.name,
                                     .family = catalogue::Family::materials,
                                     .row = found.rows.front(),
@@ -189,24 +195,6 @@ std::size_t drives_of(const machine::Problem& problem, const std::string& axis) 
   for (const machine::Axis& each : problem.axes)
     if (each.name == axis) return static_cast<std::size_t>(each.mechanism.drives);
   return 0;
-}
-
-/// A reduction is not chosen from a catalogue: price and mass are those that the problem states.
-void add_reduction(const StageEntry& entry, const StatedReduction& reduction, Design& design) {
-  if (reduction.count == 0.0) return;
-  design.cost += reduction.all_price();
-  design.mass += reduction.all_mass();
-  PartLine line;
-  line.axis = entry.axis;
-  line.slot = "reduction";
-  line.part_number = "as the problem states it";
-  line.quantity = reduction.count;
-  line.price = reduction.all_price();
-  line.unit_price = reduction.price;
-  line.currency = design.currency;
-  line.mass = reduction.all_mass();
-  line.price_basis = "stated in the problem";
-  design.parts.push_back(std::move(line));
 }
 
 /// Marks a motor, and the torque checks, whose torque at speed is the winding model's and not a published curve's.
@@ -270,7 +258,6 @@ Design MachineModel::design(const solver::Build& build) const {
     std::visit(
         [&](const auto& stage) {
           if constexpr (requires { stage->motors(); }) mark_estimated_torque(*stage, choice, voltage, design);
-          if constexpr (requires { stage->reduction(); }) add_reduction(entry, stage->reduction(), design);
         },
         entry.stage);
     const auto variables = entry.as_stage().variables();

@@ -17,6 +17,7 @@
 #include "evaluation/guide_stage.h"
 #include "evaluation/ledger.h"
 #include "evaluation/member_stage.h"
+#include "evaluation/rack_drive_stage.h"
 #include "evaluation/rotary_drive_stage.h"
 #include "evaluation/screw_drive_stage.h"
 #include "evaluation/supply_stage.h"

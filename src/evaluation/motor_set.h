@@ -67,6 +67,16 @@ class MotorSet {
   }
 
   template <class T>
+  [[nodiscard]] T shaft(std::span<const solver::Row> alive) const {
+    return hull_of<T>(alive, [&](solver::Row row) { return motors_.pairs[row].shaft; });
+  }
+  /// Of one motor [kg]; what stands of a pair of motor and driver is the motor: the driver is in its cabinet.
+  template <class T>
+  [[nodiscard]] T mass(std::span<const solver::Row> alive) const {
+    return hull_of<T>(alive, [&](solver::Row row) { return motors_.table.candidate(row).standing_mass; });
+  }
+
+  template <class T>
   [[nodiscard]] T torque(std::span<const solver::Row> alive, std::size_t voltage, const T& angular_speed) const {
     if (alive.size() == 1) return available_torque<T>(motors_.pairs[alive.front()], voltage, angular_speed);
     if constexpr (std::is_same_v<T, scalar::Interval>) {

@@ -7,34 +7,13 @@ namespace millwright::evaluation {
 
 using machine::RackDrive;
 
-machine::GearedDriveData geared_drive_data(const machine::Axis& axis) {
-  const bool rack = axis.mechanism.kind == machine::MechanismKind::rack;
-  return {.motion = drive_motion_of(axis),
-          .require = axis.require,
-          .stroke = axis.stroke,
-          .microsteps = axis.motor.microsteps,
-          .brake_torque = axis.motor.brake_torque,
-          .efficiency = rack ? axis.mechanism.rack_efficiency : 1.0,
-          .backlash = rack ? axis.mechanism.backlash : 0.0,
-          .vertical = gravity_acts(axis),
-          .motor_rides = rack && axis.mechanism.motor_rides,
-          .moved_share = axis.mechanism.load_share * axis.mechanism.drives,
-          .reduction = axis.mechanism.reduction.value_or(machine::Reduction{})};
-}
-
-StatedReduction stated_reduction(const machine::Axis& axis, const PriceBook& prices) {
-  if (!axis.mechanism.reduction) return {};
-  const machine::Reduction& r = *axis.mechanism.reduction;
-  return {r.price > 0.0 ? r.price * prices.rate(r.currency) : 0.0, r.mass, axis.mechanism.drives};
-}
-
 namespace {
 
 constexpr std::size_t rack_module = 0, rack_angle = 1;
 constexpr std::size_t pinion_module = 0, pinion_angle = 1, pinion_teeth = 2, pinion_bore = 4;
 
 /// Edges of the ranges of the torque table, from the slowest move on the largest pinion to the fastest on the smallest.
-std::vector<double> speed_edges(const machine::Axis& axis, const SlotTable& pinions, double ratio) {
+std::vector<double> speed_edges(const machine::Axis& axis, const SlotTable& pinions, const ReductionSlot& reduction) {
   double smallest = scalar::rounding::infinity, largest = 0.0;
   for (std::size_t row = 0; row < pinions.rows(); ++row) {
     const double radius = 0.5 * pinions.reading(row, pinion_module) * pinions.reading(row, pinion_teeth);
@@ -43,7 +22,8 @@ std::vector<double> speed_edges(const machine::Axis& axis, const SlotTable& pini
   }
   if (pinions.rows() == 0) return {0.0, 1.0};
   const auto [slow, fast] = constant_speed_range(axis);
-  return log_spaced(0.999 * slow * ratio / largest, 1.001 * fast * ratio / smallest);
+  return log_spaced(0.999 * slow * reduction.least_ratio() / largest,
+                    1.001 * fast * reduction.largest_ratio() / smallest);
 }
 
 bool same(double a, double b) { return std::abs(a - b) < 1e-9; }
@@ -59,7 +39,7 @@ RackDriveStage::RackDriveStage(const machine::Axis& axis,
       place_(place),
       drives_(axis.mechanism.drives),
       load_share_(axis.mechanism.load_share),
-      reduction_(stated_reduction(axis, prices)),
+      reduction_(axis, prices),
       acceleration_time_(axis.acceleration_time) {
   name_ = axis.name + ".drive";
   tables_.push_back(rack_table(catalogue, axis, prices));
@@ -67,8 +47,9 @@ RackDriveStage::RackDriveStage(const machine::Axis& axis,
   motors_ = std::make_unique<MotorSet>(motor_table(catalogue, axis, voltages, prices),
                                        axis.require,
                                        voltages.size(),
-                                       speed_edges(axis, tables_[pinion_slot], data_.reduction.ratio));
+                                       speed_edges(axis, tables_[pinion_slot], reduction_));
   tables_.push_back(motors_->motors().table);
+  reduction_.add_to(tables_);
   for (SlotTable& table : tables_) table.multiply(drives_);
   finish_slots();
   if (!acceleration_time_.fixed())
@@ -90,10 +71,9 @@ RackDrive<T> RackDriveStage::design(const Selection<T>& s) const {
   visit_pinion_reading(d.pinion, [&](T& x) { x = read(pinion_slot, field++); });
   const std::size_t voltage = s.shared.empty() ? 0 : s.shared.front();
   d.motor = motors_->template reading<T>(s.rows[motor_slot], voltage);
-  d.motor_shaft = hull_of<T>(s.rows[motor_slot], [&](solver::Row row) { return motors_->motors().pairs[row].shaft; });
-  // What stands of a pair of motor and driver is the motor: the driver is in its cabinet.
-  d.motor_mass = hull_of<T>(s.rows[motor_slot],
-                            [&](solver::Row row) { return motors_->motors().table.candidate(row).standing_mass; });
+  d.motor_shaft = motors_->template shaft<T>(s.rows[motor_slot]);
+  d.motor_mass = motors_->template mass<T>(s.rows[motor_slot]);
+  d.reduction = reduction_.reading<T>(s.rows);
   d.available_torque = [this, rows = s.rows[motor_slot], voltage](const T& omega) {
     return motors_->template torque<T>(rows, voltage, omega);
   };
@@ -108,15 +88,15 @@ template <class T>
 void RackDriveStage::answer(const Selection<T>& s, solver::Answer<T>& out) const {
   const RackDrive<T> d = design(s);
   machine::rack_drive_constraints(UtilisationVisitor<T, RackDrive<T>>(d, out.utilisation));
-  out.resources[cost_resource] = total<T>(s, [](const Candidate& c) { return c.price; }) + reduction_.all_price();
-  out.resources[mass_resource] = total<T>(s, [](const Candidate& c) { return c.mass; }) + reduction_.all_mass();
+  out.resources[cost_resource] = total<T>(s, [](const Candidate& c) { return c.price; });
+  out.resources[mass_resource] = total<T>(s, [](const Candidate& c) { return c.mass; });
   add_compliance(place_, d, out);
   out.handed_on[power_state] = s.inherited[power_state] + (drives_ == 1.0 ? d.input_power : drives_ * d.input_power);
   out.handed_on[place_.load_state] = T(0.0);
   if (place_.parent_load_state)
     out.handed_on[*place_.parent_load_state] =
         s.inherited[*place_.parent_load_state] + s.inherited[place_.load_state] +
-        total<T>(s, [](const Candidate& c) { return c.riding_mass + c.standing_mass; }) + reduction_.all_mass();
+        total<T>(s, [](const Candidate& c) { return c.riding_mass + c.standing_mass; });
 }
 
 bool RackDriveStage::fits(
@@ -126,7 +106,9 @@ bool RackDriveStage::fits(
   if (slot_a == rack_slot && slot_b == pinion_slot)
     return same(tables_[rack_slot].reading(row_a, rack_module), pinions.reading(row_b, pinion_module)) &&
            same(tables_[rack_slot].reading(row_a, rack_angle), pinions.reading(row_b, pinion_angle));
-  if (slot_a == pinion_slot && slot_b == motor_slot && data_.reduction.shaft <= 0.0)
+  if (slot_a == pinion_slot && reduction_.is(slot_b))
+    return same(pinions.reading(row_a, pinion_bore), reduction_.shaft(row_b));
+  if (slot_a == pinion_slot && slot_b == motor_slot && !reduction_.slot())
     return same(pinions.reading(row_a, pinion_bore), motors_->motors().pairs[row_b].shaft);
   return true;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A rack drive as a stage of the solver. Slots: rack, pinion, motor (with driver). One variable, the ramp time, if it
-// is not fixed. A reduction is stated in the problem: its price and mass are added to every build.
+// A rack drive as a stage of the solver. Slots: rack, pinion, motor (with driver) and, if any is stated, reduction.
+// One variable, the ramp time, if it is not fixed.
 #pragma once
 
 #include <memory>
@@ -10,19 +10,6 @@
 #include "machine/rack_drive_constraints.h"
 
 namespace millwright::evaluation {
-
-/// What a drive with a stated reduction is judged by, of an axis with rack and pinion or a rotary table.
-machine::GearedDriveData geared_drive_data(const machine::Axis& axis);
-
-/// The reduction that an axis states, as a line of the build: price in the problem's currency and mass, 0 without one.
-struct StatedReduction {
-  double price = 0.0;  ///< of one
-  double mass = 0.0;   ///< of one
-  double count = 0.0;  ///< one for each drive
-  [[nodiscard]] double all_price() const { return count * price; }
-  [[nodiscard]] double all_mass() const { return count * mass; }
-};
-StatedReduction stated_reduction(const machine::Axis& axis, const PriceBook& prices);
 
 class RackDriveStage final : public ElementStage<RackDriveStage> {
  public:
@@ -44,7 +31,6 @@ class RackDriveStage final : public ElementStage<RackDriveStage> {
                           solver::Row row_b) const override;
   [[nodiscard]] const MotorSet& motors() const { return *motors_; }
   [[nodiscard]] const machine::GearedDriveData& data() const { return data_; }
-  [[nodiscard]] const StatedReduction& reduction() const { return reduction_; }
 
   enum SlotIndex : std::size_t { rack_slot, pinion_slot, motor_slot };
 
@@ -53,7 +39,7 @@ class RackDriveStage final : public ElementStage<RackDriveStage> {
   AxisPlace place_;
   double drives_ = 1.0;
   double load_share_ = 1.0;  ///< of mass and forces, on the drive that is looked at
-  StatedReduction reduction_;
+  ReductionSlot reduction_;
   machine::Range acceleration_time_;
   std::unique_ptr<MotorSet> motors_;
 };

@@ -13,16 +13,17 @@ RotaryDriveStage::RotaryDriveStage(const machine::Axis& axis,
     : data_(geared_drive_data(axis)),
       inertia_(axis.inertia),
       place_(place),
-      reduction_(stated_reduction(axis, prices)),
+      reduction_(axis, prices),
       acceleration_time_(axis.acceleration_time) {
   name_ = axis.name + ".drive";
   const auto [slow, fast] = constant_speed_range(axis);
-  const double ratio = data_.reduction.ratio;
-  motors_ = std::make_unique<MotorSet>(motor_table(catalogue, axis, voltages, prices),
-                                       axis.require,
-                                       voltages.size(),
-                                       log_spaced(0.999 * slow * ratio, 1.001 * fast * ratio));
+  motors_ = std::make_unique<MotorSet>(
+      motor_table(catalogue, axis, voltages, prices),
+      axis.require,
+      voltages.size(),
+      log_spaced(0.999 * slow * reduction_.least_ratio(), 1.001 * fast * reduction_.largest_ratio()));
   tables_.push_back(motors_->motors().table);
+  reduction_.add_to(tables_);
   finish_slots();
   if (!acceleration_time_.fixed())
     variables_.push_back({"acceleration_time", acceleration_time_.lower, acceleration_time_.upper});
@@ -39,6 +40,7 @@ RotaryDrive<T> RotaryDriveStage::design(const Selection<T>& s) const {
   d.available_torque = [this, rows = s.rows[motor_slot], voltage](const T& omega) {
     return motors_->template torque<T>(rows, voltage, omega);
   };
+  d.reduction = reduction_.reading<T>(s.rows);
   d.table_inertia = T(inertia_);
   d.acceleration_time = variables_.empty() ? T(acceleration_time_.lower) : s.variables[0];
   d.derive();
@@ -49,14 +51,14 @@ template <class T>
 void RotaryDriveStage::answer(const Selection<T>& s, solver::Answer<T>& out) const {
   const RotaryDrive<T> d = design(s);
   machine::rotary_drive_constraints(UtilisationVisitor<T, RotaryDrive<T>>(d, out.utilisation));
-  out.resources[cost_resource] = total<T>(s, [](const Candidate& c) { return c.price; }) + reduction_.all_price();
-  out.resources[mass_resource] = total<T>(s, [](const Candidate& c) { return c.mass; }) + reduction_.all_mass();
+  out.resources[cost_resource] = total<T>(s, [](const Candidate& c) { return c.price; });
+  out.resources[mass_resource] = total<T>(s, [](const Candidate& c) { return c.mass; });
   out.handed_on[power_state] = s.inherited[power_state] + d.input_power;
   out.handed_on[place_.load_state] = T(0.0);
   if (place_.parent_load_state)
     out.handed_on[*place_.parent_load_state] =
         s.inherited[*place_.parent_load_state] + s.inherited[place_.load_state] +
-        total<T>(s, [](const Candidate& c) { return c.riding_mass + c.standing_mass; }) + reduction_.all_mass();
+        total<T>(s, [](const Candidate& c) { return c.riding_mass + c.standing_mass; });
 }
 
 template RotaryDrive<double> RotaryDriveStage::design(const Selection<double>&) const;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A rotary table as a stage of the solver. One slot: motor (with driver). One variable, the ramp time, if it is not
-// fixed. It turns the inertia that the problem states; its mass and that of its motor burden its parent.
+// A rotary table as a stage of the solver. Slots: motor (with driver) and, if any is stated, reduction. One variable,
+// the ramp time, if it is not fixed. It turns the inertia that the problem states; its mass and that of its motor
+// burden its parent.
 #pragma once
 
 #include <memory>
 
-#include "evaluation/rack_drive_stage.h"
+#include "evaluation/screw_drive_stage.h"
 #include "machine/rotary_drive_constraints.h"
 
 namespace millwright::evaluation {
@@ -26,7 +27,6 @@ class RotaryDriveStage final : public ElementStage<RotaryDriveStage> {
 
   [[nodiscard]] const MotorSet& motors() const { return *motors_; }
   [[nodiscard]] const machine::GearedDriveData& data() const { return data_; }
-  [[nodiscard]] const StatedReduction& reduction() const { return reduction_; }
 
   enum SlotIndex : std::size_t { motor_slot };
 
@@ -34,7 +34,7 @@ class RotaryDriveStage final : public ElementStage<RotaryDriveStage> {
   machine::GearedDriveData data_;
   double inertia_ = 0.0;
   AxisPlace place_;
-  StatedReduction reduction_;
+  ReductionSlot reduction_;
   machine::Range acceleration_time_;
   std::unique_ptr<MotorSet> motors_;
 };

@@ -27,6 +27,24 @@ machine::MotionData drive_motion_of(const machine::Axis& axis) {
   return motion;
 }
 
+machine::GearedDriveData geared_drive_data(const machine::Axis& axis) {
+  const machine::Mechanism& mechanism = axis.mechanism;
+  const bool rack = mechanism.kind == machine::MechanismKind::rack;
+  const bool belt = mechanism.kind == machine::MechanismKind::belt;
+  return {.motion = drive_motion_of(axis),
+          .require = axis.require,
+          .stroke = axis.stroke,
+          .microsteps = axis.motor.microsteps,
+          .brake_torque = axis.motor.brake_torque,
+          .efficiency = rack   ? mechanism.rack_efficiency
+                        : belt ? mechanism.belt_efficiency
+                               : 1.0,
+          .backlash = rack ? mechanism.backlash : 0.0,
+          .vertical = gravity_acts(axis),
+          .motor_rides = rack && mechanism.motor_rides,
+          .moved_share = mechanism.load_share * mechanism.drives};
+}
+
 bool gravity_acts(const machine::Axis& axis) { return std::sin(axis.inclination) > 1e-9; }
 
 std::pair<double, double> constant_speed_range(const machine::Axis& axis) {
@@ -51,7 +69,7 @@ std::vector<double> log_spaced(double from, double to) {
 namespace {
 
 /// Edges of the ranges of the torque table, from the slowest move on the longest lead to the fastest on the shortest.
-std::vector<double> speed_edges(const machine::Axis& axis, const ScrewTable& screws) {
+std::vector<double> speed_edges(const machine::Axis& axis, const ScrewTable& screws, const ReductionSlot& reduction) {
   double longest = 0.0, shortest = scalar::rounding::infinity;
   for (const auto& f : screws.figures) {
     longest = std::max(longest, f.lead);
@@ -60,7 +78,8 @@ std::vector<double> speed_edges(const machine::Axis& axis, const ScrewTable& scr
   if (screws.figures.empty()) return {0.0, 1.0};
   const auto [slow, fast] = constant_speed_range(axis);
   constexpr double turn = 2.0 * 3.14159265358979323846;
-  return log_spaced(0.999 * slow * turn / longest, 1.001 * fast * turn / shortest);
+  return log_spaced(0.999 * slow * turn / longest * reduction.least_ratio(),
+                    1.001 * fast * turn / shortest * reduction.largest_ratio());
 }
 
 }  // namespace
@@ -79,25 +98,35 @@ ScrewDriveStage::ScrewDriveStage(const machine::Axis& axis,
             .free_end = axis.mechanism.ends == machine::Ends::fixed_free,
             .both_ends_fixed = axis.mechanism.ends == machine::Ends::fixed_fixed,
             .preloaded = axis.mechanism.preload_fraction > 0.0,
-            .preload_fraction = axis.mechanism.preload_fraction},
+            .preload_fraction = axis.mechanism.preload_fraction,
+            .has_coupling = machine::has_coupling(axis.mechanism),
+            .nut_rotates = axis.mechanism.nut_rotates,
+            .nut_inertia = axis.mechanism.nut_inertia,
+            .moved_share = axis.mechanism.load_share * axis.mechanism.drives},
       place_(place),
       drives_(axis.mechanism.drives),
       load_share_(axis.mechanism.load_share),
       acceleration_time_(axis.acceleration_time),
       screws_(screw_table(catalogue, axis, prices)),
-      has_free_support_(axis.mechanism.ends != machine::Ends::fixed_free) {
+      reduction_(axis, prices) {
   name_ = axis.name + ".drive";
   const bool stiffness = stiffness_matters(axis);
-  motors_ = std::make_unique<MotorSet>(
-      motor_table(catalogue, axis, voltages, prices), axis.require, voltages.size(), speed_edges(axis, screws_));
+  motors_ = std::make_unique<MotorSet>(motor_table(catalogue, axis, voltages, prices),
+                                       axis.require,
+                                       voltages.size(),
+                                       speed_edges(axis, screws_, reduction_));
   tables_.push_back(screws_.table);
   tables_.push_back(motors_->motors().table);
-  tables_.push_back(coupling_table(catalogue, prices));
+  const auto add = [&](SlotTable table) {
+    tables_.push_back(std::move(table));
+    return tables_.size() - 1;
+  };
+  if (data_.has_coupling) coupling_slot_ = add(coupling_table(catalogue, prices));
   const bool thrust = axis.mechanism.ends != machine::Ends::supported_supported;
-  tables_.push_back(support_table(catalogue, prices, "support_fixed", thrust, stiffness));
-  if (has_free_support_)
-    tables_.push_back(
-        support_table(catalogue, prices, "support_free", axis.mechanism.ends == machine::Ends::fixed_fixed, stiffness));
+  fixed_slot_ = add(support_table(catalogue, prices, "support_fixed", thrust, stiffness));
+  if (!data_.free_end)
+    free_slot_ = add(support_table(catalogue, prices, "support_free", data_.both_ends_fixed, stiffness));
+  reduction_.add_to(tables_);
   for (SlotTable& table : tables_) table.multiply(drives_);
   finish_slots();
   if (!acceleration_time_.fixed())
@@ -123,32 +152,27 @@ ScrewDrive<T> ScrewDriveStage::design(const Selection<T>& s) const {
     visit_shown_screw_reading(d.screw, [&](T& x) { x = read(screw_slot, field++); });
   const std::size_t voltage = s.shared.empty() ? 0 : s.shared.front();
   d.motor = motors_->template reading<T>(s.rows[motor_slot], voltage);
-  d.motor_shaft = hull_of<T>(s.rows[motor_slot], [&](solver::Row row) { return motors_->motors().pairs[row].shaft; });
+  d.motor_shaft = motors_->template shaft<T>(s.rows[motor_slot]);
   d.available_torque = [this, rows = s.rows[motor_slot], voltage](const T& omega) {
     return motors_->template torque<T>(rows, voltage, omega);
   };
-  d.coupling = {read(coupling_slot, 0),
-                read(coupling_slot, 1),
-                read(coupling_slot, 2),
-                read(coupling_slot, 3),
-                read(coupling_slot, 4),
-                read(coupling_slot, 5),
-                T{},
-                T{},
-                T{}};
-  if (machine::wants_everything<T>(data_.require)) {
-    d.coupling.parallel_misalignment = read(coupling_slot, 6);
-    d.coupling.angular_misalignment = read(coupling_slot, 7);
-    d.coupling.axial_misalignment = read(coupling_slot, 8);
+  d.motor_mass = motors_->template mass<T>(s.rows[motor_slot]);
+  d.reduction = reduction_.reading<T>(s.rows);
+  if (coupling_slot_) {
+    const auto coupling = [&](std::size_t figure) { return read(*coupling_slot_, figure); };
+    d.coupling = {coupling(0), coupling(1), coupling(2), coupling(3), coupling(4), coupling(5), T{}, T{}, T{}};
+    if (machine::wants_everything<T>(data_.require)) {
+      d.coupling.parallel_misalignment = coupling(6);
+      d.coupling.angular_misalignment = coupling(7);
+      d.coupling.axial_misalignment = coupling(8);
+    }
   }
-  d.support_fixed = {
-      read(fixed_slot, 0), read(fixed_slot, 1), read(fixed_slot, 2), read(fixed_slot, 3), read(fixed_slot, 4)};
-  d.support_free = has_free_support_
-                       ? machine::SupportReading<T>{read(free_slot, 0),
-                                                    read(free_slot, 1),
-                                                    read(free_slot, 2),
-                                                    read(free_slot, 3),
-                                                    read(free_slot, 4)}
+  const auto support = [&](std::size_t slot) {
+    return machine::SupportReading<T>{read(slot, 0), read(slot, 1), read(slot, 2), read(slot, 3), read(slot, 4)};
+  };
+  d.support_fixed = support(fixed_slot_);
+  d.support_free = free_slot_
+                       ? support(*free_slot_)
                        : machine::SupportReading<T>{T(0.0), T(0.0), T(0.0), d.support_fixed.largest_speed, T(0.0)};
   d.carried_mass = s.inherited[place_.load_state];
   if (load_share_ != 1.0) d.carried_mass = load_share_ * d.carried_mass;
@@ -172,26 +196,34 @@ void ScrewDriveStage::answer(const Selection<T>& s, solver::Answer<T>& out) cons
         total<T>(s, [](const Candidate& c) { return c.riding_mass + c.standing_mass; });
 }
 
+namespace {
+constexpr double margin = 1.0 + 1e-12;  // the constraint itself decides on the last bit
+}
+
+bool ScrewDriveStage::coupling_fits(double shaft, solver::Row coupling) const {
+  const SlotTable& couplings = tables_[*coupling_slot_];
+  return shaft <= couplings.reading(coupling, 5) * margin && couplings.reading(coupling, 4) <= shaft * margin;
+}
+
+bool ScrewDriveStage::free_support_fits(solver::Row screw, solver::Row support) const {
+  const machine::ScrewFigures<double>& figures = screws_.figures[screw];
+  const double bore = tables_[*free_slot_].reading(support, 0);
+  const bool clamps = tables_[*free_slot_].reading(support, 4) > 0.0 && bore / figures.nominal_diameter <= margin &&
+                      figures.nominal_diameter / bore <= margin;
+  return clamps || bore <= figures.root_diameter * margin;
+}
+
 bool ScrewDriveStage::fits(
     std::span<const solver::Row>, std::size_t slot_a, solver::Row row_a, std::size_t slot_b, solver::Row row_b) const {
   if (slot_a > slot_b) return fits({}, slot_b, row_b, slot_a, row_a);
-  const double margin = 1.0 + 1e-12;  // the constraint itself decides on the last bit
-  const auto screw = [&](solver::Row row) -> const machine::ScrewFigures<double>& { return screws_.figures[row]; };
-  if (slot_a == screw_slot && slot_b == fixed_slot)
-    return tables_[fixed_slot].reading(row_b, 0) <= screw(row_a).root_diameter * margin;
-  if (slot_a == screw_slot && slot_b == free_slot) {
-    const double bore = tables_[free_slot].reading(row_b, 0);
-    const bool clamps = tables_[free_slot].reading(row_b, 4) > 0.0 && bore / screw(row_a).nominal_diameter <= margin &&
-                        screw(row_a).nominal_diameter / bore <= margin;
-    return clamps || bore <= screw(row_a).root_diameter * margin;
-  }
-  if (slot_a == motor_slot && slot_b == coupling_slot) {
-    const double shaft = motors_->motors().pairs[row_a].shaft;
-    return shaft <= tables_[coupling_slot].reading(row_b, 5) * margin &&
-           tables_[coupling_slot].reading(row_b, 4) <= shaft * margin;
-  }
-  if (slot_a == coupling_slot && slot_b == fixed_slot)
-    return tables_[coupling_slot].reading(row_a, 4) <= tables_[fixed_slot].reading(row_b, 0) * margin;
+  if (slot_a == screw_slot && slot_b == fixed_slot_)
+    return tables_[fixed_slot_].reading(row_b, 0) <= screws_.figures[row_a].root_diameter * margin;
+  if (slot_a == screw_slot && slot_b == free_slot_) return free_support_fits(row_a, row_b);
+  if (slot_a == motor_slot && slot_b == coupling_slot_ && !reduction_.slot())
+    return coupling_fits(motors_->motors().pairs[row_a].shaft, row_b);
+  if (slot_a == coupling_slot_ && slot_b == fixed_slot_)
+    return tables_[*coupling_slot_].reading(row_a, 4) <= tables_[fixed_slot_].reading(row_b, 0) * margin;
+  if (slot_a == coupling_slot_ && reduction_.is(slot_b)) return coupling_fits(reduction_.shaft(row_b), row_a);
   return true;
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A screw drive as a stage of the solver. Slots: screw (with its nut), motor (with its driver), coupling, support_fixed
-// and, unless the far end is free, support_free. One variable, the ramp time, if it is not fixed.
+// A screw drive as a stage of the solver. Slots: screw (with its nut), motor (with its driver), coupling,
+// support_fixed, support_free and reduction, as far as the axis has them. One variable, the ramp time, if it is not
+// fixed.
 #pragma once
 
 #include <memory>
@@ -9,6 +10,8 @@
 #include "evaluation/element_stage.h"
 #include "evaluation/motor_set.h"
 #include "evaluation/price_book.h"
+#include "evaluation/reduction_slot.h"
+#include "machine/geared_drive.h"
 #include "machine/screw_drive_constraints.h"
 #include "machine/tool_chain.h"
 
@@ -37,6 +40,8 @@ machine::MotionData motion_of(const machine::Axis& axis);
 /// The same for the most loaded of the axis's drives: its share of the forces.
 machine::MotionData drive_motion_of(const machine::Axis& axis);
 bool gravity_acts(const machine::Axis& axis);
+/// What a belt, rack or rotary drive is judged by.
+machine::GearedDriveData geared_drive_data(const machine::Axis& axis);
 /// Slowest and fastest constant speed of the axis's moves over its ramp times [m/s].
 std::pair<double, double> constant_speed_range(const machine::Axis& axis);
 /// Edges of equal ratio between two positive numbers.
@@ -63,17 +68,22 @@ class ScrewDriveStage final : public ElementStage<ScrewDriveStage> {
   [[nodiscard]] const MotorSet& motors() const { return *motors_; }
   [[nodiscard]] const machine::ScrewDriveData& data() const { return data_; }
 
-  enum SlotIndex : std::size_t { screw_slot, motor_slot, coupling_slot, fixed_slot, free_slot };
+  enum SlotIndex : std::size_t { screw_slot, motor_slot };
 
  private:
+  [[nodiscard]] bool coupling_fits(double shaft, solver::Row coupling) const;
+  [[nodiscard]] bool free_support_fits(solver::Row screw, solver::Row support) const;
+
   machine::ScrewDriveData data_;
   AxisPlace place_;
   double drives_ = 1.0;
   double load_share_ = 1.0;  ///< of mass and forces, on the drive that is looked at
   machine::Range acceleration_time_;
   ScrewTable screws_;
+  ReductionSlot reduction_;
   std::unique_ptr<MotorSet> motors_;
-  bool has_free_support_ = true;
+  std::optional<std::size_t> coupling_slot_, free_slot_;
+  std::size_t fixed_slot_ = 0;
 };
 
 extern template machine::ScrewDrive<double> ScrewDriveStage::design(const Selection<double>&) const;

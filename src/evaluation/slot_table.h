@@ -26,6 +26,11 @@ struct PartUse {
   double length = 0.0;  ///< m to cut, 0 for whole pieces
   double price = 0.0;   ///< of the line, in the problem's currency
   double mass = 0.0;    ///< kg, of the line
+  /// What the problem itself states is of no catalogue: its name there; empty for everything else.
+  std::string stated = {};
+  [[nodiscard]] bool is_named() const { return stated != unnamed; }
+  /// What stands for the name of the only one there is.
+  static constexpr const char* unnamed = "as the problem states it";
 };
 
 struct Candidate {

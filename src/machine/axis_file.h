@@ -24,6 +24,8 @@ Mechanism read_mechanism(const text::Node& node, const std::string& title, text:
 /// The keys of a rack and of a rotary table in the table of a mechanism.
 void read_rack(text::TableReader& table, Mechanism& mechanism, text::Diagnostics& diagnostics);
 void read_rotary(text::TableReader& table, Mechanism& mechanism, text::Diagnostics& diagnostics);
+/// The reductions of a mechanism whose other keys have been read: one table, or a list of which one is chosen.
+void read_reductions(text::TableReader& table, Mechanism& mechanism, text::Diagnostics& diagnostics);
 /// Whether an [[axis]] says that it turns; its stroke, loads and moves are angles, inertias and torques then.
 bool says_rotary(const text::Node& axis);
 void read_rotary_loads(text::TableReader& table, Axis& axis, text::Diagnostics& diagnostics);

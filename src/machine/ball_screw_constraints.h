@@ -66,8 +66,8 @@ void ball_screw_constraints(Visit&& visit) {
                   .unit = "rpm",
                   .source = "thk_catalogue, A15",
                   .worst = WorstPhase::speed},
-      when_ball,
-      [](const auto& d) { return d.peak_speed; },
+      [](const auto& d) { return d.data->nut_rotates ? Applies::no : d.ball(); },
+      [](const auto& d) { return d.screw_speed; },
       [](const auto& d) { return d.screw.critical_speed; });
   visit(
       Declaration{.id = "C-BS-DN",
@@ -77,7 +77,7 @@ void ball_screw_constraints(Visit&& visit) {
                   .source = "thk_catalogue, A15",
                   .worst = WorstPhase::speed},
       when_ball,
-      [](const auto& d) { return bs::speed_value(d.screw.pitch_circle, d.peak_speed); },
+      [](const auto& d) { return bs::speed_value(d.screw.pitch_circle, d.screw_speed); },
       [](const auto& d) { return d.screw.speed_value_limit; });
   visit(
       Declaration{.id = "C-BS-PREMIN",

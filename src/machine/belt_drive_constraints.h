@@ -6,6 +6,7 @@
 
 #include "machine/belt_drive.h"
 #include "machine/motor_constraints.h"
+#include "machine/reduction_constraints.h"
 #include "machine/spindle_constraints.h"
 
 namespace millwright::machine {
@@ -138,34 +139,38 @@ void belt_constraints(Visit&& visit) {
                   .source = "autodesk_synchronous_belts",
                   .requirement = "motor_radial_load",
                   .worst = WorstPhase::force},
-      [](const auto& d) { return d.data->require.known(motor_radial_load) ? Applies::yes : Applies::no; },
+      [](const auto& d) {
+        // The bearings of a reduction carry it.
+        return d.data->require.known(motor_radial_load) && !d.reduction.present ? Applies::yes : Applies::no;
+      },
       [](const auto& d) { return bt::shaft_load(d.pretension, d.wrap); },
       [](const auto& d) { return d.require(motor_radial_load, dimension::force); });
   visit(
       Declaration{.id = "F-PULLEY-BORE",
-                  .title = "Motor shaft fits the pulley bore",
+                  .title = "Motor or reduction shaft fits the pulley bore",
                   .symbol = "d",
                   .unit = "mm",
                   .kind = ConstraintKind::fit,
                   .source = "millwright_derivations, fits of parts"},
       always,
-      [](const auto& d) { return d.motor_shaft; },
+      [](const auto& d) { return d.output_shaft(); },
       [](const auto& d) { return d.belt.bore; });
   visit(
       Declaration{.id = "F-PULLEY-BORE-MIN",
-                  .title = "Pulley bore is not larger than the motor shaft",
+                  .title = "Pulley bore is not larger than the shaft",
                   .symbol = "d",
                   .unit = "mm",
                   .kind = ConstraintKind::fit,
                   .source = "millwright_derivations, fits of parts"},
       always,
       [](const auto& d) { return d.belt.bore; },
-      [](const auto& d) { return d.motor_shaft; });
+      [](const auto& d) { return d.output_shaft(); });
 }
 
 template <class Visit>
 void belt_drive_constraints(Visit&& visit) {
   belt_constraints(visit);
+  reduction_constraints(visit);
   motor_constraints(visit);
   motor_current_constraints(visit);
   travel_speed_constraint(visit);

@@ -275,9 +275,14 @@ std::vector<std::string> slot_names(const Axis& axis) {
   } else if (axis.mechanism.kind == MechanismKind::rotary) {
     names.insert(names.end(), {"motor", "driver"});
   } else {
-    names.insert(names.end(), {"screw", "nut", "motor", "driver", "coupling", "support_fixed"});
+    names.insert(names.end(), {"screw", "nut", "motor", "driver"});
+    if (has_coupling(axis.mechanism)) names.push_back("coupling");
+    names.push_back("support_fixed");
     if (axis.mechanism.ends != Ends::fixed_free) names.push_back("support_free");
   }
+  // One without a name is stated in the problem and there is no other to choose.
+  const std::vector<Reduction>& reductions = axis.mechanism.reductions;
+  if (!reductions.empty() && !reductions.front().name.empty()) names.push_back("reduction");
   return names;
 }
 

@@ -344,6 +344,18 @@ inline constexpr auto drive_requirements = [] {
        20.0,
        "least frequency of the carriage on its belt",
        "millwright_derivations"},
+      {Requirement::reduction_service_factor,
+       "reduction_service_factor",
+       "1",
+       1.0,
+       "rated torque of a reduction over the largest torque at its output",
+       "millwright_derivations"},
+      {Requirement::rotating_nut_mass_allowance,
+       "rotating_nut_mass_allowance",
+       "kg",
+       5.0,
+       "mass of a nut that turns, its motor and reduction, for which guides and structure are sized",
+       "millwright_derivations"},
   });
 }();
 

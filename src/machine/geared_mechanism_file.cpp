@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Racks, rotary tables and the gear reduction of either, in a problem file.
+// Racks and rotary tables, and the reductions of every kind of drive, in a problem file.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 #include "machine/axis_file.h"
 #include "machine/quantity_reader.h"
 #include "scalar/unit.h"
+#include "text/nearest.h"
 #include "text/number.h"
 #include "text/table_reader.h"
 
@@ -15,6 +16,7 @@ namespace millwright::machine {
 
 using text::Diagnostics;
 using text::Node;
+using text::Presence;
 using text::TableReader;
 
 namespace {
@@ -40,12 +42,42 @@ void read_price(TableReader& table, Reduction& reduction, Diagnostics& diagnosti
                     "write for example \"60 USD\"");
 }
 
-Reduction read_reduction(const Node& node, bool carries_pinion, const std::string& title, Diagnostics& diagnostics) {
+/// What the output shaft of a reduction is for, or why there is none.
+void read_shaft(QuantityReader& q, const Mechanism& mechanism, Reduction& reduction) {
+  const auto of = [&](Presence presence) {
+    reduction.shaft = q.quantity("shaft", "mm", Sign::positive, presence).value_or(0.014);
+  };
+  switch (mechanism.kind) {
+    case MechanismKind::rotary:
+      return q.refuse({"shaft"}, "a table has no pinion that must fit it", "leave it out");
+    case MechanismKind::rack:
+      if (q.required("shaft", "shaft = \"14 mm\", the output shaft that carries the pinion") != nullptr)
+        of(Presence::optional);
+      return;
+    case MechanismKind::belt:
+      if (q.required("shaft", "shaft = \"14 mm\", the output shaft that carries the drive pulley") != nullptr)
+        of(Presence::optional);
+      return;
+    case MechanismKind::screw:
+      break;
+  }
+  if (mechanism.nut_rotates)
+    q.refuse({"shaft"}, "its last wheel sits on the nut that turns", "leave it out");
+  else
+    reduction.shaft = q.quantity("shaft", "mm", Sign::positive).value_or(0.0);
+}
+
+Reduction read_reduction(const Node& node,
+                         const Mechanism& mechanism,
+                         bool one_of_many,
+                         const std::string& title,
+                         Diagnostics& diagnostics) {
   Reduction reduction;
   reduction.where = node.span();
   TableReader table(node, title, diagnostics);
   QuantityReader q(table, diagnostics);
   if (!node.is_table()) return reduction;
+  if (one_of_many || table.has("name")) reduction.name = q.required_text("name", "name = \"3:1 belt\"");
   if (q.required("ratio", "ratio = 5") != nullptr) reduction.ratio = q.quantity_or("ratio", "1", 1.0, Sign::positive);
   if (const Node* ratio = table.find("ratio"); ratio != nullptr && reduction.ratio < 1.0)
     diagnostics.error(ratio->span(),
@@ -55,22 +87,55 @@ Reduction read_reduction(const Node& node, bool carries_pinion, const std::strin
   reduction.inertia = q.quantity_or("inertia", "kg.m2", 0.0);
   reduction.backlash = q.quantity_or("backlash", "deg", 0.0);
   reduction.mass = q.quantity_or("mass", "kg", 0.0);
-  if (!carries_pinion)
-    q.refuse({"shaft"}, "a table has no pinion that must fit it", "leave it out");
-  else if (q.required("shaft", "shaft = \"14 mm\", the output shaft that carries the pinion") != nullptr)
-    reduction.shaft = q.quantity_or("shaft", "mm", 0.014, Sign::positive);
+  reduction.rated_torque = q.quantity("torque", "N.m", Sign::positive);
+  reduction.largest_speed = q.quantity("speed", "rpm", Sign::positive);
+  reduction.stiffness = q.quantity("stiffness", "N.m/rad", Sign::positive);
+  read_shaft(q, mechanism, reduction);
   read_price(table, reduction, diagnostics);
   table.finish();
   return reduction;
 }
 
-void read_reduction_of(
-    TableReader& table, bool carries_pinion, const std::string& title, Mechanism& mechanism, Diagnostics& diagnostics) {
-  if (const Node* node = table.table("reduction"); node != nullptr)
-    mechanism.reduction = read_reduction(*node, carries_pinion, "reduction in the " + title, diagnostics);
+/// What a list of reductions must have in common: each its own name; and on a screw, where an output shaft takes a
+/// coupling that a wheel on the screw does not, all or none of them a shaft.
+void check_list(const std::vector<const Node*>& nodes, const Mechanism& mechanism, Diagnostics& diagnostics) {
+  const std::vector<Reduction>& all = mechanism.reductions;
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    if (!nodes[i]->is_table()) continue;
+    const auto same = std::find_if(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(i), [&](const Reduction& r) {
+      return !r.name.empty() && r.name == all[i].name;
+    });
+    if (same != all.begin() + static_cast<std::ptrdiff_t>(i)) {
+      text::Diagnostic twice;
+      twice.where = nodes[i]->find("name")->span();
+      twice.message = fmt::format("name: two reductions are called {}", text::quoted(all[i].name));
+      twice.hint = "give each its own name: the bill of materials tells them by it";
+      twice.related = nodes[static_cast<std::size_t>(same - all.begin())]->find("name")->span();
+      twice.related_message = "first here";
+      diagnostics.add(std::move(twice));
+    }
+    if (mechanism.kind == MechanismKind::screw && (all[i].shaft > 0.0) != (all.front().shaft > 0.0))
+      diagnostics.error(nodes[i]->span(),
+                        "shaft: one reduction has an output shaft and another has none",
+                        "with a shaft a coupling is chosen, without one the last wheel sits on the screw: list one "
+                        "sort, and try the other in a second problem");
+  }
 }
 
 }  // namespace
+
+void read_reductions(TableReader& table, Mechanism& mechanism, Diagnostics& diagnostics) {
+  const Node* given = table.find("reduction");
+  if (given == nullptr) return;
+  const bool many = given->is_array();
+  const std::vector<const Node*> nodes = table.list("reduction");
+  if (many && nodes.empty())
+    diagnostics.error(given->span(), "reduction: the list is empty", "list reductions, or leave the key out");
+  for (const Node* node : nodes)
+    mechanism.reductions.push_back(
+        read_reduction(*node, mechanism, many, "reduction in the " + table.title(), diagnostics));
+  check_list(nodes, mechanism, diagnostics);
+}
 
 void read_rack(TableReader& table, Mechanism& mechanism, Diagnostics& diagnostics) {
   QuantityReader q(table, diagnostics);
@@ -84,13 +149,11 @@ void read_rack(TableReader& table, Mechanism& mechanism, Diagnostics& diagnostic
              5e-4,
              "a mesh is set to 0.05 mm to 0.2 mm, a pinion pressed on by a spring has none",
              diagnostics);
-  read_reduction_of(table, true, table.title(), mechanism, diagnostics);
 }
 
 void read_rotary(TableReader& table, Mechanism& mechanism, Diagnostics& diagnostics) {
   mechanism.kind = MechanismKind::rotary;
   QuantityReader(table, diagnostics).refuse({"drives", "load_share"}, "a table has one motor", "leave it out");
-  read_reduction_of(table, false, table.title(), mechanism, diagnostics);
 }
 
 bool says_rotary(const Node& axis) {

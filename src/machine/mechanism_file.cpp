@@ -54,6 +54,11 @@ void read_screw(TableReader& table, QuantityReader& q, Mechanism& mechanism, Dia
   mechanism.ball_friction = q.quantity_or("ball_friction", "1", mechanism.ball_friction, Sign::positive);
   mechanism.preload_fraction = q.share_or("preload", 0.0, true);
   mechanism.length = q.quantity("length", "mm", Sign::positive);
+  mechanism.nut_rotates = table.word("rotating", {"screw", "nut"}).value_or("screw") == "nut";
+  if (!mechanism.nut_rotates)
+    q.refuse({"nut_inertia"}, "the screw turns, not its nut", "write rotating = \"nut\", or leave it out");
+  else if (q.required("nut_inertia", "nut_inertia = \"2 kg.cm2\", of the nut with the wheel on it") != nullptr)
+    mechanism.nut_inertia = q.quantity_or("nut_inertia", "kg.m2", 0.0, Sign::positive);
   const Node& node = table.node();
   warn_above(node,
              "thread_friction",
@@ -98,15 +103,15 @@ void refuse_of_others(QuantityReader& q, const std::string& kind) {
               "thread_friction",
               "ball_friction",
               "preload",
-              "length"},
+              "length",
+              "rotating",
+              "nut_inertia"},
              because,
              "this key goes with kind = \"screw\"");
   if (kind != "belt") q.refuse({"profiles", "idler_distance"}, because, "this key goes with kind = \"belt\"");
   if (kind != "rack") q.refuse({"motor_rides", "backlash"}, because, "this key goes with kind = \"rack\"");
   if (kind == "screw" || kind == "rotary")
     q.refuse({"efficiency"}, because, "this key goes with kind = \"belt\" or \"rack\"");
-  if (kind == "screw" || kind == "belt")
-    q.refuse({"reduction"}, because, "this key goes with kind = \"rack\" or \"rotary\"");
 }
 
 /// Without a readable kind, what else is there tells which one was meant.
@@ -155,6 +160,7 @@ Mechanism read_mechanism(const Node& node, const std::string& title, Diagnostics
   } else {
     read_rotary(table, mechanism, diagnostics);
   }
+  read_reductions(table, mechanism, diagnostics);
   table.finish();
   return mechanism;
 }

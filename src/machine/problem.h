@@ -49,15 +49,19 @@ struct Move {
 /// (rad), every force a torque (N.m), and inertias (kg.m2) stand for masses.
 enum class MechanismKind { screw, belt, rack, rotary };
 
-/// A gear reduction between motor and pinion or table, as the problem states it.
+/// A reduction by gear or belt between the motor and what it turns, as the problem states it.
 struct Reduction {
+  std::string name;    ///< on the bill of materials; may be empty where it is the only one
   double ratio = 1.0;  ///< turns of the motor for one of its output
   double efficiency = 1.0;
-  double inertia = 0.0;   ///< kg.m2, at its input
-  double backlash = 0.0;  ///< rad, at its output
-  double mass = 0.0;      ///< kg
-  double shaft = 0.0;     ///< m, diameter of the output shaft that carries the pinion
-  double price = 0.0;     ///< in `currency`
+  double inertia = 0.0;                 ///< kg.m2, at its input
+  double backlash = 0.0;                ///< rad, at its output
+  double mass = 0.0;                    ///< kg
+  double shaft = 0.0;                   ///< m, diameter of the output shaft; 0 where its last wheel sits on the screw
+  std::optional<double> rated_torque;   ///< N.m, at its output
+  std::optional<double> largest_speed;  ///< rad/s, of its input
+  std::optional<double> stiffness;      ///< N.m/rad, at its output; without it counts as stiff
+  double price = 0.0;                   ///< in `currency`
   std::string currency = "USD";
   SourceSpan where;
 };
@@ -78,6 +82,8 @@ struct Mechanism {
   double ball_friction = 0.005;           ///< of the balls, DIN/THK range 0.003 to 0.01
   double preload_fraction = 0.0;          ///< of the dynamic load rating
   std::optional<double> length;           ///< m, supported length if it is given
+  bool nut_rotates = false;               ///< the screw stands; nut and motor move with the axis
+  double nut_inertia = 0.0;               ///< kg.m2, of a nut that turns with the wheel on it
   // belt
   std::vector<std::string> profiles;  ///< belt profiles; empty = all
   double belt_efficiency = 0.95;
@@ -86,8 +92,7 @@ struct Mechanism {
   bool motor_rides = true;        ///< motor and pinion move with the axis and the rack stands; else the other way round
   double rack_efficiency = 0.95;  ///< of the mesh
   double backlash = 1e-4;         ///< m, of the mesh, as it is set
-  // rack and rotary
-  std::optional<Reduction> reduction;
+  std::vector<Reduction> reductions;  ///< of which one is chosen; empty = the motor drives directly
   SourceSpan where;
 };
 
@@ -220,12 +225,13 @@ struct Axis {
 inline bool is_rotary(const Axis& axis) { return axis.mechanism.kind == MechanismKind::rotary; }
 
 /// Mass of what rides of the drives and is chosen after guides and structure, for which these are sized [kg]; each
-/// drive is held to its part (F-NUT-MASS, F-BELT-MASS, F-RACK-RIDING-MASS).
+/// drive is held to its part (F-NUT-MASS, F-NUT-RIDING-MASS, F-BELT-MASS, F-RACK-RIDING-MASS).
 inline double riding_mass_allowance(const Axis& axis) {
   const auto allowance = [&](Requirement each) { return axis.mechanism.drives * axis.require(each); };
   switch (axis.mechanism.kind) {
     case MechanismKind::screw:
-      return allowance(Requirement::nut_mass_allowance);
+      return allowance(axis.mechanism.nut_rotates ? Requirement::rotating_nut_mass_allowance
+                                                  : Requirement::nut_mass_allowance);
     case MechanismKind::belt:
       return allowance(Requirement::belt_mass_allowance);
     case MechanismKind::rack:
@@ -234,6 +240,13 @@ inline double riding_mass_allowance(const Axis& axis) {
       break;
   }
   return 0.0;
+}
+
+/// Whether a coupling joins the screw to the shaft that turns it: not where the nut turns, round the screw, and not
+/// where the last wheel of a reduction sits on the screw.
+inline bool has_coupling(const Mechanism& mechanism) {
+  return mechanism.kind == MechanismKind::screw && !mechanism.nut_rotates &&
+         (mechanism.reductions.empty() || mechanism.reductions.front().shaft > 0.0);
 }
 
 struct CurrencyRate {

@@ -90,12 +90,13 @@ void read_objective(const Node& node, Problem& problem, Diagnostics& diagnostics
 
 /// A stated price must be in a currency whose rate is known.
 void check_currency(const Axis& axis, const Problem& problem, Diagnostics& diagnostics) {
-  if (!axis.mechanism.reduction || axis.mechanism.reduction->price <= 0.0) return;
-  const Reduction& reduction = *axis.mechanism.reduction;
-  if (reduction.currency == problem.currency || problem.currencies.count(reduction.currency) > 0) return;
-  diagnostics.error(reduction.where,
-                    fmt::format("price: there is no rate for {}", reduction.currency),
-                    fmt::format("state it in {}, or add {} to [currency]", problem.currency, reduction.currency));
+  for (const Reduction& reduction : axis.mechanism.reductions) {
+    const bool known = reduction.currency == problem.currency || problem.currencies.count(reduction.currency) > 0;
+    if (known || reduction.price <= 0.0) continue;
+    diagnostics.error(reduction.where,
+                      fmt::format("price: there is no rate for {}", reduction.currency),
+                      fmt::format("state it in {}, or add {} to [currency]", problem.currency, reduction.currency));
+  }
 }
 
 }  // namespace

@@ -32,6 +32,7 @@ constexpr UsualValues usual[] = {
     {"rad", "90 deg", 1e-9, 1e5},
     {"rpm", "30 rpm", 1e-9, 1e4},
     {"kg.m2", "0.02 kg.m2", 1e-12, 1e5},
+    {"N.m/rad", "500 N.m/rad", 1e-3, 1e9},
     {"Hz", "30 kHz", 1e-3, 1e9},
     {"Pa", "80 N/mm^2", 1.0, 1e12},
     {"rad/m", "0.3 deg/m", 1e-9, 1e3},

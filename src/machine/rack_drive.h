@@ -43,13 +43,11 @@ template <class T>
 struct RackDrive : GearedDrive<T> {
   RackReading<T> rack;
   PinionReading<T> pinion;
-  T motor_shaft{}, motor_mass{};
   T carried_mass{};
 
-  T riding_mass{};   ///< kg, of this drive: what of it moves with the axis
-  T moved_mass{};    ///< kg
-  T output_shaft{};  ///< m, of motor or reduction, that carries the pinion
-  T face_width{};    ///< m, of the teeth in mesh
+  T riding_mass{};  ///< kg, of this drive: what of it moves with the axis
+  T moved_mass{};   ///< kg
+  T face_width{};   ///< m, of the teeth in mesh
   T rack_stress{}, pinion_stress{}, velocity_factor{};
 
   void derive();
@@ -60,11 +58,9 @@ void RackDrive<T>::derive() {
   using namespace scalar;
   namespace rk = mechanics::rack;
   const GearedDriveData& given = *this->data;
-  const Reduction& reduction = given.reduction;
-  riding_mass = given.motor_rides ? named("m_r", motor_mass + pinion.mass + in_unit<T>(reduction.mass, dimension::mass))
-                                  : rack.mass;
+  const T turning = this->reduction.present ? T(pinion.mass + this->reduction.mass) : pinion.mass;
+  riding_mass = given.motor_rides ? named("m_r", this->motor_mass + turning) : rack.mass;
   moved_mass = named("m", carried_mass + given.moved_share * riding_mass);
-  output_shaft = reduction.shaft > 0.0 ? in_unit<T>(reduction.shaft, dimension::length) : motor_shaft;
   this->derive_gears(moved_mass, named("r", 0.5 * rk::pitch_diameter(pinion.module, pinion.teeth)), pinion.inertia);
   face_width = smaller(rack.face_width, pinion.face_width);
   velocity_factor = named("C_v", rk::velocity_factor(this->cycle.peak_speed));
@@ -73,8 +69,9 @@ void RackDrive<T>::derive() {
   rack_stress = rk::lewis_stress(this->largest_force, face_width, rack.module, 0.154 * pi<T>());
 }
 
-/// Error budget of the axis [m]: pitch error of the rack, play and motor lag systematically, steps at random. The pitch
-/// error counts over the stated travel and at least over 0.3 m: that of a few teeth is no smaller share of it.
+/// Error budget of the axis [m]: pitch error of the rack, play, wind-up of a reduction and motor lag systematically,
+/// steps at random. The pitch error counts over the stated travel and at least over 0.3 m: that of a few teeth is no
+/// smaller share of it.
 template <class T>
 T position_error_budget(const RackDrive<T>& d) {
   using namespace scalar;
@@ -82,18 +79,20 @@ T position_error_budget(const RackDrive<T>& d) {
                           ? d.data->require(Requirement::position_error_over)
                           : d.data->stroke;
   const T counted = in_unit<T>(over > 0.3 ? over : 0.3, dimension::length);
-  const std::array<T, 3> systematic{named("e_p", d.rack.pitch_error_per_length * counted),
+  const std::array<T, 4> systematic{named("e_p", d.rack.pitch_error_per_length * counted),
                                     named("e_r", reversal_error(d)),
+                                    named("e_w", reduction_windup(d)),
                                     named("e_s", motor_lag(d))};
   const std::array<T, 2> random = step_errors(d);
   return mechanics::accuracy::mixed_error(std::span<const T>(systematic), std::span<const T>(random));
 }
 
-/// The motor's field alone: the teeth are taken as rigid.
+/// A reduction and the motor's field: the teeth are taken as rigid.
 template <class T>
 Compliance<T> tool_compliance(const RackDrive<T>& d, const ToolPlace& place) {
   Compliance<T> result = no_compliance<T>();
-  result[place.travel] = sharing_factor(place) * along_travel(T(d.radius / d.ratio), motor_stiffness(d.motor));
+  using scalar::square;
+  result[place.travel] = sharing_factor(place) * square(d.radius) * turning_compliance(d);
   return result;
 }
 

@@ -6,6 +6,7 @@
 
 #include "machine/motor_constraints.h"
 #include "machine/rack_drive.h"
+#include "machine/reduction_constraints.h"
 #include "machine/spindle_constraints.h"
 
 namespace millwright::machine {
@@ -63,7 +64,7 @@ void rack_fit_constraints(Visit&& visit) {
                   .kind = fit,
                   .source = "millwright_derivations, fits of parts"},
       always,
-      [](const auto& d) { return d.output_shaft; },
+      [](const auto& d) { return d.output_shaft(); },
       [](const auto& d) { return d.pinion.bore; });
   visit(
       Declaration{.id = "F-PINION-BORE-MIN",
@@ -74,7 +75,7 @@ void rack_fit_constraints(Visit&& visit) {
                   .source = "millwright_derivations, fits of parts"},
       always,
       [](const auto& d) { return d.pinion.bore; },
-      [](const auto& d) { return d.output_shaft; });
+      [](const auto& d) { return d.output_shaft(); });
   visit(
       Declaration{.id = "F-RACK-RIDING-MASS",
                   .title = "What rides of the drive is no heavier than guides and structure are sized for",
@@ -127,8 +128,8 @@ void rack_shaft_constraints(Visit&& visit) {
                   .requirement = "motor_radial_load",
                   .worst = WorstPhase::force},
       [](const auto& d) {
-        const bool carried = d.data->reduction.shaft > 0.0;  // by the bearings of the reduction
-        return d.data->require.known(motor_radial_load) && !carried ? Applies::yes : Applies::no;
+        // The bearings of a reduction carry it.
+        return d.data->require.known(motor_radial_load) && !d.reduction.present ? Applies::yes : Applies::no;
       },
       [](const auto& d) { return d.largest_force / cos(d.pinion.pressure_angle); },
       [](const auto& d) { return d.require(motor_radial_load, dimension::force); });
@@ -137,6 +138,7 @@ void rack_shaft_constraints(Visit&& visit) {
 template <class Visit>
 void rack_drive_constraints(Visit&& visit) {
   rack_constraints(visit);
+  reduction_constraints(visit);
   rack_shaft_constraints(visit);
   rack_fit_constraints(visit);
   motor_constraints(visit);

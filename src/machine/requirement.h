@@ -78,6 +78,8 @@ enum class Requirement : std::size_t {
   windup_share,
   belt_stretch_share,
   belt_frequency,
+  reduction_service_factor,
+  rotating_nut_mass_allowance,
   guide_static_safety,
   guide_load_factor,
   guide_shaft_safety_factor,

@@ -20,11 +20,12 @@ struct RotaryDrive : GearedDrive<T> {
   }
 };
 
-/// Error budget of the axis [rad]: play and motor lag systematically, steps at random.
+/// Error budget of the axis [rad]: play, wind-up of a reduction and motor lag systematically, steps at random.
 template <class T>
 T position_error_budget(const RotaryDrive<T>& d) {
   using namespace scalar;
-  const std::array<T, 2> systematic{named("e_r", reversal_error(d)), named("e_s", motor_lag(d))};
+  const std::array<T, 3> systematic{
+      named("e_r", reversal_error(d)), named("e_w", reduction_windup(d)), named("e_s", motor_lag(d))};
   const std::array<T, 2> random = step_errors(d);
   return mechanics::accuracy::mixed_error(std::span<const T>(systematic), std::span<const T>(random));
 }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "machine/motor_constraints.h"
+#include "machine/reduction_constraints.h"
 #include "machine/rotary_drive.h"
 
 namespace millwright::machine {
@@ -59,6 +60,7 @@ void rotary_constraints(Visit&& visit) {
 template <class Visit>
 void rotary_drive_constraints(Visit&& visit) {
   rotary_constraints(visit);
+  reduction_constraints(visit);
   motor_constraints(visit);
   motor_current_constraints(visit);
 }

@@ -247,8 +247,8 @@ void sliding_screw_constraints(Visit&& visit) {
                   .source = "thk_catalogue, permissible speed",
                   .requirement = "critical_speed_factor",
                   .worst = WorstPhase::speed},
-      when_sliding,
-      [](const auto& d) { return d.peak_speed; },
+      [](const auto& d) { return d.data->nut_rotates ? Applies::no : d.sliding(); },
+      [](const auto& d) { return d.screw_speed; },
       [](const auto& d) { return d.require(critical_speed_factor) * d.screw.critical_speed; });
   visit(
       Declaration{.id = "C-SCR-LOCK",

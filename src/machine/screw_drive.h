@@ -3,6 +3,16 @@
 // Screw axis drive: screw and nut, motor and driver, coupling, support bearings; what it must move and how. `derive`
 // computes what several constraints share, on any scalar; the constraints themselves are declared in
 // screw_drive_constraints.h.
+//
+// A reduction sits between motor and screw. With an output shaft of its own (a gearbox) the coupling joins that shaft
+// to the screw; without one (a belt or gear pair, its last wheel on the screw) there is no coupling. "Output" means
+// behind the reduction: there coupling and screw turn.
+//
+// The nut may turn instead of the screw: then motor and reduction ride with it, no coupling can be on the line that the
+// screw runs through, and the screw stands, clamped in its supports. What thread and balls see is the speed of the nut
+// against the screw, which is the same; a screw that does not turn has no critical speed and its supports no speed.
+// The torque of the nut is held by the clamped end: the screw between it and the nut twists as one that turns, and the
+// nut is back by that angle.
 #pragma once
 
 #include <functional>
@@ -10,6 +20,7 @@
 
 #include "machine/axis_motion.h"
 #include "machine/motor.h"
+#include "machine/reduction.h"
 #include "machine/screw.h"
 #include "mechanics/accuracy.h"
 #include "mechanics/actuation.h"
@@ -44,6 +55,10 @@ struct ScrewDriveData {
   bool both_ends_fixed = false;   ///< the far support takes thrust too
   bool preloaded = false;         ///< ball nuts run with the preload of the problem file
   double preload_fraction = 0.0;  ///< of the dynamic load rating
+  bool has_coupling = true;       ///< on the motor's shaft, or the output shaft of a reduction
+  bool nut_rotates = false;
+  double nut_inertia = 0.0;  ///< kg.m2, of a nut that turns, with the wheel on it
+  double moved_share = 1.0;  ///< of what rides with a nut that turns, that this drive moves
 };
 
 template <class T>
@@ -54,7 +69,9 @@ struct ScrewDrive {
   MotorReading<T> motor;
   CouplingReading<T> coupling;
   SupportReading<T> support_fixed, support_free;
+  DriveReduction<T> reduction;
   T motor_shaft{};                              ///< m
+  T motor_mass{};                               ///< kg, read only where it rides
   std::function<T(const T&)> available_torque;  ///< N.m at an angular speed
 
   T carried_mass{};       ///< kg, what the axis moves without its nut
@@ -63,13 +80,18 @@ struct ScrewDrive {
   // derived
   T moved_mass{};
   Cycle<T> cycle;
-  T load_inertia{};               ///< without the rotor, with the moved mass
+  T riding_mass{};                ///< kg, of this drive: what of it moves with the axis
+  T load_inertia{};               ///< without the rotor, with the moved mass, at the motor
+  T output_inertia{};             ///< the same without the reduction's own
   std::vector<T> axial_forces;    ///< |F|, per phase
   std::vector<T> motor_torques;   ///< signed, per phase
   std::vector<T> angular_speeds;  ///< per phase, the largest
   std::vector<T> torque_ratios;   ///< |T| / available torque at that speed, per phase that may govern, else 0
   T input_power{};                ///< W, drive input that the supply must be ready for
   T largest_force{}, largest_torque{}, screw_torque{}, peak_speed{}, load_torque{}, rms_torque{};
+  T screw_speed{};        ///< of screw and nut against each other, the largest
+  T steady_torque{};      ///< at the screw, without acceleration
+  T output_torque{};      ///< the largest at the output of the reduction; only where it has one
   T peak_acceleration{};  ///< of the motor, rad/s^2
   T holding_force{};      ///< static, along the travel
 
@@ -83,9 +105,17 @@ struct ScrewDrive {
     return kind == ScrewKind::mixed ? Applies::some : kind == ScrewKind::ball ? Applies::yes : Applies::no;
   }
 
+  /// Shaft that the coupling clamps on the side of the motor [m].
+  [[nodiscard]] const T& output_shaft() const { return reduction.present ? reduction.shaft : motor_shaft; }
+  /// Inertia on the side of the motor before the elastic parts: its rotor and the reduction's [kg.m2].
+  [[nodiscard]] T motor_side_inertia() const { return reduction.with_own(motor.rotor_inertia); }
+  /// Travel of a turn of the motor [m].
+  [[nodiscard]] T lead_of_motor() const { return reduction.at_output(screw.lead); }
+
   void derive();
 
  private:
+  void derive_phases(const T& rotating, const T& turning);
   void derive_power(const T& rotating_inertia);
 };
 
@@ -99,72 +129,94 @@ void ScrewDrive<T>::derive_power(const T& rotating_inertia) {
     const T weight = larger(cycle.gravity_force, in_unit<T>(0.0, dimension::force));
     const T force =
         moved_mass * acceleration + weight + cycle.friction_force + in_unit<T>(demand.force, dimension::force);
-    const T omega = mechanics::power_screw::angular_speed(in_unit<T>(demand.speed, dimension::speed), screw.lead);
-    const T torque = mechanics::ball_screw::drive_torque(force, screw.lead, screw.efficiency) +
-                     rotating_inertia * acceleration * 2.0 * pi<T>() / screw.lead + screw.drag_torque;
+    const T omega = reduction.at_motor(
+        mechanics::power_screw::angular_speed(in_unit<T>(demand.speed, dimension::speed), screw.lead));
+    const T torque = reduction.driving(mechanics::ball_screw::drive_torque(force, screw.lead, screw.efficiency) +
+                                       screw.drag_torque) +
+                     rotating_inertia * reduction.at_motor(acceleration * 2.0 * pi<T>() / screw.lead);
     powers.push_back(drive_power(motor, torque, omega));
   }
   input_power = named("P_in", whole_watts(largest(powers)));
 }
 
 template <class T>
-void ScrewDrive<T>::derive() {
+void ScrewDrive<T>::derive_phases(const T& rotating, const T& turning) {
   using namespace scalar;
   namespace act = mechanics::actuation;
-  namespace st = mechanics::stepper;
   const T one = T(1.0);
-  moved_mass = named("m", carried_mass + screw.nut_mass);
-  cycle = duty_cycle(data->motion, moved_mass, acceleration_time);
-  const T rotating = named("J_rot", motor.rotor_inertia + coupling.inertia + screw.inertia);
-  load_inertia = named(
-      "J_L", coupling.inertia + screw.inertia + mechanics::transmission::screw_load_inertia(moved_mass, screw.lead));
-  const T turn = 2.0 * pi<T>();
   const T nothing = in_unit<T>(0.0, dimension::torque);
+  const T drag = reduction.driving(screw.drag_torque);
   axial_forces.clear();
   motor_torques.clear();
   angular_speeds.clear();
   torque_ratios.clear();
-  std::vector<T> governing_forces, governing_torques, governing_accelerations;
+  std::vector<T> governing_forces, governing_torques, governing_accelerations, output_torques;
+  const auto torque =
+      [&](const T& force, const T& inertia, const T& alpha, const T& dragging, const T& i, const T& eta) {
+        return act::screw_motor_torque(
+            force, screw.lead, screw.efficiency, screw.reverse_efficiency, inertia, alpha, dragging, i, eta);
+      };
   for (const Phase<T>& phase : cycle.phases) {
     axial_forces.push_back(absolute(phase.force));
-    angular_speeds.push_back(mechanics::power_screw::angular_speed(phase.speed, screw.lead));
+    angular_speeds.push_back(reduction.at_motor(mechanics::power_screw::angular_speed(phase.speed, screw.lead)));
     motor_torques.push_back(nothing);
     torque_ratios.push_back(T(0.0));
     if (!phase.may_govern && !wants_everything<T>(data->require)) continue;
     const T& omega = angular_speeds.back();
-    const T alpha = phase.acceleration * turn / screw.lead;
-    motor_torques.back() = act::screw_motor_torque(phase.force,
-                                                   screw.lead,
-                                                   screw.efficiency,
-                                                   screw.reverse_efficiency,
-                                                   rotating,
-                                                   alpha,
-                                                   screw.drag_torque,
-                                                   one,
-                                                   one);
+    const T output_alpha = phase.acceleration * (2.0 * pi<T>()) / screw.lead;
+    const T alpha = reduction.at_motor(output_alpha);
+    motor_torques.back() =
+        torque(phase.force, rotating, alpha, drag, reduction.ratio_or_one(), reduction.efficiency_or_one());
     if (!phase.may_govern) continue;
     governing_accelerations.push_back(alpha);
     governing_forces.push_back(axial_forces.back());
     governing_torques.push_back(absolute(motor_torques.back()));
     torque_ratios.back() =
         governing_torques.back() / larger(available_torque(omega), in_unit<T>(1e-9, dimension::torque));
+    // The same balance at the output: without rotor and reduction.
+    if (reduction.present)
+      output_torques.push_back(absolute(torque(phase.force, turning, output_alpha, screw.drag_torque, one, one)));
   }
-  peak_speed = named("ω", mechanics::power_screw::angular_speed(cycle.peak_speed, screw.lead));
   peak_acceleration = named("α", largest(governing_accelerations));
   largest_force = named("F", largest(governing_forces));
   largest_torque = named("T", largest(governing_torques));
-  screw_torque = named("T_R", mechanics::ball_screw::drive_torque(largest_force, screw.lead, screw.efficiency));
-  // Without acceleration: against gravity, friction and the process.
-  const T steady =
-      larger(cycle.gravity_force, in_unit<T>(0.0, dimension::force)) + cycle.friction_force + cycle.process_force;
-  load_torque =
-      named("T_L", mechanics::ball_screw::drive_torque(steady, screw.lead, screw.efficiency) + screw.drag_torque);
+  if (reduction.present) output_torque = named("T_2", largest(output_torques));
   T sum = in_unit<T>(0.0, dimension::torque * dimension::torque * dimension::time);
   for (std::size_t i = 0; i < motor_torques.size(); ++i)
     sum = sum + square(motor_torques[i]) * cycle.phases[i].duration;
   rms_torque = named("T_rms", sqrt(sum / cycle.total_time));
+}
+
+template <class T>
+void ScrewDrive<T>::derive() {
+  using namespace scalar;
+  riding_mass = screw.nut_mass;
+  moved_mass = carried_mass + screw.nut_mass;
+  if (data->nut_rotates) {
+    const T riding = reduction.present ? T(motor_mass + reduction.mass) : motor_mass;
+    riding_mass = named("m_r", screw.nut_mass + riding);
+    moved_mass = moved_mass + data->moved_share * riding;
+  }
+  moved_mass = named("m", moved_mass);
+  cycle = duty_cycle(data->motion, moved_mass, acceleration_time);
+  const T turning = named("J_o",
+                          data->nut_rotates    ? in_unit<T>(data->nut_inertia, dimension::inertia)
+                          : data->has_coupling ? T(coupling.inertia + screw.inertia)
+                                               : screw.inertia);
+  const T rotating = named("J_rot", motor.rotor_inertia + reduction.with_own(reduction.reflected(turning)));
+  output_inertia = reduction.reflected(turning + mechanics::transmission::screw_load_inertia(moved_mass, screw.lead));
+  load_inertia = named("J_L", reduction.with_own(output_inertia));
+  derive_phases(rotating, turning);
+  screw_speed = named("ω_s", mechanics::power_screw::angular_speed(cycle.peak_speed, screw.lead));
+  peak_speed = named("ω", reduction.at_motor(screw_speed));
+  screw_torque = named("T_R", mechanics::ball_screw::drive_torque(largest_force, screw.lead, screw.efficiency));
+  // Without acceleration: against gravity, friction and the process.
+  const T weight = larger(cycle.gravity_force, in_unit<T>(0.0, dimension::force));
+  const T steady = weight + cycle.friction_force + cycle.process_force;
+  steady_torque = mechanics::ball_screw::drive_torque(steady, screw.lead, screw.efficiency) + screw.drag_torque;
+  load_torque = named("T_L", reduction.driving(steady_torque));
   derive_power(rotating);
-  holding_force = named("F_h", larger(cycle.gravity_force, in_unit<T>(0.0, dimension::force)) + cycle.process_force);
+  holding_force = named("F_h", weight + cycle.process_force);
 }
 
 }  // namespace millwright::machine

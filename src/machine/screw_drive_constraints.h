@@ -5,6 +5,7 @@
 
 #include "machine/ball_screw_constraints.h"
 #include "machine/motor_constraints.h"
+#include "machine/reduction_constraints.h"
 #include "machine/screw_accuracy_constraints.h"
 #include "machine/screw_constraints.h"
 #include "machine/screw_fit_constraints.h"
@@ -17,6 +18,7 @@ void screw_drive_constraints(Visit&& visit) {
   screw_shaft_constraints(visit);
   sliding_screw_constraints(visit);
   ball_screw_constraints(visit);
+  reduction_constraints(visit);
   motor_constraints(visit);
   motor_current_constraints(visit);
   travel_speed_constraint(visit);

@@ -15,17 +15,6 @@ namespace millwright::machine {
 /// Thermal expansion of steel [1/K], 12 um per metre and kelvin.
 inline constexpr double steel_expansion = 12e-6;
 
-/// `with()` where the property holds, `without` where it does not; for a set of designs of which some have it, both.
-template <class T, class With>
-T where_applies(Applies applies, const T& without, With&& with) {
-  if (applies == Applies::no) return without;
-  const T result = with();
-  if constexpr (requires { hull(without, result); }) {
-    if (applies == Applies::some) return hull(without, result);
-  }
-  return result;
-}
-
 /// Pressure on the engaged thread flanks [Pa].
 template <class T>
 T bearing_pressure(const ScrewDrive<T>& d) {
@@ -36,7 +25,7 @@ T bearing_pressure(const ScrewDrive<T>& d) {
 /// Sliding speed on the mean diameter at the largest screw speed [m/s].
 template <class T>
 T sliding_speed(const ScrewDrive<T>& d) {
-  return mechanics::power_screw::sliding_speed(d.peak_speed, d.screw.mean_diameter, d.screw.lead);
+  return mechanics::power_screw::sliding_speed(d.screw_speed, d.screw.mean_diameter, d.screw.lead);
 }
 
 /// Cubic mean over the cycle of the load of the raceway that governs [N].
@@ -94,15 +83,15 @@ T static_load(const ScrewDrive<T>& d) {
 /// Torque that a force along the travel puts on the motor shaft at standstill [N.m]; 0 when self-locking.
 template <class T>
 T back_driving_torque(const ScrewDrive<T>& d, const T& force) {
-  return mechanics::actuation::backdriving_torque(
-      force, d.screw.lead, d.screw.reverse_efficiency, scalar::in_unit<T>(0.0, scalar::dimension::force), T(1.0));
+  return d.reduction.driven(mechanics::actuation::backdriving_torque(
+      force, d.screw.lead, d.screw.reverse_efficiency, scalar::in_unit<T>(0.0, scalar::dimension::force), T(1.0)));
 }
 
 /// The same with power off, the weight against friction [N.m].
 template <class T>
 T power_off_torque(const ScrewDrive<T>& d) {
-  return mechanics::actuation::backdriving_torque(
-      d.cycle.gravity_force, d.screw.lead, d.screw.reverse_efficiency, d.cycle.friction_force, T(1.0));
+  return d.reduction.driven(mechanics::actuation::backdriving_torque(
+      d.cycle.gravity_force, d.screw.lead, d.screw.reverse_efficiency, d.cycle.friction_force, T(1.0)));
 }
 
 /// Smallest of all speed limits of the drive, as a speed of the axis [m/s].
@@ -112,12 +101,18 @@ T speed_limit(const ScrewDrive<T>& d) {
   const T pulse = d.require(Requirement::step_rate_factor) *
                   d.require(Requirement::step_rate, dimension::none / dimension::time) * 2.0 * pi<T>() /
                   (4.0 * d.motor.rotor_teeth * d.data->microsteps);
-  T limit = smaller(pulse, smaller(d.coupling.largest_speed, d.support_fixed.largest_speed));
-  limit = where_applies(d.sliding(), limit, [&] {
-    return smaller(limit, d.require(Requirement::critical_speed_factor) * d.screw.critical_speed);
-  });
+  const bool turns = !d.data->nut_rotates;
+  T limit = d.reduction.at_output(d.reduction.limited(pulse));
+  if (d.data->has_coupling) limit = smaller(limit, d.coupling.largest_speed);
+  if (turns) {
+    limit = smaller(limit, d.support_fixed.largest_speed);
+    limit = where_applies(d.sliding(), limit, [&] {
+      return T(smaller(limit, d.require(Requirement::critical_speed_factor) * d.screw.critical_speed));
+    });
+  }
   limit = where_applies(d.ball(), limit, [&] {
-    return smaller(limit, smaller(d.screw.critical_speed, d.screw.speed_value_limit / d.screw.pitch_circle));
+    const T balls = d.screw.speed_value_limit / d.screw.pitch_circle;
+    return T(smaller(limit, turns ? T(smaller(d.screw.critical_speed, balls)) : balls));
   });
   return limit * d.screw.lead / (2.0 * pi<T>());
 }
@@ -125,7 +120,8 @@ T speed_limit(const ScrewDrive<T>& d) {
 /// Travel of one microstep [m].
 template <class T>
 T resolution(const ScrewDrive<T>& d) {
-  return mechanics::accuracy::linear_resolution(d.screw.lead, 4.0 * d.motor.rotor_teeth, T(d.data->microsteps), T(1.0));
+  return mechanics::accuracy::linear_resolution(
+      d.screw.lead, 4.0 * d.motor.rotor_teeth, T(d.data->microsteps), d.reduction.ratio_or_one());
 }
 
 /// Axial stiffness between motor and table at the far end of the travel [N/m]: shaft, fixed bearing, and the nut of a
@@ -175,8 +171,9 @@ T friction_torque(const ScrewDrive<T>& d) {
   const T weight = larger(d.cycle.gravity_force, in_unit<T>(0.0, dimension::force));
   const T raising = mechanics::ball_screw::drive_torque(weight, d.screw.lead, d.screw.efficiency);
   const T lowering = mechanics::ball_screw::backdriving_torque(weight, d.screw.lead, d.screw.reverse_efficiency);
-  return mechanics::ball_screw::drive_torque(d.cycle.friction_force, d.screw.lead, d.screw.efficiency) +
-         0.5 * (raising - lowering) + d.screw.drag_torque;
+  const T at_screw = mechanics::ball_screw::drive_torque(d.cycle.friction_force, d.screw.lead, d.screw.efficiency) +
+                     0.5 * (raising - lowering) + d.screw.drag_torque;
+  return d.reduction.driving(at_screw);
 }
 
 /// Travel of the nut until its thread is worn thin [m], under the mean force over the travel: wear grows with pressure
@@ -196,13 +193,32 @@ T wear_travel(const ScrewDrive<T>& d) {
       d.screw.wear_rate, pressure, d.screw.flank_angle, wear, d.screw.mean_diameter, d.screw.lead);
 }
 
-/// Torsional stiffness between motor and nut at the far end of the travel [N.m/rad]: coupling and screw.
+/// Torsional stiffness between motor and nut at the far end of the travel, at the screw [N.m/rad]: coupling, screw and
+/// reduction.
 template <class T>
 T torsional_stiffness(const ScrewDrive<T>& d) {
-  const std::array<T, 2> chain{d.coupling.stiffness,
-                               mechanics::coupling::shaft_torsional_stiffness(
-                                   d.screw.shear_modulus, d.screw.root_diameter, d.screw.supported_length)};
-  return mechanics::coupling::series_stiffness(std::span<const T>(chain));
+  const T shaft = mechanics::coupling::shaft_torsional_stiffness(
+      d.screw.shear_modulus, d.screw.root_diameter, d.screw.supported_length);
+  const std::array<T, 2> chain{shaft, d.coupling.stiffness};
+  const T stiffness =
+      mechanics::coupling::series_stiffness(std::span<const T>(chain).first(d.data->has_coupling ? 2 : 1));
+  return d.reduction.present ? T(1.0 / (1.0 / stiffness + d.reduction.compliance)) : stiffness;
+}
+
+/// The same at the motor: one radian there is 1/i at the screw, and its torque i times as large.
+template <class T>
+T torsional_stiffness_at_motor(const ScrewDrive<T>& d) {
+  return d.reduction.reflected(torsional_stiffness(d));
+}
+
+/// Torque that the coupling must bear [N.m]: the motor's at the output of the reduction, shared between the inertias
+/// before and behind the coupling.
+template <class T>
+T coupling_torque(const ScrewDrive<T>& d) {
+  const T at_output =
+      d.reduction.present ? T(d.largest_torque * d.reduction.ratio * d.reduction.efficiency) : d.largest_torque;
+  return mechanics::coupling::required_torque(
+      at_output, d.motor_side_inertia(), d.output_inertia, d.require(Requirement::coupling_shock_factor));
 }
 
 /// Travel over which the position error counts [m].
@@ -219,12 +235,14 @@ T lead_error(const ScrewDrive<T>& d) {
   return (over > 0.3 ? over / 0.3 : 1.0) * d.screw.lead_error_300;
 }
 
-/// Position error from the twist of coupling and screw under the load torque [m].
+/// Position error from the twist of coupling, screw and reduction under the load torque [m]. A screw that stands while
+/// its nut turns twists as well: its clamped end holds the torque of the nut.
 template <class T>
 T windup_error(const ScrewDrive<T>& d) {
-  const T twist = mechanics::power_screw::torsional_windup(
-                      d.load_torque, d.screw.supported_length, d.screw.shear_modulus, d.screw.root_diameter) +
-                  mechanics::coupling::windup(d.load_torque, d.coupling.stiffness);
+  T twist = mechanics::power_screw::torsional_windup(
+      d.steady_torque, d.screw.supported_length, d.screw.shear_modulus, d.screw.root_diameter);
+  if (d.data->has_coupling) twist = twist + mechanics::coupling::windup(d.steady_torque, d.coupling.stiffness);
+  if (d.reduction.present) twist = twist + d.reduction.compliance * d.steady_torque;
   return mechanics::power_screw::windup_error(twist, d.screw.lead);
 }
 
@@ -237,10 +255,16 @@ T thermal_growth(const ScrewDrive<T>& d) {
                                                 d.require(Requirement::screw_temperature_rise, dimension::temperature));
 }
 
-/// Reversal error [m]: play and twice the elastic deflection under friction.
+/// Reversal error [m]: play and twice the elastic deflection under friction; of a reduction its play and twice its
+/// wind-up under friction.
 template <class T>
 T reversal_error(const ScrewDrive<T>& d) {
-  return mechanics::ball_screw::lost_motion(d.cycle.friction_force, axial_stiffness(d), d.screw.backlash);
+  const T axial = mechanics::ball_screw::lost_motion(d.cycle.friction_force, axial_stiffness(d), d.screw.backlash);
+  if (!d.reduction.present) return axial;
+  const T friction = mechanics::ball_screw::drive_torque(d.cycle.friction_force, d.screw.lead, d.screw.efficiency) +
+                     d.screw.drag_torque;
+  return axial + mechanics::transmission::linear_backlash(
+                     T(d.reduction.backlash + 2.0 * d.reduction.compliance * friction), d.screw.lead);
 }
 
 /// Error budget of the axis [m]: lead error, lost motion, wind-up and motor lag systematically, step accuracy and
@@ -252,10 +276,10 @@ T position_error_budget(const ScrewDrive<T>& d) {
   const T lost = named("e_r", reversal_error(d));
   const T windup = named("e_w", windup_error(d));
   const T torque = smaller(d.load_torque, d.motor.static_torque);
-  const T lag =
-      named("e_s", mechanics::accuracy::load_lag(torque, d.motor.static_torque, d.motor.rotor_teeth, d.screw.lead));
+  const T lag = named(
+      "e_s", mechanics::accuracy::load_lag(torque, d.motor.static_torque, d.motor.rotor_teeth, d.lead_of_motor()));
   const std::array<T, 4> systematic{along, lost, windup, lag};
-  const T step = 0.05 * d.screw.lead / (4.0 * d.motor.rotor_teeth);
+  const T step = 0.05 * d.lead_of_motor() / (4.0 * d.motor.rotor_teeth);
   const std::array<T, 2> random{named("e_t", step), named("e_q", 0.5 * resolution(d))};
   return mechanics::accuracy::mixed_error(std::span<const T>(systematic), std::span<const T>(random));
 }
@@ -278,8 +302,9 @@ template <class T>
 Compliance<T> tool_compliance(const ScrewDrive<T>& d, const ToolPlace& place) {
   using namespace scalar;
   const T per_angle = d.screw.lead / (2.0 * pi<T>());
-  const T one = 1.0 / least_axial_stiffness(d, in_unit<T>(std::max(place.force, 1.0), dimension::force)) + along_travel(per_angle, torsional_stiffness(d)) +
-                along_travel(per_angle, motor_stiffness(d.motor));
+  const T force = in_unit<T>(std::max(place.force, 1.0), dimension::force);
+  const T turning = 1.0 / torsional_stiffness(d) + d.reduction.reflected(T(1.0 / motor_stiffness(d.motor)));
+  const T one = 1.0 / least_axial_stiffness(d, force) + square(per_angle) * turning;
   Compliance<T> result = no_compliance<T>();
   result[place.travel] = sharing_factor(place) * one;
   return result;

@@ -8,6 +8,9 @@
 
 namespace millwright::machine {
 
+inline constexpr auto when_coupled = [](const auto& d) { return d.data->has_coupling ? Applies::yes : Applies::no; };
+inline constexpr auto when_screw_turns = [](const auto& d) { return d.data->nut_rotates ? Applies::no : Applies::yes; };
+
 /// The coupling between motor and screw.
 template <class Visit>
 void coupling_constraints(Visit&& visit) {
@@ -21,11 +24,8 @@ void coupling_constraints(Visit&& visit) {
                   .source = "ktr_couplings, shock factor",
                   .requirement = "coupling_shock_factor",
                   .worst = WorstPhase::torque},
-      always,
-      [](const auto& d) {
-        return mechanics::coupling::required_torque(
-            d.largest_torque, d.motor.rotor_inertia, d.load_inertia, d.require(coupling_shock_factor));
-      },
+      when_coupled,
+      [](const auto& d) { return coupling_torque(d); },
       [](const auto& d) { return d.coupling.rated_torque; });
   visit(
       Declaration{.id = "C-CP-RES",
@@ -43,7 +43,8 @@ void coupling_constraints(Visit&& visit) {
                                                       decltype(d.load_inertia)(d.motor.rotor_inertia + d.load_inertia));
       },
       [](const auto& d) {
-        return mechanics::coupling::resonant_frequency(torsional_stiffness(d), d.motor.rotor_inertia, d.load_inertia);
+        return mechanics::coupling::resonant_frequency(
+            torsional_stiffness_at_motor(d), d.motor_side_inertia(), d.output_inertia);
       });
   visit(
       Declaration{.id = "C-CP-MISAL",
@@ -53,7 +54,7 @@ void coupling_constraints(Visit&& visit) {
                   .kind = ConstraintKind::soft,
                   .source = "ktr_couplings",
                   .requirement = "coupling_parallel_misalignment"},
-      always,
+      when_coupled,
       [](const auto& d) { return d.require(coupling_parallel_misalignment, dimension::length); },
       [](const auto& d) { return d.coupling.parallel_misalignment; });
   visit(
@@ -64,7 +65,7 @@ void coupling_constraints(Visit&& visit) {
                   .kind = ConstraintKind::soft,
                   .source = "ktr_couplings",
                   .requirement = "coupling_angular_misalignment"},
-      always,
+      when_coupled,
       [](const auto& d) { return d.require(coupling_angular_misalignment); },
       [](const auto& d) { return d.coupling.angular_misalignment; });
   visit(
@@ -75,7 +76,7 @@ void coupling_constraints(Visit&& visit) {
                   .kind = ConstraintKind::soft,
                   .source = "ktr_couplings",
                   .requirement = "coupling_axial_misalignment"},
-      always,
+      when_coupled,
       [](const auto& d) { return d.require(coupling_axial_misalignment, dimension::length); },
       [](const auto& d) { return d.coupling.axial_misalignment; });
 }
@@ -94,29 +95,40 @@ void screw_fit_constraints(Visit&& visit) {
                   .kind = fit,
                   .source = "millwright_derivations, what rides",
                   .requirement = "nut_mass_allowance"},
-      always,
+      when_screw_turns,
       [](const auto& d) { return d.screw.nut_mass; },
       [](const auto& d) { return d.require(Requirement::nut_mass_allowance, dimension::mass); });
   visit(
+      Declaration{.id = "F-NUT-RIDING-MASS",
+                  .title = "What rides with a nut that turns is no heavier than guides and structure are sized for",
+                  .symbol = "m_r",
+                  .unit = "kg",
+                  .kind = fit,
+                  .source = "millwright_derivations, what rides",
+                  .requirement = "rotating_nut_mass_allowance"},
+      [](const auto& d) { return d.data->nut_rotates ? Applies::yes : Applies::no; },
+      [](const auto& d) { return d.riding_mass; },
+      [](const auto& d) { return d.require(Requirement::rotating_nut_mass_allowance, dimension::mass); });
+  visit(
       Declaration{.id = "F-COUPLING-MOTOR",
-                  .title = "Motor shaft fits the coupling's largest bore",
+                  .title = "Motor or reduction shaft fits the coupling's largest bore",
                   .symbol = "d",
                   .unit = "mm",
                   .kind = fit,
                   .source = "millwright_derivations, fits of parts"},
-      always,
-      [](const auto& d) { return d.motor_shaft; },
+      when_coupled,
+      [](const auto& d) { return d.output_shaft(); },
       [](const auto& d) { return d.coupling.largest_bore; });
   visit(
       Declaration{.id = "F-COUPLING-MOTOR-MIN",
-                  .title = "Motor shaft is not thinner than the coupling's least bore",
+                  .title = "Motor or reduction shaft is not thinner than the coupling's least bore",
                   .symbol = "d",
                   .unit = "mm",
                   .kind = fit,
                   .source = "millwright_derivations, fits of parts"},
-      always,
+      when_coupled,
       [](const auto& d) { return d.coupling.least_bore; },
-      [](const auto& d) { return d.motor_shaft; });
+      [](const auto& d) { return d.output_shaft(); });
   visit(
       Declaration{.id = "F-COUPLING-SCREW",
                   .title = "Screw journal is not thinner than the coupling's least bore",
@@ -124,7 +136,7 @@ void screw_fit_constraints(Visit&& visit) {
                   .unit = "mm",
                   .kind = fit,
                   .source = "millwright_derivations, fits of parts"},
-      always,
+      when_coupled,
       [](const auto& d) { return d.coupling.least_bore; },
       [](const auto& d) { return d.support_fixed.bore; });
   visit(
@@ -167,8 +179,8 @@ void screw_fit_constraints(Visit&& visit) {
                   .kind = fit,
                   .source = "thk_catalogue, support units",
                   .worst = WorstPhase::speed},
-      always,
-      [](const auto& d) { return d.peak_speed; },
+      when_screw_turns,
+      [](const auto& d) { return d.screw_speed; },
       [](const auto& d) { return smaller(d.support_fixed.largest_speed, d.support_free.largest_speed); });
   visit(
       Declaration{.id = "F-COUPLING-SPEED",
@@ -178,8 +190,8 @@ void screw_fit_constraints(Visit&& visit) {
                   .kind = fit,
                   .source = "ktr_couplings",
                   .worst = WorstPhase::speed},
-      always,
-      [](const auto& d) { return d.peak_speed; },
+      when_coupled,
+      [](const auto& d) { return d.screw_speed; },
       [](const auto& d) { return d.coupling.largest_speed; });
 }
 

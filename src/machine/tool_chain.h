@@ -60,11 +60,4 @@ T whole_steps(const T& compliance, double step) {
   return -floor_of(-compliance / one) * one;
 }
 
-/// m/N along the travel, of an angle per torque at a lead or radius [m/rad].
-template <class T>
-T along_travel(const T& travel_per_angle, const T& torsional_stiffness) {
-  using scalar::square;
-  return square(travel_per_angle) / torsional_stiffness;
-}
-
 }  // namespace millwright::machine

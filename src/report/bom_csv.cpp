@@ -34,8 +34,9 @@ std::string bom_csv(const evaluation::Design& design) {
   std::string out = "axis,slot,manufacturer,part_number,quantity,length,value\n";
   for (const evaluation::PartLine& part : design.parts) {
     // A member made to measure is told by its dimensions below; its material stands in the problem.
-    // So does a reduction, which is of no family.
-    if (part.family == "materials" || part.family.empty()) continue;
+    // So does a reduction without a name, of which there is only one.
+    const bool unnamed = part.family.empty() && part.manufacturer.empty();
+    if (part.family == "materials" || unnamed) continue;
     out += fmt::format("{},{},{},{},{},{},\n",
                        csv_cell(part.axis),
                        csv_cell(part.slot),

@@ -29,9 +29,10 @@ void require_ids(const DeclaringElement& element, const std::vector<std::string>
 }
 
 const std::vector<std::string> of_every_drive{
-    "C-SYS-TIME", "C-SYS-SPEED", "C-ST-TORQUE",  "C-ST-80",   "C-ST-INERTIA", "C-ST-RMS",   "C-ST-STEPRATE",
-    "C-ST-HOLD",  "C-ST-BACK",   "C-DR-CURRENT", "C-DR-VOLT", "C-DR-MOTORI",  "C-ST-START", "C-ST-TEMP",
-    "C-ST-RES",   "C-ST-POWER",  "C-ACC-MICRO",  "C-ACC-RES", "C-ACC-TOTAL",  "C-ACC-LOST", "C-TOOL-POWER"};
+    "C-SYS-TIME",    "C-SYS-SPEED", "C-ST-TORQUE", "C-ST-80",      "C-ST-INERTIA", "C-ST-RMS",
+    "C-ST-STEPRATE", "C-ST-HOLD",   "C-ST-BACK",   "C-DR-CURRENT", "C-DR-VOLT",    "C-DR-MOTORI",
+    "C-ST-START",    "C-ST-TEMP",   "C-RD-TORQUE", "C-RD-SPEED",   "C-ST-RES",     "C-ST-POWER",
+    "C-ACC-MICRO",   "C-ACC-RES",   "C-ACC-TOTAL", "C-ACC-LOST",   "C-TOOL-POWER"};
 
 }  // namespace
 
@@ -39,15 +40,15 @@ TEST_CASE("Every element declares the constraints that the design rules ask of i
   const auto elements = declaring_elements();
   REQUIRE(elements.size() == 8);
   require_ids(elements[0], of_every_drive);
-  require_ids(
-      elements[0],
-      {"C-SYS-TRAVEL",   "C-SCR-VM",       "C-SCR-TMAX",  "C-SCR-SIGMA",      "C-SCR-PB",         "C-SCR-SHS",
-       "C-SCR-SHN",      "C-SCR-BEND",     "C-SCR-BUCK",  "C-SCR-NCRIT",      "C-SCR-TWIST",      "C-SCR-LOCK",
-       "C-SCR-PV",       "C-SCR-VS",       "C-BS-LIFE",   "C-BS-STATIC",      "C-BS-AXIAL",       "C-BS-BUCK",
-       "C-BS-NCRIT",     "C-BS-DN",        "C-CP-TORQUE", "F-COUPLING-MOTOR", "F-COUPLING-SCREW", "F-SUPPORT-FIXED",
-       "F-SUPPORT-FREE", "F-SUPPORT-LOAD", "C-SCR-DC",    "C-SCR-EFF",        "C-SCR-NTURNS",     "C-SCR-WEAR",
-       "C-BS-PREMIN",    "C-BS-PREMAX",    "C-BS-LEAD",   "C-BS-STIFF",       "C-CP-MISAL",       "C-CP-RES",
-       "C-CP-WINDUP",    "C-ACC-THERM"});
+  require_ids(elements[0],
+              {"C-SYS-TRAVEL",   "C-SCR-VM",         "C-SCR-TMAX",       "C-SCR-SIGMA",      "C-SCR-PB",
+               "C-SCR-SHS",      "C-SCR-SHN",        "C-SCR-BEND",       "C-SCR-BUCK",       "C-SCR-NCRIT",
+               "C-SCR-TWIST",    "C-SCR-LOCK",       "C-SCR-PV",         "C-SCR-VS",         "C-BS-LIFE",
+               "C-BS-STATIC",    "C-BS-AXIAL",       "C-BS-BUCK",        "C-BS-NCRIT",       "C-BS-DN",
+               "C-CP-TORQUE",    "F-COUPLING-MOTOR", "F-COUPLING-SCREW", "F-SUPPORT-FIXED",  "F-SUPPORT-FREE",
+               "F-SUPPORT-LOAD", "C-SCR-DC",         "C-SCR-EFF",        "C-SCR-NTURNS",     "C-SCR-WEAR",
+               "C-BS-PREMIN",    "C-BS-PREMAX",      "C-BS-LEAD",        "C-BS-STIFF",       "C-CP-MISAL",
+               "C-CP-RES",       "C-CP-WINDUP",      "C-ACC-THERM",      "F-NUT-RIDING-MASS"});
   require_ids(elements[1], of_every_drive);
   require_ids(elements[1],
               {"C-BT-TENSION",

@@ -141,7 +141,24 @@ machine::MotorReading<Dimensioned> motor() {
   return machine::motor_reading(f, Dimensioned(0.5));
 }
 
-void check_screw_drive(machine::ScrewKind kind, bool vertical, std::set<std::string>& seen) {
+machine::DriveReduction<Dimensioned> reduction() {
+  machine::DriveReduction<Dimensioned> r;
+  r.present = true;
+  r.torque_is_rated = r.speed_is_rated = machine::Applies::yes;
+  r.ratio = Dimensioned(4.0);
+  r.efficiency = Dimensioned(0.9);
+  r.inertia = inertia(2e-6);
+  r.backlash = Dimensioned(2e-3);
+  r.compliance = {1e-3, dimension::none / dimension::torque};
+  r.rated_torque = torque(12.0);
+  r.largest_speed = rate(300.0);
+  r.shaft = length(0.014);
+  r.mass = mass(0.5);
+  return r;
+}
+
+void check_screw_drive(
+    machine::ScrewKind kind, bool vertical, bool geared, bool nut_rotates, std::set<std::string>& seen) {
   const machine::ScrewDriveData data{.motion = motion(vertical),
                                      .require = with_accuracy(),
                                      .stroke = 0.3,
@@ -149,9 +166,14 @@ void check_screw_drive(machine::ScrewKind kind, bool vertical, std::set<std::str
                                      .vertical = vertical,
                                      .both_ends_fixed = vertical,
                                      .preloaded = kind == machine::ScrewKind::ball,
-                                     .preload_fraction = 0.05};
+                                     .preload_fraction = 0.05,
+                                     .has_coupling = !nut_rotates,
+                                     .nut_rotates = nut_rotates,
+                                     .nut_inertia = 2e-5};
   machine::ScrewDrive<Dimensioned> d;
   d.data = &data;
+  d.motor_mass = mass(1.2);
+  if (geared) d.reduction = reduction();
   d.kind = kind;
   d.screw = screw(kind);
   d.motor = motor();
@@ -179,11 +201,12 @@ void check_screw_drive(machine::ScrewKind kind, bool vertical, std::set<std::str
   machine::screw_drive_constraints(DimensionVisitor(d, seen));
 }
 
-void check_belt_drive(bool vertical, std::set<std::string>& seen) {
-  const machine::BeltDriveData data{
+void check_belt_drive(bool vertical, bool geared, std::set<std::string>& seen) {
+  const machine::GearedDriveData data{
       .motion = motion(vertical), .require = with_accuracy(), .stroke = 0.3, .microsteps = 2.0, .vertical = vertical};
   machine::BeltDrive<Dimensioned> d;
   d.data = &data;
+  if (geared) d.reduction = reduction();
   d.belt = {{0.02, dimension::mass_per_length},
             force(200.0),
             force(25000.0),
@@ -209,17 +232,6 @@ void check_belt_drive(bool vertical, std::set<std::string>& seen) {
   machine::belt_drive_constraints(DimensionVisitor(d, seen));
 }
 
-machine::Reduction reduction() {
-  machine::Reduction r;
-  r.ratio = 4.0;
-  r.efficiency = 0.9;
-  r.inertia = 2e-6;
-  r.backlash = 2e-3;
-  r.mass = 0.5;
-  r.shaft = 0.014;
-  return r;
-}
-
 void check_rack_drive(bool vertical, bool geared, bool rides, std::set<std::string>& seen) {
   machine::GearedDriveData data{.motion = motion(vertical),
                                 .require = with_accuracy(),
@@ -229,9 +241,9 @@ void check_rack_drive(bool vertical, bool geared, bool rides, std::set<std::stri
                                 .backlash = 1e-4,
                                 .vertical = vertical,
                                 .motor_rides = rides};
-  if (geared) data.reduction = reduction();
   machine::RackDrive<Dimensioned> d;
   d.data = &data;
+  if (geared) d.reduction = reduction();
   d.rack = {length(0.0015), Dimensioned(0.35), length(0.015), pressure(1e8), Dimensioned(1e-4), mass(1.5)};
   d.pinion = {length(0.0015),
               Dimensioned(0.35),
@@ -265,11 +277,11 @@ void check_rotary_drive(bool geared, std::set<std::string>& seen) {
   data.require.set(Requirement::output_power_factor, 1.0);
   data.require.set(Requirement::start_rate, 100.0);
   data.microsteps = geared ? 2.0 : 16.0;
-  if (geared) data.reduction = reduction();
   // No constraint of a table without drop weight is left out but C-ST-BACK, which needs a vertical axis.
   data.vertical = geared;
   machine::RotaryDrive<Dimensioned> d;
   d.data = &data;
+  if (geared) d.reduction = reduction();
   d.motor = motor();
   d.available_torque = [](const Dimensioned& omega) {
     CHECK(omega.dimension == dimension::angular_speed);
@@ -381,10 +393,11 @@ void check_bolts(bool fitted, bool eccentric, std::set<std::string>& seen) {
 TEST_CASE("Demand and capacity of every constraint have the dimension of its unit") {
   std::vector<std::set<std::string>> seen(8);
   for (const bool vertical : {false, true}) {
-    check_screw_drive(machine::ScrewKind::sliding, vertical, seen[0]);
-    check_screw_drive(machine::ScrewKind::ball, vertical, seen[0]);
-    check_belt_drive(vertical, seen[1]);
     for (const bool geared : {false, true}) {
+      for (const bool nut_rotates : {false, true})
+        for (const auto kind : {machine::ScrewKind::sliding, machine::ScrewKind::ball})
+          check_screw_drive(kind, vertical, geared, nut_rotates, seen[0]);
+      check_belt_drive(vertical, geared, seen[1]);
       for (const bool rides : {false, true}) check_rack_drive(vertical, geared, rides, seen[6]);
       check_rotary_drive(geared, seen[7]);
     }

@@ -32,7 +32,7 @@ inline solver::Row row_of(const evaluation::SlotTable& table, const std::vector<
   for (solver::Row row = 0; row < table.rows(); ++row) {
     std::vector<std::string> found;
     for (const auto& use : table.candidate(row).parts)
-      found.emplace_back(parts().table(use.family).part_number(use.row));
+      found.emplace_back(use.stated.empty() ? std::string(parts().table(use.family).part_number(use.row)) : use.stated);
     if (std::all_of(numbers.begin(), numbers.end(), [&](const std::string& n) {
           return std::find(found.begin(), found.end(), n) != found.end();
         }))

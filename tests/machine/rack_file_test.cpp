@@ -61,8 +61,8 @@ TEST_CASE("A rack with a reduction and a rotary table are read into SI") {
   CHECK(x.mechanism.rack_efficiency == 0.9);
   CHECK(x.mechanism.backlash == Approx(1.2e-4).epsilon(1e-12));
   CHECK_FALSE(x.mechanism.motor_rides);
-  REQUIRE(x.mechanism.reduction);
-  const machine::Reduction& r = *x.mechanism.reduction;
+  REQUIRE(x.mechanism.reductions.size() == 1);
+  const machine::Reduction& r = x.mechanism.reductions.front();
   CHECK(r.ratio == 5.0);
   CHECK(r.efficiency == 0.95);
   CHECK(r.inertia == Approx(4e-6).epsilon(1e-12));
@@ -77,7 +77,7 @@ TEST_CASE("A rack with a reduction and a rotary table are read into SI") {
   CHECK(a.stroke == Approx(4.0 * pi).epsilon(1e-12));
   CHECK(a.inertia == Approx(0.025).epsilon(1e-12));
   CHECK(a.friction_torque == Approx(0.2).epsilon(1e-12));
-  CHECK_FALSE(a.mechanism.reduction);
+  CHECK(a.mechanism.reductions.empty());
   REQUIRE(a.moves.size() == 1);
   CHECK(a.moves[0].distance == Approx(pi / 2.0).epsilon(1e-12));
   CHECK(a.moves[0].speed.value() == Approx(pi / 6.0).epsilon(1e-12));
@@ -98,7 +98,7 @@ TEST_CASE("Defaults of a rack: the motor rides, 0.1 mm of play, no reduction") {
   CHECK(rack.motor_rides);
   CHECK(rack.backlash == 1e-4);
   CHECK(rack.rack_efficiency == 0.95);
-  CHECK_FALSE(rack.reduction);
+  CHECK(rack.reductions.empty());
 }
 
 TEST_CASE("What is wrong with a rack or a reduction is said at the place") {
@@ -134,10 +134,6 @@ TEST_CASE("What is wrong with a rack or a reduction is said at the place") {
        "price: there is no rate for GBP",
        "add GBP to [currency]"},
   });
-  check({"kind = \"belt\"",
-         "kind = \"belt\", «reduction» = { ratio = 5 }",
-         "reduction: a belt has none",
-         "kind = \"rack\" or \"rotary\""});
   check({"kind = \"belt\"", "kind = \"belt\", «motor_rides» = true", "motor_rides: a belt has none", "\"rack\""});
 }
 
@@ -211,4 +207,94 @@ TEST_CASE("What belongs to an axis that slides is refused of one that turns, and
          "«angle_error» = \"0.1 deg\"",
          "angle_error: the travel of this axis is a length",
          "position_error = \"0.05 mm\""});
+}
+
+TEST_CASE("Reductions of screws and belts are read into SI, a list of them each with its name") {
+  const std::string belt = "kind = \"belt\", profiles = [\"GT2\"], efficiency = 0.95";
+  const std::string ends = "ends = \"fixed-free\"";
+  const std::string list =
+      ends +
+      ", reduction = [{ name = \"3:1 belt\", ratio = 3, torque = \"8 N.m\", speed = \"3000 rpm\", stiffness = \"2 "
+      "kN.m/rad\" }, { name = \"direct\", ratio = 1, efficiency = 1 }]";
+  const Outcome outcome = read(replaced(
+      replaced(sound, ends, list), belt, belt + ", reduction = { ratio = 4, shaft = \"8 mm\", price = \"30 EUR\" }"));
+  INFO(text::format(outcome.diagnostics));
+  REQUIRE(outcome.problem);
+  CHECK(outcome.diagnostics.count() == 0);
+  const std::vector<machine::Reduction>& x = outcome.problem->axes[0].mechanism.reductions;
+  REQUIRE(x.size() == 2);
+  CHECK(x[0].name == "3:1 belt");
+  CHECK(x[0].ratio == 3.0);
+  CHECK(x[0].efficiency == 0.9);
+  CHECK(x[0].rated_torque == 8.0);
+  CHECK(x[0].largest_speed.value() == Approx(100.0 * pi).epsilon(1e-12));
+  CHECK(x[0].stiffness == 2000.0);
+  CHECK(x[0].shaft == 0.0);
+  CHECK(x[1].name == "direct");
+  CHECK(x[1].efficiency == 1.0);
+  CHECK_FALSE(x[1].rated_torque);
+  CHECK_FALSE(x[1].largest_speed);
+  CHECK_FALSE(x[1].stiffness);
+  const std::vector<machine::Reduction>& y = outcome.problem->axes[1].mechanism.reductions;
+  REQUIRE(y.size() == 1);
+  CHECK(y[0].name.empty());
+  CHECK(y[0].shaft == Approx(0.008).epsilon(1e-12));
+  CHECK(y[0].currency == "EUR");
+  // A wheel on the screw leaves no place for a coupling, and the bill of materials tells the two by their names; the
+  // only one of y needs none.
+  using Words = std::vector<std::string>;
+  CHECK(machine::slot_names(outcome.problem->axes[0]) ==
+        Words{"guide", "beam", "screw", "nut", "motor", "driver", "support_fixed", "reduction"});
+  CHECK(machine::slot_names(outcome.problem->axes[1]) ==
+        Words{"belt", "pulley_drive", "pulley_idle", "motor", "driver"});
+}
+
+TEST_CASE("A nut that turns is read, with its inertia") {
+  const std::string ends = "ends = \"fixed-free\"";
+  const Outcome outcome = read(replaced(sound, ends, ends + ", rotating = \"nut\", nut_inertia = \"2 kg.cm2\""));
+  INFO(text::format(outcome.diagnostics));
+  REQUIRE(outcome.problem);
+  const machine::Axis& x = outcome.problem->axes[0];
+  CHECK(x.mechanism.nut_rotates);
+  CHECK(x.mechanism.nut_inertia == Approx(2e-4).epsilon(1e-12));
+  CHECK_FALSE(machine::has_coupling(x.mechanism));
+  CHECK(machine::riding_mass_allowance(x) == 5.0);
+  CHECK(machine::riding_mass_allowance(read(sound).problem->axes[0]) == 0.5);
+}
+
+TEST_CASE("What is wrong with the reductions of screws and belts, and with a nut that turns, is said at the place") {
+  const std::string ends = "ends = \"fixed-free\"";
+  const auto of_screw = [&](const std::string& keys, const char* message, const char* hint) {
+    check({ends, ends + ", " + keys, message, hint});
+  };
+  of_screw("reduction = { ratio = 3, torque = \"8 «kg»\" }", "torque: 'kg'", "N.m");
+  of_screw("reduction = { ratio = 3, speed = «3000» }", "speed: a bare number", "rpm");
+  of_screw("reduction = { ratio = 3, stiffness = \"20 «N/m»\" }", "stiffness: 'N/m'", "");
+  of_screw("reduction = { ratio = 3, torque = \"«-8» N.m\" }", "torque: must not be negative", "");
+  of_screw("reduction = «3»", "reduction in the mechanism of axis 'x'", "");
+  of_screw("reduction = «[]»", "reduction: the list is empty", "leave the key out");
+  of_screw("reduction = [«»{ ratio = 3 }]", "needs the key 'name'", "3:1 belt");
+  of_screw("reduction = { ratio = 3, name = «\"\"» }", "name", "");
+  of_screw("reduction = { ratio = 3, «rato» = 2 }", "rato", "ratio");
+  of_screw("reduction = [{ name = \"a\", ratio = 3 }, { name = «\"a\"», ratio = 4 }]",
+           "name: two reductions are called 'a'",
+           "give each its own name");
+  of_screw("reduction = [{ name = \"a\", ratio = 3 }, «{ name = \"b\", ratio = 4, shaft = \"8 mm\" }»]",
+           "shaft: one reduction has an output shaft and another has none",
+           "list one sort");
+  of_screw("reduction = [{ name = \"a\", ratio = 3 }, «{ name = \"b\", ratio = 4, price = \"5 GBP\" }»]",
+           "price: there is no rate for GBP",
+           "add GBP to [currency]");
+  of_screw("rotating = «\"nuts\"»", "rotating", "nut");
+  of_screw("«nut_inertia» = \"2 kg.cm2\"", "nut_inertia: the screw turns, not its nut", "rotating = \"nut\"");
+  of_screw("rotating = \"nut\", nut_inertia = \"2 «kg»\"", "nut_inertia: 'kg'", "kg.m2");
+  of_screw("rotating = \"nut\", nut_inertia = \"1 kg.cm2\", reduction = { ratio = 2, «shaft» = \"8 mm\" }",
+           "shaft: its last wheel sits on the nut",
+           "leave it out");
+  check({"mechanism = { kind = \"screw\", screw = [\"ball_screws\", \"lead_screws\"], ends = \"fixed-free\" }",
+         "mechanism = «{ kind = \"screw\", screw = [\"ball_screws\", \"lead_screws\"], rotating = \"nut\" }»",
+         "needs the key 'nut_inertia'",
+         "of the nut with the wheel on it"});
+  check({"kind = \"belt\"", "kind = \"belt\", reduction = «{ ratio = 5 }»", "needs the key 'shaft'", "drive pulley"});
+  check({"kind = \"belt\"", "kind = \"belt\", «rotating» = \"nut\"", "rotating: a belt has none", "\"screw\""});
 }

@@ -184,6 +184,19 @@ TEST_CASE("The bill of materials quotes what it must and keeps every bit of a di
   CHECK(csv_cell("line\nbreak") == "\"line\nbreak\"");
 }
 
+TEST_CASE("A reduction is on the bill of materials by its name, and left out without one") {
+  evaluation::Design design;
+  evaluation::PartLine& line = design.parts.emplace_back();
+  line.axis = "x";
+  line.slot = "reduction";
+  line.part_number = "as the problem states it";
+  const std::string header = "axis,slot,manufacturer,part_number,quantity,length,value\n";
+  CHECK(bom_csv(design) == header);
+  line.manufacturer = "generic";
+  line.part_number = "3:1 belt";
+  CHECK(bom_csv(design) == header + "x,reduction,generic,3:1 belt,1,,\n");
+}
+
 TEST_CASE("A length survives the way through millimetres bit for bit") {
   std::string reason;
   for (double metres = 1e-4; metres < 3.0; metres *= 1.0173) {
