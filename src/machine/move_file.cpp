@@ -102,17 +102,6 @@ class MoveCheck {
     }
   }
 
-  void stroke(const Axis& axis) {
-    if (move_.distance <= axis.stroke * rounding) return;
-    const scalar::Unit unit = scalar::Unit::of(rotary_ ? "deg" : "mm");
-    diagnostics_.error(node_.find("distance")->span(),
-                       fmt::format("distance: {} is longer than the stroke of axis '{}', {}",
-                                   scalar::format(move_.distance, unit, 6),
-                                   axis.name,
-                                   scalar::format(axis.stroke, unit, 6)),
-                       "lengthen the stroke or shorten the move");
-  }
-
  private:
   std::string speed() const { return scalar::format(*move_.speed, scalar::Unit::of(rotary_ ? "rpm" : "mm/s")); }
 
@@ -167,6 +156,28 @@ void warn_of_idle_ramps(const std::vector<const Move*>& moves,
 
 }  // namespace
 
+void check_ramps(const Node& node,
+                 const Move& move,
+                 bool rotary,
+                 const MoveLimits& limits,
+                 const Range& ramps,
+                 Diagnostics& diagnostics) {
+  MoveCheck(node, move, rotary, limits, diagnostics).ramps(ramps);
+}
+
+void check_travel(
+    const SourceSpan& where, std::string_view what, double travel, const Axis& axis, Diagnostics& diagnostics) {
+  if (travel <= axis.stroke * rounding) return;
+  const scalar::Unit unit = scalar::Unit::of(is_rotary(axis) ? "deg" : "mm");
+  diagnostics.error(where,
+                    fmt::format("{}: {} is longer than the stroke of axis '{}', {}",
+                                what,
+                                scalar::format(travel, unit, 6),
+                                axis.name,
+                                scalar::format(axis.stroke, unit, 6)),
+                    "lengthen the stroke or shorten the move");
+}
+
 void read_moves(const Node& moves, const MoveLimits& limits, Axis& axis, Diagnostics& diagnostics) {
   if (moves.size() == 0)
     diagnostics.error(moves.span(), fmt::format("axis '{}' has no moves", axis.name), "add an [[axis.moves]]");
@@ -178,8 +189,9 @@ void read_moves(const Node& moves, const MoveLimits& limits, Axis& axis, Diagnos
     axis.moves.push_back(read_move(node, rotary, fmt::format("move of axis '{}'", axis.name), diagnostics));
     const Move& move = axis.moves.back();
     sound.push_back(diagnostics.error_count() == before);
-    if (sound.back() && limits.ramps) MoveCheck(node, move, rotary, limits, diagnostics).ramps(axis.acceleration_time);
-    if (sound.back() && limits.stroke) MoveCheck(node, move, rotary, limits, diagnostics).stroke(axis);
+    if (sound.back() && limits.ramps) check_ramps(node, move, rotary, limits, axis.acceleration_time, diagnostics);
+    if (sound.back() && limits.stroke)
+      check_travel(node.find("distance")->span(), "distance", move.distance, axis, diagnostics);
     const Node* name = node.find("name");
     if (name == nullptr || move.name.empty()) continue;
     const auto [first, added] = names.try_emplace(move.name, name->span());
