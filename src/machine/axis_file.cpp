@@ -178,13 +178,17 @@ Axis read_axis(const Node& node, const AxisSurroundings& around, Diagnostics& di
     read_loads(table, q, axis, diagnostics);
   const auto ramps = q.range("acceleration_time", "s");
   axis.acceleration_time = ramps.value_or(axis.acceleration_time);
+  axis.jerk = q.quantity("jerk", rotary ? "rad/s^3" : "m/s^3", Sign::positive);
   read_parts(table, q, axis, diagnostics);
   if (stroke && !rotary) check_stroke(table, axis, diagnostics);
   const Node* given = table.find("acceleration_time");
   const bool others = around.together.count(axis.name) > 0 && !table.has("moves");
   if (!others && q.required("moves", "an [[axis.moves]] with distance and time") != nullptr)
     if (const Node* moves = table.array("moves"); moves != nullptr)
-      read_moves(*moves, {stroke.has_value(), given == nullptr || ramps.has_value(), given}, axis, diagnostics);
+      read_moves(*moves,
+                 {stroke.has_value(), given == nullptr || ramps.has_value(), given, table.find("jerk"), around.folder},
+                 axis,
+                 diagnostics);
   table.finish();
   return axis;
 }

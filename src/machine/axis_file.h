@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
 #include <set>
 #include <string>
 
@@ -15,6 +16,7 @@ namespace millwright::machine {
 struct AxisSurroundings {
   Requirements require;            ///< of the whole machine, which the axis's own override
   std::set<std::string> together;  ///< axes that [[moves]] of the machine move, and that need none of their own
+  std::filesystem::path folder;    ///< of the problem file
 };
 
 /// One [[axis]] of a problem file.
@@ -45,10 +47,13 @@ struct MoveLimits {
   bool stroke = false;                      ///< whether the axis's stroke is known
   bool ramps = false;                       ///< whether its range of acceleration times is known (or the default)
   const text::Node* ramps_given = nullptr;  ///< the range in the file, if any
+  const text::Node* jerk_given = nullptr;   ///< the axis's jerk in the file, if any
+  std::filesystem::path folder;             ///< of the problem file, where measured profiles are
 };
 void read_moves(const text::Node& moves, const MoveLimits& limits, Axis& axis, text::Diagnostics& diagnostics);
 
-/// Reports a move whose own ramp, or the shortest of `ramps`, does not fit. `node` has its keys.
+/// Reports a move whose own ramp, or the shortest of `ramps`, does not fit, or whose jerk asks for a longer one than
+/// there is time for. `node` has its keys.
 void check_ramps(const text::Node& node,
                  const Move& move,
                  bool rotary,
@@ -59,11 +64,21 @@ void check_ramps(const text::Node& node,
 void check_travel(
     const SourceSpan& where, std::string_view what, double travel, const Axis& axis, text::Diagnostics& diagnostics);
 
+/// An axis whose moves all bring their own ramps, or were measured, has none to choose.
+void settle_ramps(Axis& axis);
+
 /// The names of all axes in the [[moves]] of a machine, whether there are such axes or not.
 std::set<std::string> axes_moved_together(const text::Node& moves);
 /// The [[moves]] of a machine: coordinated moves of axes that have been read; each becomes a move of every axis it
 /// names. `strokes`: whether all axes could be read.
 void read_coordinated_moves(const text::Node& moves, bool strokes, Problem& problem, text::Diagnostics& diagnostics);
+
+/// A measured profile, from the file that the node names. Its first column is the time; of a rotary axis the others
+/// are angle or speed, and torque.
+std::optional<MeasuredProfile> read_profile(const text::Node& node,
+                                            bool rotary,
+                                            const std::filesystem::path& folder,
+                                            text::Diagnostics& diagnostics);
 
 /// What the tool does in a move; none if it cannot be read.
 std::optional<CuttingProcess> read_cutting(const text::Node& node,

@@ -48,6 +48,7 @@ class CoordinatedReader {
     path.time = q.quantity("time", "s", Sign::positive);
     path.speed = q.quantity("speed", "mm/s", Sign::positive);
     path.acceleration_time = q.quantity("acceleration_time", "s", Sign::positive, text::Presence::required);
+    path.jerk = q.quantity("jerk", "m/s^3", Sign::positive);
     path.dwell = q.quantity_or("dwell", "s", 0.0);
     if (node.is_table() && !table.has("time") && !table.has("speed"))
       diagnostics_.error(node.span(),
@@ -59,7 +60,8 @@ class CoordinatedReader {
     check_name(node, path, parts);
     if (diagnostics_.error_count() > before) return;
     for (const Part& part : parts) path.distance = std::hypot(path.distance, part.distance);
-    check_ramps(node, path, false, {true, true, nullptr}, {0.0, 0.0}, diagnostics_);
+    take_jerk(path, parts);
+    check_ramps(node, path, false, {true, true, nullptr, nullptr, {}}, {0.0, 0.0}, diagnostics_);
     for (const Part& part : parts) give(path, part);
   }
 
@@ -140,6 +142,16 @@ class CoordinatedReader {
               own.where);
   }
 
+  /// Without a jerk of the path, that at which no axis exceeds its own.
+  void take_jerk(Move& path, const std::vector<Part>& parts) const {
+    if (path.jerk) return;
+    for (const Part& part : parts)
+      if (const auto& own = problem_.axes[part.axis].jerk) {
+        const double along = *own * path.distance / part.distance;
+        path.jerk = std::min(path.jerk.value_or(along), along);
+      }
+  }
+
   void give(const Move& path, const Part& part) {
     Axis& axis = problem_.axes[part.axis];
     if (strokes_) check_travel(part.where->span(), "axes." + axis.name, part.distance, axis, diagnostics_);
@@ -147,12 +159,10 @@ class CoordinatedReader {
     Move move = path;
     move.distance = part.distance;
     if (path.speed) move.speed = *path.speed * share;
+    if (path.jerk) move.jerk = *path.jerk * share;
     move.force = part.force;
     axis.moves.push_back(std::move(move));
-    // An axis whose moves all bring their own ramps has none to choose.
-    if (std::all_of(
-            axis.moves.begin(), axis.moves.end(), [](const Move& m) { return m.acceleration_time.has_value(); }))
-      axis.acceleration_time.upper = axis.acceleration_time.lower;
+    settle_ramps(axis);
   }
 
   bool strokes_;

@@ -119,6 +119,7 @@ std::optional<Problem> problem_of(const text::Document& document, Diagnostics& d
   if (q.required("supply", "a table [supply] with voltage = [\"24 V\", \"36 V\"]") != nullptr)
     if (const Node* supply = table.table("supply"); supply != nullptr) read_supply(*supply, problem, diagnostics);
   AxisSurroundings around;
+  around.folder = std::filesystem::path(problem.file).parent_path();
   if (const Node* require = table.table("require"); require != nullptr)
     read_requirements(*require, "[require]", around.require, diagnostics);
   const Node* together = table.array("moves");

@@ -102,7 +102,7 @@ TEST_CASE("Wrong coordinated moves are reported at their place") {
   check_table({"forces = { y = \"12 N\" }", "forces = { «z» = \"12 N\" }", "no axis 'z'", "x, y, c"});
   check_table({"name = \"back\"", "name = «\"diagonal\"»", "two moves", "own name"});
   check_table({"name = \"back\"", "name = «\"own\"»", "axis 'x' has a move 'own' of its own", "own name"});
-  check_table({"dwell = \"0.5 s\"", "force = «\"5 N\"»", "a force acts on one axis", "forces ="});
+  check_table({"dwell = \"0.5 s\"", "«force» = \"5 N\"", "a force acts on one axis", "forces ="});
   check_table({"dwell = \"0.5 s\"", "«dwel» = \"0.5 s\"", "dwel", "dwell"});
   // Two ramps of 0.2 s need 0.4 s; a path of 500 mm at 100 mm/s takes 5 s, ramps of 6 s never reach that speed.
   check_table({"time = \"2.2 s\"", "time = «\"0.3 s\"»", "faster than its ramps allow", "0.15 s"});
