@@ -270,3 +270,28 @@ TEST_CASE("A supply is sized for the peak of a ramp and the hardest phases of a 
   CHECK(demands[2].acceleration == Approx(0.1));  // faster; the braking of the third second asks for less than this
   CHECK(demands[2].speed == Approx(0.6));
 }
+
+TEST_CASE("Every number of a cycle has its dimension") {
+  namespace dimension = scalar::dimension;
+  using scalar::Dimensioned;
+  MotionData data;
+  data.inclination = 0.3;
+  data.moves = {jerk_limited(0.4, 0.25, 0.175, 40.0), measured({0.0, 1.0, 2.0}, {0.0, 1.0, 0.0}, {0.0, 30.0, 30.0})};
+  for (const bool rotary : {false, true}) {
+    data.rotary = rotary;
+    data.inclination = rotary ? 0.0 : 0.3;
+    const auto of = machine::motion_dimensions(rotary);
+    const auto cycle =
+        machine::duty_cycle(data,
+                            scalar::in_unit<Dimensioned>(3.0, rotary ? dimension::inertia : dimension::mass),
+                            scalar::in_unit<Dimensioned>(0.1, dimension::time));
+    for (const auto& phase : cycle.phases) {
+      CHECK(phase.force.dimension == of.force);
+      CHECK(phase.acceleration.dimension == of.acceleration);
+      CHECK(phase.mean_speed.dimension == of.speed);
+      CHECK(phase.duration.dimension == dimension::time);
+    }
+    CHECK(cycle.travelled.dimension == of.distance);
+    CHECK(cycle.time_ratio.dimension == dimension::none);
+  }
+}
