@@ -193,3 +193,55 @@ TEST_CASE("Jerk is that of the move, else of the axis, and its ramp must have ti
   check({"dwell = \"0.5 s\"", "jerk = «\"3.19 m/s^3\"»", "0.5008 s", "longer ramps"}, base);
   check({"dwell = \"0.5 s\"", "jerk = \"50 «m/s^2»\"", "jerk", ""}, base);
 }
+
+// 450 mm along the line by 3-4-5: 0.8 of it for x, 0.6 for y, at 500 mm/s and 40 m/s3.
+TEST_CASE("The shipped inserter moves in every way") {
+  Outcome outcome;
+  outcome.problem = machine::read_problem(MILLWRIGHT_SOURCE_DIR "/problems/inserter.toml", {}, outcome.diagnostics);
+  INFO(text::format(outcome.diagnostics));
+  CHECK(outcome.diagnostics.count() == 0);
+  REQUIRE(outcome.problem);
+  const auto& axes = outcome.problem->axes;
+  REQUIRE(axes.size() == 3);
+  REQUIRE(axes[0].moves.size() == 1);
+  CHECK(axes[0].moves[0].profile.has_value());
+  REQUIRE(axes[1].moves.size() == 2);
+  CHECK(*axes[1].moves[0].speed == Approx(0.3));
+  CHECK(*axes[1].moves[0].jerk == Approx(24.0));
+  REQUIRE(axes[2].moves.size() == 3);
+  CHECK(axes[2].moves[0].jerk == 25.0);  // its own move has the jerk of the axis
+  CHECK(*axes[2].moves[1].speed == Approx(0.4));
+  CHECK(*axes[2].moves[1].jerk == Approx(32.0));
+  CHECK_FALSE(axes[2].acceleration_time.fixed());
+}
+
+// Without a jerk of the path no axis exceeds its own: 20 m/s3 of x, 0.6 of the way, are 33.3 along it; 8 m/s3 of y,
+// 0.8 of the way, are 10. So y sets it, and x gets 6.
+TEST_CASE("A coordinated move has the jerk that its axes allow") {
+  const Outcome outcome = read(R"(
+[supply]
+voltage = ["24 V"]
+[[moves]]
+name = "diagonal"
+axes = { x = "300 mm", y = "400 mm" }
+speed = "100 mm/s"
+acceleration_time = "0.3 s"
+[[axis]]
+name = "x"
+carries = ["y"]
+stroke = "500 mm"
+structure_mass = "4 kg"
+jerk = "20 m/s^3"
+mechanism = { kind = "belt" }
+[[axis]]
+name = "y"
+stroke = "400 mm"
+structure_mass = "4 kg"
+jerk = "8 m/s^3"
+mechanism = { kind = "belt" }
+)");
+  INFO(text::format(outcome.diagnostics));
+  REQUIRE(outcome.problem);
+  CHECK(*outcome.problem->axes[0].moves[0].jerk == Approx(6.0));
+  CHECK(*outcome.problem->axes[1].moves[0].jerk == Approx(8.0));
+}
