@@ -65,8 +65,9 @@ BoltStage::BoltStage(const machine::Axis& axis,
   }
   tables_.push_back(std::move(table));
   finish_slots();
-  machine::bolted_joint_constraints(
-      [&](const machine::Declaration& d, auto&&, auto&&, auto&&) { constraint_count_ += machine::is_searched(d, axis.require); });
+  machine::bolted_joint_constraints([&](const machine::Declaration& d, auto&&, auto&&, auto&&) {
+    constraint_count_ += machine::is_searched(d, axis.require);
+  });
 }
 
 template <class T>

@@ -68,8 +68,9 @@ GuideStage::GuideStage(const machine::Axis& axis,
   }
   tables_.push_back(std::move(table));
   finish_slots();
-  machine::guide_constraints(
-      [&](const machine::Declaration& d, auto&&, auto&&, auto&&) { constraint_count_ += machine::is_searched(d, axis.require); });
+  machine::guide_constraints([&](const machine::Declaration& d, auto&&, auto&&, auto&&) {
+    constraint_count_ += machine::is_searched(d, axis.require);
+  });
 }
 
 namespace {

@@ -82,8 +82,7 @@ class CheckVisitor {
     check.id = declaration.id;
     check.title = declaration.title;
     check.symbol = declaration.symbol;
-    const bool enforced =
-        declaration.kind == ConstraintKind::soft && element_.data->require.enforces(declaration.id);
+    const bool enforced = declaration.kind == ConstraintKind::soft && element_.data->require.enforces(declaration.id);
     check.kind = enforced ? ConstraintKind::hard : declaration.kind;
     check.unit = declaration.unit;
     check.source = declaration.source;

@@ -56,9 +56,10 @@ MachineModel::MachineModel(const machine::Problem& given,
   double reserve = 1.0;
   for (const machine::Axis& axis : problem.axes)
     reserve = std::max(reserve, axis.require(machine::Requirement::supply_reserve));
-  entries_.push_back(
-      {"machine", "supply", std::make_unique<SupplyStage>(
-           problem.supply_voltages, SupplyData{problem.require, reserve}, catalogue, prices)});
+  entries_.push_back({"machine",
+                      "supply",
+                      std::make_unique<SupplyStage>(
+                          problem.supply_voltages, SupplyData{problem.require, reserve}, catalogue, prices)});
   if (problem.tool || problem.cost_limit || problem.mass_limit)
     entries_.push_back({"machine", "whole", std::make_unique<WholeStage>(problem)});
   for (const StageEntry& entry : entries_) solver_problem_.stages.push_back(&entry.as_stage());

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A machine as the solver's problem: the elements of all axes as stages, from the tools to the base, then the power
-// supply. The state they hand on is the supply power, for each axis the load it has to carry so far, and how far the tool gives
-// way; the supply voltage is a choice shared by all.
+// supply. The state they hand on is the supply power, for each axis the load it has to carry so far, and how far the
+// tool gives way; the supply voltage is a choice shared by all.
 #pragma once
 
 #include <memory>

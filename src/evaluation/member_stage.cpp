@@ -42,8 +42,9 @@ MemberStage::MemberStage(const machine::Axis& axis,
     if (member.kind == MemberKind::plate) variable("thickness", member.thickness);
   }
   finish_slots();
-  machine::member_constraints(
-      [&](const machine::Declaration& d, auto&&, auto&&, auto&&) { constraint_count_ += machine::is_searched(d, axis.require); });
+  machine::member_constraints([&](const machine::Declaration& d, auto&&, auto&&, auto&&) {
+    constraint_count_ += machine::is_searched(d, axis.require);
+  });
 }
 
 void MemberStage::take_material(const catalogue::Table& materials, const PriceBook& prices) {
@@ -104,15 +105,16 @@ void MemberStage::take_sections(const catalogue::Catalogue& catalogue, const Pri
                                                                          t.number(mass, row),
                                                                          t.number(torsion, row)};
       // A portal frame is cut of one length: two columns and a beam.
-      const bool twisted = place_.tool && place_.tool->height_arm + place_.tool->across_arm + place_.tool->along_arm > 0.0;
+      const bool twisted =
+          place_.tool && place_.tool->height_arm + place_.tool->across_arm + place_.tool->along_arm > 0.0;
       const double piece = m.kind == MemberKind::portal_frame ? m.length + 2.0 * m.column_height : m.length;
       const double length = m.count * piece;
       Candidate candidate = candidate_of(
           {{m.name, family, row, m.count, piece, prices.line(t, row, 0.0, length), readings[5] * length}}, 0.0);
-      if (std::isnan(candidate.price) || std::any_of(readings.begin(),
-                                                     readings.begin() + (twisted ? machine::section_reading_fields
-                                                                                   : machine::section_readings_needed),
-                                                     [](double v) { return std::isnan(v); }))
+      if (std::isnan(candidate.price) ||
+          std::any_of(readings.begin(),
+                      readings.begin() + (twisted ? machine::section_reading_fields : machine::section_readings_needed),
+                      [](double v) { return std::isnan(v); }))
         continue;
       table.add(std::move(candidate), readings);
     }

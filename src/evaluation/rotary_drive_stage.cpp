@@ -27,8 +27,9 @@ RotaryDriveStage::RotaryDriveStage(const machine::Axis& axis,
   finish_slots();
   if (!acceleration_time_.fixed())
     variables_.push_back({"acceleration_time", acceleration_time_.lower, acceleration_time_.upper});
-  machine::rotary_drive_constraints(
-      [&](const machine::Declaration& d, auto&&, auto&&, auto&&) { constraint_count_ += machine::is_searched(d, axis.require); });
+  machine::rotary_drive_constraints([&](const machine::Declaration& d, auto&&, auto&&, auto&&) {
+    constraint_count_ += machine::is_searched(d, axis.require);
+  });
 }
 
 template <class T>

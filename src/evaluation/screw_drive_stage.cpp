@@ -21,7 +21,10 @@ machine::MotionData motion_of(const machine::Axis& axis) {
 machine::MotionData drive_motion_of(const machine::Axis& axis) {
   machine::MotionData motion = motion_of(axis);
   const double share = axis.mechanism.load_share;
-  for (machine::Move& move : motion.moves) move.force *= share;
+  for (machine::Move& move : motion.moves) {
+    move.force *= share;
+    if (move.profile) move.profile->scale_forces(share);
+  }
   motion.guide_drag *= share;
   motion.counterbalance_force *= share;
   return motion;
@@ -50,6 +53,12 @@ bool gravity_acts(const machine::Axis& axis) { return std::sin(axis.inclination)
 std::pair<double, double> constant_speed_range(const machine::Axis& axis) {
   double slow = scalar::rounding::infinity, fast = 0.0;
   for (const machine::Move& move : axis.moves) {
+    if (move.profile) {
+      // What is slower than that is looked up motor by motor.
+      slow = std::min(slow, 0.02 * move.profile->peak_speed);
+      fast = std::max(fast, move.profile->peak_speed);
+      continue;
+    }
     const auto speed = [&](double ramp) {
       return move.speed ? *move.speed : move.distance / std::max(*move.time - ramp, 1e-3 * *move.time);
     };
@@ -131,8 +140,9 @@ ScrewDriveStage::ScrewDriveStage(const machine::Axis& axis,
   finish_slots();
   if (!acceleration_time_.fixed())
     variables_.push_back({"acceleration_time", acceleration_time_.lower, acceleration_time_.upper});
-  machine::screw_drive_constraints(
-      [&](const machine::Declaration& d, auto&&, auto&&, auto&&) { constraint_count_ += machine::is_searched(d, axis.require); });
+  machine::screw_drive_constraints([&](const machine::Declaration& d, auto&&, auto&&, auto&&) {
+    constraint_count_ += machine::is_searched(d, axis.require);
+  });
 }
 
 template <class T>

@@ -33,7 +33,8 @@ void add_compliance(const AxisPlace& place, const Element& element, solver::Answ
   const machine::Compliance<T> compliance = tool_compliance(element, *place.tool);
   for (std::size_t i = 0; i < compliance.size(); ++i)
     if (place.compliance_state[i])
-      out.handed_on[*place.compliance_state[i]] = out.handed_on[*place.compliance_state[i]] + machine::whole_steps(compliance[i], place.tool->step[i]);
+      out.handed_on[*place.compliance_state[i]] =
+          out.handed_on[*place.compliance_state[i]] + machine::whole_steps(compliance[i], place.tool->step[i]);
 }
 
 machine::MotionData motion_of(const machine::Axis& axis);

@@ -219,7 +219,8 @@ void add_lead_screws(const catalogue::Catalogue& catalogue,
 
 bool stiffness_matters(const machine::Axis& axis) {
   using enum machine::Requirement;
-  return axis.stiffness_counts || axis.require.known(position_error) || axis.require.known(lost_motion) || axis.require.known(axial_stiffness);
+  return axis.stiffness_counts || axis.require.known(position_error) || axis.require.known(lost_motion) ||
+         axis.require.known(axial_stiffness);
 }
 
 ScrewTable screw_table(const catalogue::Catalogue& catalogue, const machine::Axis& axis, const PriceBook& prices) {

@@ -31,8 +31,9 @@ SupplyStage::SupplyStage(const std::vector<double>& voltages,
   }
   tables_.push_back(std::move(table));
   finish_slots();
-  supply_constraints(
-      [&](const machine::Declaration& d, auto&&, auto&&, auto&&) { constraint_count_ += machine::is_searched(d, data_.require); });
+  supply_constraints([&](const machine::Declaration& d, auto&&, auto&&, auto&&) {
+    constraint_count_ += machine::is_searched(d, data_.require);
+  });
 }
 
 template <class T>

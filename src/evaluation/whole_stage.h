@@ -49,9 +49,7 @@ void whole_constraints(Visit&& visit) {
     declaration.source = "slocum1992, chapter 2";
     visit(
         declaration,
-        [](const auto& d) {
-          return d.data->tool && d.data->tool->force[direction] > 0.0 ? Applies::yes : Applies::no;
-        },
+        [](const auto& d) { return d.data->tool && d.data->tool->force[direction] > 0.0 ? Applies::yes : Applies::no; },
         [](const auto& d) { return tool_deflection(d, direction); },
         [](const auto& d) {
           using T = std::remove_cvref_t<decltype(d.cost)>;

@@ -157,10 +157,10 @@ void check_stroke(TableReader& table, const Axis& axis, Diagnostics& diagnostics
 
 }  // namespace
 
-Axis read_axis(const Node& node, const Requirements& shared, Diagnostics& diagnostics) {
+Axis read_axis(const Node& node, const AxisSurroundings& around, Diagnostics& diagnostics) {
   Axis axis;
   axis.where = node.span();
-  axis.require = shared;
+  axis.require = around.require;
   const Node* name = node.find("name");
   const std::string known_as = name == nullptr ? "" : name->as_string().value_or("");
   TableReader table(node, known_as.empty() ? "axis" : fmt::format("axis '{}'", known_as), diagnostics);
@@ -181,12 +181,17 @@ Axis read_axis(const Node& node, const Requirements& shared, Diagnostics& diagno
     read_loads(table, q, axis, diagnostics);
   const auto ramps = q.range("acceleration_time", "s");
   axis.acceleration_time = ramps.value_or(axis.acceleration_time);
+  axis.jerk = q.quantity("jerk", rotary ? "rad/s^3" : "m/s^3", Sign::positive);
   read_parts(table, q, axis, diagnostics);
   if (stroke && !rotary) check_stroke(table, axis, diagnostics);
   const Node* given = table.find("acceleration_time");
-  if (q.required("moves", "an [[axis.moves]] with distance and time") != nullptr)
+  const bool others = around.together.count(axis.name) > 0 && !table.has("moves");
+  if (!others && q.required("moves", "an [[axis.moves]] with distance and time") != nullptr)
     if (const Node* moves = table.array("moves"); moves != nullptr)
-      read_moves(*moves, {stroke.has_value(), given == nullptr || ramps.has_value(), given}, axis, diagnostics);
+      read_moves(*moves,
+                 {stroke.has_value(), given == nullptr || ramps.has_value(), given, table.find("jerk"), around.folder},
+                 axis,
+                 diagnostics);
   table.finish();
   return axis;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
+#include <set>
 #include <string>
 
 #include "machine/problem.h"
@@ -10,8 +12,15 @@
 
 namespace millwright::machine {
 
-/// One [[axis]] of a problem file. `shared`: requirements of the whole machine, which the axis's own override.
-Axis read_axis(const text::Node& node, const Requirements& shared, text::Diagnostics& diagnostics);
+/// What of the whole problem file an axis depends on.
+struct AxisSurroundings {
+  Requirements require;            ///< of the whole machine, which the axis's own override
+  std::set<std::string> together;  ///< axes that [[moves]] of the machine move, and that need none of their own
+  std::filesystem::path folder;    ///< of the problem file
+};
+
+/// One [[axis]] of a problem file.
+Axis read_axis(const text::Node& node, const AxisSurroundings& around, text::Diagnostics& diagnostics);
 
 /// A table of requirements, by their declared keys and units.
 void read_requirements(const text::Node& node,
@@ -40,8 +49,38 @@ struct MoveLimits {
   bool stroke = false;                      ///< whether the axis's stroke is known
   bool ramps = false;                       ///< whether its range of acceleration times is known (or the default)
   const text::Node* ramps_given = nullptr;  ///< the range in the file, if any
+  const text::Node* jerk_given = nullptr;   ///< the axis's jerk in the file, if any
+  std::filesystem::path folder;             ///< of the problem file, where measured profiles are
 };
 void read_moves(const text::Node& moves, const MoveLimits& limits, Axis& axis, text::Diagnostics& diagnostics);
+
+/// Reports a move whose own ramp, or the shortest of `ramps`, does not fit, or whose jerk asks for a longer one than
+/// there is time for. `node` has its keys.
+void check_ramps(const text::Node& node,
+                 const Move& move,
+                 bool rotary,
+                 const MoveLimits& limits,
+                 const Range& ramps,
+                 text::Diagnostics& diagnostics);
+/// Reports a travel that is longer than the stroke of its axis.
+void check_travel(
+    const SourceSpan& where, std::string_view what, double travel, const Axis& axis, text::Diagnostics& diagnostics);
+
+/// An axis whose moves all bring their own ramps, or were measured, has none to choose.
+void settle_ramps(Axis& axis);
+
+/// The names of all axes in the [[moves]] of a machine, whether there are such axes or not.
+std::set<std::string> axes_moved_together(const text::Node& moves);
+/// The [[moves]] of a machine: coordinated moves of axes that have been read; each becomes a move of every axis it
+/// names. `strokes`: whether all axes could be read.
+void read_coordinated_moves(const text::Node& moves, bool strokes, Problem& problem, text::Diagnostics& diagnostics);
+
+/// A measured profile, from the file that the node names. Its first column is the time; of a rotary axis the others
+/// are angle or speed, and torque.
+std::optional<MeasuredProfile> read_profile(const text::Node& node,
+                                            bool rotary,
+                                            const std::filesystem::path& folder,
+                                            text::Diagnostics& diagnostics);
 
 /// What the tool does in a move; none if it cannot be read.
 std::optional<CuttingProcess> read_cutting(const text::Node& node,

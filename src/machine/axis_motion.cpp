@@ -7,15 +7,44 @@
 
 namespace millwright::machine {
 
+namespace {
+
+/// Parts of a ramp in the order of `detail::ramp_parts`.
+std::vector<std::string> ramp_names(const char* ramp, const Move& move) {
+  std::vector<std::string> names{ramp};
+  if (move.jerk)
+    for (const double share : rising_shares) names.push_back(fmt::format("{} at {:.0f} %", ramp, 100.0 * share));
+  return names;
+}
+
+/// Acceleration at the peak of a ramp; of a jerk-limited one not shorter than its jerk allows.
+double peak_acceleration(double speed, double ramp, const Move& move) {
+  if (!move.jerk) return speed / ramp;
+  const double least = 2.0 * std::sqrt(speed / *move.jerk);
+  const double time = std::max(ramp, least);
+  return 2.0 * speed / (time + std::sqrt(std::max(0.0, time * time - least * least)));
+}
+
+}  // namespace
+
 std::vector<std::string> phase_names(const MotionData& data) {
   std::vector<std::string> names;
   const bool gravity = std::sin(data.inclination) > 1e-9;
   for (std::size_t i = 0; i < data.moves.size(); ++i) {
-    const std::string move = data.moves[i].name.empty() ? fmt::format("move {}", i + 1) : data.moves[i].name;
+    const Move& move = data.moves[i];
+    const std::string name = move.name.empty() ? fmt::format("move {}", i + 1) : move.name;
+    if (move.profile) {
+      for (const ProfilePhase& phase : move.profile->phases)
+        names.push_back(fmt::format("{}, from {:.4g} s", name, phase.begin));
+      continue;
+    }
+    std::vector<std::string> parts = ramp_names("accelerate", move);
+    parts.emplace_back("cruise");
+    for (std::string& part : ramp_names("brake", move)) parts.push_back(std::move(part));
     for (int direction = 0; direction < (gravity ? 2 : 1); ++direction)
-      for (const char* part : {"accelerate", "cruise", "brake"})
-        names.push_back(gravity ? fmt::format("{} {}, {}", move, direction == 0 ? "up" : "down", part)
-                                : fmt::format("{}, {}", move, part));
+      for (const std::string& part : parts)
+        names.push_back(gravity ? fmt::format("{} {}, {}", name, direction == 0 ? "up" : "down", part)
+                                : fmt::format("{}, {}", name, part));
   }
   return names;
 }
@@ -23,11 +52,18 @@ std::vector<std::string> phase_names(const MotionData& data) {
 std::vector<SupplyDemand> supply_demands(const MotionData& data) {
   std::vector<SupplyDemand> demands;
   for (const Move& move : data.moves) {
+    if (move.profile) {
+      for (const std::size_t i : move.profile->hardest) {
+        const ProfilePhase& phase = move.profile->phases[i];
+        demands.push_back({phase.speed, std::max(phase.acceleration, 0.0), phase.force});
+      }
+      continue;
+    }
     const double shortest = move.acceleration_time.value_or(data.acceleration_time.lower);
     const double longest = move.acceleration_time.value_or(data.acceleration_time.upper);
     // A ramp longer than half the time of the move is refused by C-SYS-TIME anyway.
     const double speed = move.speed ? *move.speed : move.distance / (*move.time - std::min(longest, 0.5 * *move.time));
-    demands.push_back({speed, speed / shortest, move.force});
+    demands.push_back({speed, peak_acceleration(speed, shortest, move), move.force});
   }
   return demands;
 }

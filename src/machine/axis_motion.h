@@ -3,9 +3,19 @@
 // The duty cycle of an axis as a list of phases: every move is split into accelerate, cruise and brake, and, where
 // gravity acts along the travel, done once against it (up) and once with it (down). A force is positive when it opposes
 // the motion. The cycle of a rotary axis is the same, of angles, torques and its inertia.
+//
+// A jerk-limited ramp of time t to the speed v has the acceleration rise, stay for t_c = sqrt(t^2 - 4 v/j), and fall in
+// the same time t_j = (t - t_c)/2; its peak is a = 2 v/(t + t_c). Rising and falling stand in the cycle as two phases
+// of t_j each at (1/2 -+ 1/sqrt(12)) a, the two points of Gauss: so mean, mean square and mean cube of all that is
+// linear in the acceleration come out exact (RMS torque, mean load, as long as the force keeps its sign). Weighted with
+// the speed too: speed is point symmetric about the middle of a ramp and acceleration mirror symmetric, so every part
+// counts with the mean speed v/2. The peak counts at the full speed, which is on the safe side.
+//
+// A measured profile is its phases (measured_profile.h), run once as it was recorded.
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -63,9 +73,17 @@ std::vector<SupplyDemand> supply_demands(const MotionData& data);
 /// "moves[0] up, accelerate": names of the phases in the order of `phases`.
 std::vector<std::string> phase_names(const MotionData& data);
 
+/// Positions of two phases that are each other's mirror image, the same acceleration up and down for the same time at
+/// the same mean speed, and of the constant speed between them. Bounds of loads know how the two make up for each other
+/// (ball_screw_cycle.h).
+struct MirroredPhases {
+  std::size_t accelerate = 0, cruise = 0, brake = 0;
+};
+
 template <class T>
 struct Cycle {
   std::vector<Phase<T>> phases;
+  std::vector<MirroredPhases> mirrored;
   T peak_speed{};      ///< m/s, over all moves
   T total_time{};      ///< s, moves and dwells
   T travelled{};       ///< m in one cycle
@@ -75,11 +93,124 @@ struct Cycle {
   T process_force{};   ///< N, the largest
 };
 
+/// Parts of a jerk-limited ramp, as shares of its peak acceleration: at the peak, and the points of Gauss for the rest.
+inline constexpr double rising_shares[] = {0.78867513459481288, 0.21132486540518712};
+
 namespace detail {
 template <class T>
 T si(double value, const scalar::Dimension& dimension) {
   return scalar::in_unit<T>(value, dimension);
 }
+
+/// A part of a ramp with one acceleration.
+template <class T>
+struct RampPart {
+  T acceleration, duration;
+  bool peak = true;
+};
+
+template <class T>
+std::vector<RampPart<T>> ramp_parts(const T& speed, const T& ramp, const T* jerk) {
+  using namespace scalar;
+  if (jerk == nullptr) return {{speed / ramp, ramp}};
+  const T none = si<T>(0.0, dimension::time);
+  // Without time for such a jerk, which C-SYS-TIME refuses, the acceleration rises and falls all the time.
+  const T constant = where_below(
+      square(ramp) - 4.0 * speed / *jerk,
+      si<T>(0.0, dimension::time * dimension::time),
+      [&](const T&) -> T { return none; },
+      [](const T& squared) -> T { return sqrt(squared); });
+  const T peak = 2.0 * speed / (ramp + constant);
+  const T changing = larger(0.5 * (ramp - constant), none);
+  std::vector<RampPart<T>> parts{{peak, constant}};
+  for (const double share : rising_shares) parts.push_back({share * peak, changing, false});
+  return parts;
+}
+
+/// Adds moves to a cycle whose forces of gravity and friction are known.
+template <class T>
+class CycleBuilder {
+ public:
+  CycleBuilder(const MotionData& data, const T& mass, Cycle<T>& cycle)
+      : mass_(mass), of_(motion_dimensions(data.rotary)), gravity_(std::sin(data.inclination) > 1e-9), cycle_(cycle) {
+    // While no counterbalance pulls, see Phase::may_govern.
+    every_ = data.counterbalance_force > 0.0;
+  }
+
+  void add(const Move& move, const T& ramp) {
+    using namespace scalar;
+    const T distance = si<T>(move.distance, of_.distance);
+    const T force = si<T>(move.force, of_.force);
+    // With equal ramps the distance is speed * (time - ramp), jerk-limited or not.
+    const T speed = move.speed ? si<T>(*move.speed, of_.speed)
+                               : distance / larger(si<T>(*move.time, dimension::time) - ramp,
+                                                   si<T>(1e-3 * *move.time, dimension::time));
+    const T constant_time = larger(distance / speed - ramp, si<T>(0.0, dimension::time));
+    // The profile exists while the ramps leave no negative cruise; a time limit on a given speed counts as well.
+    if (move.speed) cycle_.time_ratio = larger(cycle_.time_ratio, ramp * speed / distance);
+    if (move.time) {
+      const T allowed = si<T>(*move.time, dimension::time);
+      cycle_.time_ratio =
+          larger(cycle_.time_ratio, move.speed ? (distance / speed + ramp) / allowed : 2.0 * ramp / allowed);
+    }
+    const T jerk = si<T>(move.jerk.value_or(1.0), of_.acceleration / dimension::time);
+    if (move.jerk) cycle_.time_ratio = larger(cycle_.time_ratio, 2.0 * sqrt(speed / jerk) / ramp);
+    const std::vector<RampPart<T>> parts = ramp_parts(speed, ramp, move.jerk ? &jerk : nullptr);
+    cycle_.peak_speed = larger(cycle_.peak_speed, speed);
+    cycle_.process_force = larger(cycle_.process_force, absolute(force));
+    for (int direction = 0; direction < (gravity_ ? 2 : 1); ++direction) {
+      const T weight = direction == 0 ? cycle_.gravity_force : -cycle_.gravity_force;
+      const std::size_t first = cycle_.phases.size();
+      for (const RampPart<T>& part : parts)
+        add_phase(part.acceleration,
+                  weight,
+                  force,
+                  {speed, 0.5 * speed, part.duration},
+                  part.peak && (every_ || direction == 0));
+      add_phase(si<T>(0.0, of_.acceleration), weight, force, {speed, speed, constant_time}, every_);
+      for (const RampPart<T>& part : parts)
+        add_phase(-part.acceleration, weight, force, {speed, 0.5 * speed, part.duration}, part.peak && every_);
+      const std::size_t cruise = first + parts.size();
+      for (std::size_t i = 0; i < parts.size(); ++i) cycle_.mirrored.push_back({first + i, cruise, cruise + 1 + i});
+      cycle_.total_time = cycle_.total_time + (2.0 * ramp + constant_time) + si<T>(move.dwell, dimension::time);
+      cycle_.travelled = cycle_.travelled + distance;
+    }
+  }
+
+  void add_profile(const Move& move) {
+    using namespace scalar;
+    const MeasuredProfile& profile = *move.profile;
+    for (const ProfilePhase& phase : profile.phases) {
+      const T weight = phase.backwards ? -cycle_.gravity_force : cycle_.gravity_force;
+      add_phase(
+          si<T>(phase.acceleration, of_.acceleration),
+          weight,
+          si<T>(phase.force, of_.force),
+          {si<T>(phase.speed, of_.speed), si<T>(phase.mean_speed, of_.speed), si<T>(phase.duration, dimension::time)},
+          true);
+    }
+    cycle_.peak_speed = larger(cycle_.peak_speed, si<T>(profile.peak_speed, of_.speed));
+    cycle_.process_force = larger(cycle_.process_force, si<T>(profile.largest_force, of_.force));
+    cycle_.total_time = cycle_.total_time + si<T>(profile.time + move.dwell, dimension::time);
+    cycle_.travelled = cycle_.travelled + si<T>(profile.travelled, of_.distance);
+  }
+
+ private:
+  struct Pace {
+    T speed, mean_speed, duration;
+  };
+  void add_phase(const T& acceleration, const T& weight, const T& force, const Pace& pace, bool may_govern) {
+    const T along =
+        mechanics::actuation::axial_force(mass_, acceleration, weight, cycle_.friction_force, T(1.0), force);
+    cycle_.phases.push_back({along, acceleration, pace.speed, pace.mean_speed, pace.duration, may_govern});
+  }
+
+  const T& mass_;
+  MotionDimensions of_;
+  bool gravity_;
+  bool every_ = false;
+  Cycle<T>& cycle_;
+};
 }  // namespace detail
 
 /// The duty cycle for a moved mass [kg], of a rotary axis an inertia [kg.m2], and a ramp time [s].
@@ -87,14 +218,14 @@ template <class T>
 Cycle<T> duty_cycle(const MotionData& data, const T& mass, const T& acceleration_time) {
   using namespace scalar;
   using detail::si;
-  namespace act = mechanics::actuation;
   const MotionDimensions of = motion_dimensions(data.rotary);
   Cycle<T> cycle;
   const T zero_force = si<T>(0.0, of.force);
   const T inclination = T(data.inclination);
   const bool gravity = std::sin(data.inclination) > 1e-9;
   cycle.gravity_force =
-      gravity ? act::gravity_force(mass, inclination, si<T>(data.counterbalance_force, of.force)) : zero_force;
+      gravity ? mechanics::actuation::gravity_force(mass, inclination, si<T>(data.counterbalance_force, of.force))
+              : zero_force;
   // Normal to the travel only the component of the weight across it presses on the guides.
   const double across = std::abs(std::cos(data.inclination)) < 1e-9 ? 0.0 : std::cos(data.inclination);
   cycle.friction_force = si<T>(data.guide_drag, of.force);
@@ -106,41 +237,12 @@ Cycle<T> duty_cycle(const MotionData& data, const T& mass, const T& acceleration
   cycle.travelled = si<T>(0.0, of.distance);
   cycle.peak_speed = si<T>(0.0, of.speed);
   cycle.time_ratio = T(0.0);
+  detail::CycleBuilder<T> builder(data, mass, cycle);
   for (const Move& move : data.moves) {
-    const T ramp = move.acceleration_time ? si<T>(*move.acceleration_time, dimension::time) : acceleration_time;
-    const T distance = si<T>(move.distance, of.distance);
-    const T force = si<T>(move.force, of.force);
-    // With equal ramps the distance is speed * (time - ramp).
-    const T speed = move.speed ? si<T>(*move.speed, of.speed)
-                               : distance / larger(si<T>(*move.time, dimension::time) - ramp,
-                                                   si<T>(1e-3 * *move.time, dimension::time));
-    const T constant_time = larger(distance / speed - ramp, si<T>(0.0, dimension::time));
-    const T acceleration = speed / ramp;
-    // The profile exists while the ramps leave no negative cruise; a time limit on a given speed counts as well.
-    if (move.speed) cycle.time_ratio = larger(cycle.time_ratio, ramp * speed / distance);
-    if (move.time) {
-      const T allowed = si<T>(*move.time, dimension::time);
-      cycle.time_ratio =
-          larger(cycle.time_ratio, move.speed ? (distance / speed + ramp) / allowed : 2.0 * ramp / allowed);
-    }
-    cycle.peak_speed = larger(cycle.peak_speed, speed);
-    cycle.process_force = larger(cycle.process_force, absolute(force));
-    const int directions = gravity ? 2 : 1;
-    for (int direction = 0; direction < directions; ++direction) {
-      const T weight = direction == 0 ? cycle.gravity_force : -cycle.gravity_force;
-      const T none = si<T>(0.0, of.acceleration);
-      const T one = T(1.0);
-      const bool every = data.counterbalance_force > 0.0;
-      const auto add = [&](const T& a, const T& mean, const T& duration, bool may_govern) {
-        const T along = act::axial_force(mass, a, weight, cycle.friction_force, one, force);
-        cycle.phases.push_back({along, a, speed, mean, duration, may_govern});
-      };
-      add(acceleration, 0.5 * speed, ramp, every || direction == 0);
-      add(none, speed, constant_time, every);
-      add(-acceleration, 0.5 * speed, ramp, every);
-      cycle.total_time = cycle.total_time + (2.0 * ramp + constant_time) + si<T>(move.dwell, dimension::time);
-      cycle.travelled = cycle.travelled + distance;
-    }
+    if (move.profile)
+      builder.add_profile(move);
+    else
+      builder.add(move, move.acceleration_time ? si<T>(*move.acceleration_time, dimension::time) : acceleration_time);
   }
   return cycle;
 }

@@ -8,12 +8,12 @@
 #include <span>
 #include <vector>
 
-#include "mechanics/tool_point.h"
-#include "machine/tool_chain.h"
 #include "machine/axis_motion.h"
 #include "machine/constraint.h"
 #include "machine/motor_constraints.h"
+#include "machine/tool_chain.h"
 #include "mechanics/guide.h"
+#include "mechanics/tool_point.h"
 
 namespace millwright::machine {
 
@@ -22,8 +22,8 @@ struct GuideReading {
   T dynamic_rating{}, static_rating{}, rating_distance{};
   T roll_moment_rating{}, pitch_moment_rating{}, yaw_moment_rating{};
   T carriage_mass{}, rail_mass{}, rail_length{}, largest_rail_length{};
-  T shaft_diameter{};  ///< unsupported round shaft, else 0
-  T friction{};        ///< of a bushing; NaN where the catalogue has none
+  T shaft_diameter{};    ///< unsupported round shaft, else 0
+  T friction{};          ///< of a bushing; NaN where the catalogue has none
   T radial_stiffness{};  ///< N/m, of a carriage; read where a tool must not give way
 };
 

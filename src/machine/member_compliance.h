@@ -67,9 +67,11 @@ Compliance<T> tool_compliance(const StructureMember<T>& d, const ToolPlace& plac
   if (m.kind == MemberKind::portal_frame) {
     namespace col = mechanics::column;
     const T& second_moment = d.section.strong_second_moment;
-    result[lies] = share / col::portal_stiffness(d.elastic_modulus(), second_moment, d.column_length(), second_moment, d.length());
+    result[lies] =
+        share / col::portal_stiffness(d.elastic_modulus(), second_moment, d.column_length(), second_moment, d.length());
     // Out of its plane both columns bend as cantilevers.
-    result[weak] = result[weak] + share * cube(d.column_length()) / (6.0 * d.elastic_modulus() * d.section.weak_second_moment);
+    result[weak] =
+        result[weak] + share * cube(d.column_length()) / (6.0 * d.elastic_modulus() * d.section.weak_second_moment);
   }
   if (arm[weak] > 0.0 || arm[strong] > 0.0) {
     const T twist = share * detail::twisting_compliance(d);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 
@@ -38,20 +39,47 @@ void read_process(
   move.speed = move.cutting->feed_speed();
 }
 
+/// A move that was measured has nothing else but its name and a dwell.
+bool read_measured(TableReader& table,
+                   QuantityReader& q,
+                   bool rotary,
+                   const std::filesystem::path& folder,
+                   Move& move,
+                   Diagnostics& diagnostics) {
+  const Node* node = table.find("profile");
+  if (node == nullptr) return false;
+  q.refuse({"distance", "time", "speed", "acceleration_time", "jerk"},
+           "the measured profile says how the axis moves",
+           "leave it out, or leave out profile");
+  q.refuse({"force", "torque", "cutting"},
+           "the measured profile says what acts on the axis",
+           fmt::format("give the file a column {}", rotary ? "torque [N.m]" : "force [N]"));
+  move.profile = read_profile(*node, rotary, folder, diagnostics);
+  return true;
+}
+
 /// Of a rotary axis distances are angles and forces torques.
-Move read_move(const Node& node, bool rotary, const std::string& title, Diagnostics& diagnostics) {
+Move read_move(
+    const Node& node, const Axis& axis, const MoveLimits& limits, const std::string& title, Diagnostics& diagnostics) {
+  const bool rotary = is_rotary(axis);
   Move move;
   move.where = node.span();
   TableReader table(node, title, diagnostics);
   QuantityReader q(table, diagnostics);
   move.name = table.string("name").value_or("");
+  move.dwell = q.quantity_or("dwell", "s", 0.0);
+  if (read_measured(table, q, rotary, limits.folder, move, diagnostics)) {
+    table.finish();
+    return move;
+  }
   move.distance = q.quantity("distance", rotary ? "rad" : "mm", Sign::positive, Presence::required).value_or(1.0);
   move.time = q.quantity("time", "s", Sign::positive);
   move.speed = q.quantity("speed", rotary ? "rpm" : "mm/s", Sign::positive);
   move.acceleration_time = q.quantity("acceleration_time", "s", Sign::positive);
+  move.jerk = q.quantity("jerk", rotary ? "rad/s^3" : "m/s^3", Sign::positive);
+  if (!move.jerk) move.jerk = axis.jerk;
   if (rotary) q.refuse({"force"}, "a table is turned against a torque", "write torque = \"2 N.m\"");
   move.force = rotary ? q.quantity_or("torque", "N.m", 0.0) : q.quantity_or("force", "N", 0.0);
-  move.dwell = q.quantity_or("dwell", "s", 0.0);
   if (rotary)
     q.refuse({"cutting"}, "cuts along a length only", "give the table the torque of the cut: torque = \"2 N.m\"");
   else
@@ -79,7 +107,7 @@ class MoveCheck {
   /// The shortest ramp that the axis's range or the move's own ramp allows must fit.
   void ramps(const Range& range) {
     const double ramp = move_.acceleration_time.value_or(range.lower);
-    if (longest_ramp(move_) * rounding >= ramp) return;
+    if (longest_ramp(move_) * rounding >= ramp) return jerk(range);
     if (move_.speed && move_.time && move_.distance / *move_.speed + ramp > *move_.time * rounding) {
       complain("time",
                fmt::format("the move cannot be done in {}: at {} and with ramps of {} it takes {}",
@@ -102,24 +130,33 @@ class MoveCheck {
     }
   }
 
-  void stroke(const Axis& axis) {
-    if (move_.distance <= axis.stroke * rounding) return;
-    const scalar::Unit unit = scalar::Unit::of(rotary_ ? "deg" : "mm");
-    diagnostics_.error(node_.find("distance")->span(),
-                       fmt::format("distance: {} is longer than the stroke of axis '{}', {}",
-                                   scalar::format(move_.distance, unit, 6),
-                                   axis.name,
-                                   scalar::format(axis.stroke, unit, 6)),
-                       "lengthen the stroke or shorten the move");
+ private:
+  /// The longest ramp there is time for must be long enough for the jerk: 2 sqrt(v/j).
+  void jerk(const Range& range) {
+    if (!move_.jerk) return;
+    const double ramp = std::min(longest_ramp(move_), move_.acceleration_time.value_or(range.upper));
+    const double reached = move_.speed ? *move_.speed : move_.distance / (*move_.time - ramp);
+    const double needed = 2.0 * std::sqrt(reached / *move_.jerk);
+    if (needed <= ramp * rounding) return;
+    const scalar::Unit unit = scalar::Unit::of(rotary_ ? "rad/s^3" : "m/s^3");
+    complain("jerk",
+             fmt::format("at {} a ramp to {} takes {}, and there is time for {}",
+                         scalar::format(*move_.jerk, unit),
+                         scalar::format(reached, scalar::Unit::of(rotary_ ? "rpm" : "mm/s")),
+                         seconds(needed),
+                         seconds(ramp)),
+             fmt::format("allow {} or more, longer ramps or less speed",
+                         scalar::format(1.0005 * 4.0 * reached / (ramp * ramp), unit)));
   }
 
- private:
   std::string speed() const { return scalar::format(*move_.speed, scalar::Unit::of(rotary_ ? "rpm" : "mm/s")); }
 
   void complain(const char* key, const std::string& message, const std::string& hint) {
     text::Diagnostic diagnostic;
     const Node* said = node_.find(key);
-    diagnostic.where = (said != nullptr ? said : node_.find("cutting"))->span();
+    if (said == nullptr && std::string_view(key) == "jerk") said = limits_.jerk_given;
+    if (said == nullptr) said = node_.find("cutting");
+    diagnostic.where = said != nullptr ? said->span() : node_.span();
     diagnostic.message = fmt::format("{}: {}", key, message);
     diagnostic.hint = hint;
     const Node* own = node_.find("acceleration_time");
@@ -149,7 +186,7 @@ void warn_of_idle_ramps(const std::vector<const Move*>& moves,
   const Move* tightest = nullptr;
   double limit = axis.acceleration_time.upper;
   for (const Move* move : moves) {
-    if (move->acceleration_time || longest_ramp(*move) * rounding >= limit) continue;
+    if (!uses_chosen_ramp(*move) || longest_ramp(*move) * rounding >= limit) continue;
     limit = longest_ramp(*move);
     tightest = move;
   }
@@ -165,21 +202,59 @@ void warn_of_idle_ramps(const std::vector<const Move*>& moves,
   diagnostics.add(std::move(diagnostic));
 }
 
+/// Whether the ramps and the stroke of its axis allow a move.
+void check_move(
+    const Node& node, const Move& move, const MoveLimits& limits, const Axis& axis, Diagnostics& diagnostics) {
+  if (move.profile) {
+    // Sums of speeds have a rounding of their own.
+    if (limits.stroke)
+      check_travel(node.find("profile")->span(), "profile", move.profile->extent * (1.0 - 1e-9), axis, diagnostics);
+    return;
+  }
+  if (limits.ramps) check_ramps(node, move, is_rotary(axis), limits, axis.acceleration_time, diagnostics);
+  if (limits.stroke) check_travel(node.find("distance")->span(), "distance", move.distance, axis, diagnostics);
+}
+
 }  // namespace
+
+void check_ramps(const Node& node,
+                 const Move& move,
+                 bool rotary,
+                 const MoveLimits& limits,
+                 const Range& ramps,
+                 Diagnostics& diagnostics) {
+  MoveCheck(node, move, rotary, limits, diagnostics).ramps(ramps);
+}
+
+void check_travel(
+    const SourceSpan& where, std::string_view what, double travel, const Axis& axis, Diagnostics& diagnostics) {
+  if (travel <= axis.stroke * rounding) return;
+  const scalar::Unit unit = scalar::Unit::of(is_rotary(axis) ? "deg" : "mm");
+  diagnostics.error(where,
+                    fmt::format("{}: {} is longer than the stroke of axis '{}', {}",
+                                what,
+                                scalar::format(travel, unit, 6),
+                                axis.name,
+                                scalar::format(axis.stroke, unit, 6)),
+                    "lengthen the stroke or shorten the move");
+}
+
+void settle_ramps(Axis& axis) {
+  const bool chosen = std::any_of(axis.moves.begin(), axis.moves.end(), uses_chosen_ramp);
+  if (!chosen && !axis.moves.empty()) axis.acceleration_time.upper = axis.acceleration_time.lower;
+}
 
 void read_moves(const Node& moves, const MoveLimits& limits, Axis& axis, Diagnostics& diagnostics) {
   if (moves.size() == 0)
     diagnostics.error(moves.span(), fmt::format("axis '{}' has no moves", axis.name), "add an [[axis.moves]]");
   std::map<std::string, SourceSpan> names;
   std::vector<bool> sound;
-  const bool rotary = is_rotary(axis);
   for (const Node& node : moves.items()) {
     const std::size_t before = diagnostics.error_count();
-    axis.moves.push_back(read_move(node, rotary, fmt::format("move of axis '{}'", axis.name), diagnostics));
+    axis.moves.push_back(read_move(node, axis, limits, fmt::format("move of axis '{}'", axis.name), diagnostics));
     const Move& move = axis.moves.back();
     sound.push_back(diagnostics.error_count() == before);
-    if (sound.back() && limits.ramps) MoveCheck(node, move, rotary, limits, diagnostics).ramps(axis.acceleration_time);
-    if (sound.back() && limits.stroke) MoveCheck(node, move, rotary, limits, diagnostics).stroke(axis);
+    if (sound.back()) check_move(node, move, limits, axis, diagnostics);
     const Node* name = node.find("name");
     if (name == nullptr || move.name.empty()) continue;
     const auto [first, added] = names.try_emplace(move.name, name->span());
@@ -195,6 +270,8 @@ void read_moves(const Node& moves, const MoveLimits& limits, Axis& axis, Diagnos
   std::vector<const Move*> readable;
   for (std::size_t i = 0; i < axis.moves.size(); ++i)
     if (sound[i]) readable.push_back(&axis.moves[i]);
+  if (std::any_of(axis.moves.begin(), axis.moves.end(), [](const Move& move) { return move.profile.has_value(); }))
+    settle_ramps(axis);
   if (limits.ramps) warn_of_idle_ramps(readable, axis, limits.ramps_given, diagnostics);
 }
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "machine/cutting_process.h"
+#include "machine/measured_profile.h"
 #include "machine/requirement.h"
 #include "text/source_text.h"
 
@@ -32,18 +33,24 @@ enum class Direction { horizontal, vertical, inclined };
 /// End conditions of a screw: motor end first.
 enum class Ends { fixed_free, supported_supported, fixed_supported, fixed_fixed };
 
-/// One rest-to-rest move. Trapezoidal profile with equal ramps; time fixes the speed, or the speed is given.
+/// One rest-to-rest move. Trapezoidal profile with equal ramps, or jerk-limited with equal ramps where a jerk is given;
+/// time fixes the speed, or the speed is given. Or what was measured on a machine.
 struct Move {
   std::string name;
   double distance = 0.0;                    ///< m; of a rotary axis rad, as below rad/s and N.m
   std::optional<double> time;               ///< s, of the move; a limit if `speed` is given too
   std::optional<double> speed;              ///< m/s, of the constant part
   std::optional<double> acceleration_time;  ///< s; else the axis's
+  std::optional<double> jerk;               ///< m/s^3, its own or the axis's; without one acceleration may jump
+  std::optional<MeasuredProfile> profile;   ///< instead of distance, time, speed, ramps, jerk and force
   double force = 0.0;                       ///< N, process force against the motion; of `cutting` if that is given
   std::optional<CuttingProcess> cutting;    ///< what the tool does in this move; sets force and speed
   double dwell = 0.0;                       ///< s after the move
   SourceSpan where;
 };
+
+/// Whether a move is done with the ramps that are chosen for its axis.
+inline bool uses_chosen_ramp(const Move& move) { return !move.acceleration_time && !move.profile; }
 
 /// rack: the motor's pinion rolls on a rack. rotary: the motor turns a table; every length of such an axis is an angle
 /// (rad), every force a torque (N.m), and inertias (kg.m2) stand for masses.
@@ -109,10 +116,10 @@ inline constexpr std::size_t upright = 2;
 
 /// What presses on the tool and how far it may give way (C-TOOL-DEFL-X, -Y, -Z).
 struct Tool {
-  std::size_t axis = 0;                                          ///< that carries the tool
-  std::array<double, 3> force{};                                 ///< N, along each direction; 0 = not asked
-  double deflection = 5e-5;                                      ///< m, in any of them
-  double stiffness = std::numeric_limits<double>::infinity();    ///< N/m, of the tool in its holder
+  std::size_t axis = 0;                                        ///< that carries the tool
+  std::array<double, 3> force{};                               ///< N, along each direction; 0 = not asked
+  double deflection = 5e-5;                                    ///< m, in any of them
+  double stiffness = std::numeric_limits<double>::infinity();  ///< N/m, of the tool in its holder
   SourceSpan where;
 };
 
@@ -213,6 +220,7 @@ struct Axis {
   std::vector<Member> members;
   std::vector<Move> moves;
   Range acceleration_time{0.05, 0.5};
+  std::optional<double> jerk;  ///< m/s^3, of moves that state none
   Requirements require;
   bool keep_every_candidate = false;  ///< also candidates that another one beats in every respect
   SourceSpan where;

@@ -53,11 +53,11 @@ void read_supply(const Node& node, Problem& problem, Diagnostics& diagnostics) {
   table.finish();
 }
 
-void read_axes(const Node& axes, const Requirements& shared, Problem& problem, Diagnostics& diagnostics) {
+void read_axes(const Node& axes, const AxisSurroundings& around, Problem& problem, Diagnostics& diagnostics) {
   if (axes.size() == 0) diagnostics.error(axes.span(), "axis: a machine needs at least one", "add an [[axis]]");
   std::map<std::string, SourceSpan> names;
   for (const Node& node : axes.items()) {
-    Axis axis = read_axis(node, shared, diagnostics);
+    Axis axis = read_axis(node, around, diagnostics);
     const Node* name = node.find("name");
     if (!axis.name.empty()) {
       const auto [first, added] = names.try_emplace(axis.name, name->span());
@@ -119,13 +119,21 @@ std::optional<Problem> problem_of(const text::Document& document, Diagnostics& d
     read_currencies(*currencies, problem, diagnostics);
   if (q.required("supply", "a table [supply] with voltage = [\"24 V\", \"36 V\"]") != nullptr)
     if (const Node* supply = table.table("supply"); supply != nullptr) read_supply(*supply, problem, diagnostics);
-  Requirements& shared = problem.require;
+  AxisSurroundings around;
+  around.folder = std::filesystem::path(problem.file).parent_path();
   if (const Node* require = table.table("require"); require != nullptr)
-    read_requirements(*require, "[require]", shared, diagnostics);
+    read_requirements(*require, "[require]", around.require, diagnostics);
+  problem.require = around.require;
+  const Node* together = table.array("moves");
+  if (together != nullptr) around.together = axes_moved_together(*together);
+  const std::size_t before_axes = diagnostics.error_count();
   if (q.required("axis", "an [[axis]] with its name, stroke, mechanism and moves") != nullptr)
-    if (const Node* axes = table.array("axis"); axes != nullptr) read_axes(*axes, shared, problem, diagnostics);
+    if (const Node* axes = table.array("axis"); axes != nullptr) read_axes(*axes, around, problem, diagnostics);
+  if (together != nullptr)
+    read_coordinated_moves(*together, diagnostics.error_count() == before_axes, problem, diagnostics);
   for (const Axis& axis : problem.axes) check_currency(axis, problem, diagnostics);
-  if (const Node* tool = table.table("tool"); tool != nullptr) read_tool(*tool, table.find("axis"), problem, diagnostics);
+  if (const Node* tool = table.table("tool"); tool != nullptr)
+    read_tool(*tool, table.find("axis"), problem, diagnostics);
   if (const Node* limits = table.table("limits"); limits != nullptr) read_limits(*limits, problem, diagnostics);
   table.finish();
   if (diagnostics.error_count() > errors) return std::nullopt;

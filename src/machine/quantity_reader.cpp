@@ -27,6 +27,8 @@ constexpr UsualValues usual[] = {
     {"N.m", "0.5 N.m", 1e-9, 1e6},
     {"mm/s", "20 mm/s", 1e-9, 1e3},
     {"m/s", "200 m/min", 1e-9, 1e3},
+    {"m/s^3", "50 m/s^3", 1e-6, 1e9},
+    {"rad/s^3", "500 rad/s^3", 1e-6, 1e9},
     {"V", "24 V", 1e-3, 1e3},
     {"deg", "30 deg", 1e-9, 10.0},
     {"rad", "90 deg", 1e-9, 1e5},

@@ -6,8 +6,8 @@
 
 #include <span>
 
-#include "machine/tool_chain.h"
 #include "machine/geared_drive.h"
+#include "machine/tool_chain.h"
 #include "mechanics/rack.h"
 
 namespace millwright::machine {

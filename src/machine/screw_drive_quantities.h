@@ -6,8 +6,8 @@
 #include <array>
 #include <span>
 
-#include "machine/tool_chain.h"
 #include "machine/screw_drive.h"
+#include "machine/tool_chain.h"
 #include "mechanics/ball_screw_cycle.h"
 
 namespace millwright::machine {
@@ -38,16 +38,24 @@ T ball_screw_mean_load(const ScrewDrive<T>& d) {
     return mechanics::power_screw::angular_speed(phase.mean_speed, d.screw.lead);
   };
   if constexpr (Enclosing<T>) {
-    // The two ramps of a move together: see ball_screw_cycle.h.
     T weighted = T(0.0), turns = T(0.0);
-    for (std::size_t i = 0; i + 2 < phases.size(); i += 3) {
-      const T ramp = angular_speed(phases[i]) * phases[i].duration;
-      const T cruise = angular_speed(phases[i + 1]) * phases[i + 1].duration;
-      const T& steady = phases[i + 1].force;
-      const T inertia = d.moved_mass * phases[i].acceleration;
-      weighted = weighted + ramp * bs::cubed_ramp_loads(steady, inertia, d.screw.preload, d.data->preloaded) +
-                 cruise * cube(bs::raceway_load(T(absolute(steady)), d.screw.preload, d.data->preloaded));
-      turns = turns + 2.0 * ramp + cruise;
+    std::vector<bool> counted(phases.size(), false);
+    // The two ramps of a move together: see ball_screw_cycle.h.
+    for (const MirroredPhases& pair : d.cycle.mirrored) {
+      const Phase<T>& up = phases[pair.accelerate];
+      const T ramp = angular_speed(up) * up.duration;
+      const T inertia = d.moved_mass * up.acceleration;
+      const T& steady = phases[pair.cruise].force;
+      weighted = weighted + ramp * bs::cubed_ramp_loads(steady, inertia, d.screw.preload, d.data->preloaded);
+      turns = turns + 2.0 * ramp;
+      counted[pair.accelerate] = counted[pair.brake] = true;
+    }
+    for (std::size_t i = 0; i < phases.size(); ++i) {
+      if (counted[i]) continue;
+      const T turned = angular_speed(phases[i]) * phases[i].duration;
+      const T load = bs::raceway_load(T(absolute(phases[i].force)), d.screw.preload, d.data->preloaded);
+      weighted = weighted + turned * cube(load);
+      turns = turns + turned;
     }
     return cbrt(weighted / turns);
   } else {

@@ -57,9 +57,7 @@ inline double sum_up(double a, double b) {
 inline double product_down(double a, double b) { return a == 0.0 || b == 0.0 ? 0.0 : down(a * b); }
 inline double product_up(double a, double b) { return a == 0.0 || b == 0.0 ? 0.0 : up(a * b); }
 /// The quotient of a number by itself is exact: a part that just fits is not taken for one that may not.
-inline double quotient_down(double a, double b) {
-  return a == 0.0 ? 0.0 : a == b && b - b == 0.0 ? 1.0 : down(a / b);
-}
+inline double quotient_down(double a, double b) { return a == 0.0 ? 0.0 : a == b && b - b == 0.0 ? 1.0 : down(a / b); }
 inline double quotient_up(double a, double b) { return a == 0.0 ? 0.0 : a == b && b - b == 0.0 ? 1.0 : up(a / b); }
 }  // namespace rounding
 

@@ -175,8 +175,7 @@ double most_bearable(const StagePlan& plan, std::size_t component, Desk& desk) {
 /// What later stages can bear, from the base to the tool; then the states that can still arrive, and the rows that can
 /// still be chosen. False when nothing is left.
 bool find_limits(std::vector<StagePlan>& plans, Desk& desk) {
-  std::vector<double> most(plans.empty() ? 0 : plans.front().inherited.size(),
-                           std::numeric_limits<double>::infinity());
+  std::vector<double> most(plans.empty() ? 0 : plans.front().inherited.size(), std::numeric_limits<double>::infinity());
   for (auto plan = plans.rbegin(); plan != plans.rend(); ++plan) {
     plan->most_after = most;
     for (std::size_t c = 0; c < most.size(); ++c) most[c] = most_bearable(*plan, c, desk);

@@ -5,6 +5,7 @@
 
 #include <map>
 
+#include "catalogue/temporary_folder.h"
 #include "catch.h"
 #include "evaluation/machines.h"
 #include "evaluation/random_boxes.h"
@@ -270,6 +271,80 @@ position_error = { limit = "0.4 mm", over = "900 mm" }
 lost_motion = "0.3 mm"
 )";
 
+/// Jerk-limited, coordinated and measured moves: a screw up a slope, a belt with a counterweight, a rack that lifts.
+/// The ramps run from too short for their jerk to long ones.
+const char* const moved_machine = R"(
+title = "moved in every way"
+[currency]
+USD = 1.0
+EUR = 1.08
+[supply]
+voltage = ["24 V", "48 V"]
+[[moves]]
+name = "diagonal"
+axes = {{ tool = "120 mm", gantry = "350 mm" }}
+speed = "120 mm/s"
+acceleration_time = "0.3 s"
+forces = {{ tool = "15 N" }}
+[[axis]]
+name = "tool"
+direction = "inclined"
+inclination = "30 deg"
+stroke = "200 mm"
+structure_mass = "1 kg"
+guide_friction = 0.1
+jerk = "20 m/s^3"
+acceleration_time = ["0.02 s", "0.4 s"]
+mechanism = {{ kind = "screw", screw = ["ball_screws", "lead_screws"], preload = 0.05 }}
+motor = {{ microsteps = 8, brake_torque = "0.1 N.m" }}
+[[axis.moves]]
+distance = "150 mm"
+speed = "60 mm/s"
+force = "25 N"
+[[axis.moves]]
+distance = "100 mm"
+time = "2 s"
+jerk = "5 m/s^3"
+[[axis.moves]]
+profile = "{0}/tool.csv"
+dwell = "1 s"
+[[axis]]
+name = "gantry"
+carries = ["tool"]
+direction = "vertical"
+counterbalance_force = "20 N"
+stroke = "600 mm"
+structure_mass = "2 kg"
+acceleration_time = ["0.05 s", "0.6 s"]
+mechanism = {{ kind = "belt", idler_distance = "100 mm" }}
+[[axis.moves]]
+distance = "500 mm"
+time = "1.5 s"
+jerk = "15 m/s^3"
+[[axis]]
+name = "lift"
+direction = "vertical"
+stroke = "450 mm"
+structure_mass = "1 kg"
+guide_drag = "2 N"
+mechanism = {{ kind = "rack", motor_rides = false }}
+motor = {{ microsteps = 16, brake_torque = "0.3 N.m" }}
+[[axis.moves]]
+profile = "{0}/lift.csv"
+)";
+
+machine::Problem moved_problem() {
+  const TemporaryFolder folder;
+  folder.write("tool.csv",
+               "time [s],position [mm],force [N]\n0,0,0\n0.1,2,0\n0.3,12,30\n0.5,25,-40\n0.7,35,0\n0.9,36,0\n1.2,20,5\n"
+               "1.5,0,5\n1.6,0,0\n1.7,0,0\n");
+  std::string lift = "time [s],speed [mm/s],force [N]\n";
+  for (int i = 0; i <= 200; ++i)
+    lift += fmt::format("{},{},{}\n", 0.02 * i, 300.0 * std::sin(0.01 * 3.14159 * i), 5.0 * std::cos(0.3 * i));
+  folder.write("lift.csv", lift);
+  return problem_of_text(fmt::format(fmt::runtime(moved_machine), folder.path().string()));
+}
+
 const MachineModel& sander() {
   static const MachineModel model(shipped_problem("sander"), shipped_catalogue());
   return model;
@@ -284,9 +359,14 @@ const MachineModel& racks() {
   return model;
 }
 
+const MachineModel& moved() {
+  static const MachineModel model(moved_problem(), shipped_catalogue());
+  return model;
+}
+
 std::vector<const StageEntry*> all_stages() {
   std::vector<const StageEntry*> all;
-  for (const MachineModel* model : {&sander(), &gantry(), &racks()})
+  for (const MachineModel* model : {&sander(), &gantry(), &racks(), &moved()})
     for (const StageEntry& entry : model->entries()) all.push_back(&entry);
   return all;
 }
@@ -296,7 +376,10 @@ BoxSampler sampler_of(const StageEntry& entry, unsigned seed) {
     return std::any_of(
         model.entries().begin(), model.entries().end(), [&](const StageEntry& e) { return &e == &entry; });
   };
-  const MachineModel& model = has_it(sander()) ? sander() : has_it(gantry()) ? gantry() : racks();
+  const MachineModel& model = has_it(sander())   ? sander()
+                              : has_it(gantry()) ? gantry()
+                              : has_it(racks())  ? racks()
+                                                 : moved();
   return {entry.as_stage(), model.machine().supply_voltages.size(), model.problem().first_state.size(), seed};
 }
 
@@ -335,6 +418,7 @@ TEST_CASE("The written machines and the sander have every kind of stage") {
   CHECK(sander().empty_slots().empty());
   CHECK(gantry().empty_slots().empty());
   CHECK(racks().empty_slots().empty());
+  CHECK(moved().empty_slots().empty());
   std::map<std::size_t, int> kinds;
   for (const StageEntry* entry : all_stages()) ++kinds[entry->stage.index()];
   CHECK(kinds.size() == 8);

@@ -418,7 +418,8 @@ TEST_CASE("Demand and capacity of every constraint have the dimension of its uni
   check_member(MemberKind::round_shaft, BeamSupport::fixed, true, true, seen[3]);
   for (const bool fitted : {false, true})
     for (const bool eccentric : {false, true}) check_bolts(fitted, eccentric, seen[5]);
-  evaluation::supply_constraints(DimensionVisitor(evaluation::Supply<Dimensioned>{nullptr, {120.0, dimension::power_output},
+  evaluation::supply_constraints(DimensionVisitor(evaluation::Supply<Dimensioned>{nullptr,
+                                                                                  {120.0, dimension::power_output},
                                                                                   {350.0, dimension::power_output},
                                                                                   volt(36.0),
                                                                                   volt(36.0),

@@ -205,3 +205,79 @@ TEST_CASE("A complete machine has every slot of every axis and a supply") {
   CHECK(has("y", "support_free") == 0);  // its end is free
   CHECK(has("machine", "supply") == 1);
 }
+
+namespace {
+
+/// The cross table, moved in every way: y jerk-limited, both along a diagonal, x as it was measured. `effort` scales
+/// the measured force.
+machine::Problem moved_table(double effort) {
+  const TemporaryFolder folder;
+  folder.write(
+      "x.csv",
+      fmt::format("time [s],speed [mm/s],force [N]\n0,0,0\n0.15,32,{0}\n1.2,32,{0}\n1.3,24,{1}\n2,24,{1}\n2.1,0,0\n"
+                  "3,0,0\n3.2,-36,0\n4.2,-36,0\n4.4,0,0\n",
+                  effort,
+                  -0.5 * effort));
+  machine::Problem measured = problem_of_text(fmt::format(R"(
+[supply]
+voltage = ["24 V"]
+[[moves]]
+name = "diagonal"
+axes = {{ x = "150 mm", y = "80 mm" }}
+speed = "34 mm/s"
+acceleration_time = "0.12 s"
+jerk = "40 m/s^3"
+[[axis]]
+name = "x"
+stroke = "300 mm"
+structure_mass = "1 kg"
+mechanism = {{ kind = "belt" }}
+[[axis.moves]]
+profile = "{}/x.csv"
+[[axis]]
+name = "y"
+stroke = "200 mm"
+structure_mass = "1 kg"
+mechanism = {{ kind = "belt" }}
+[[axis.moves]]
+distance = "150 mm"
+time = "3 s"
+jerk = "8 m/s^3"
+force = "50 N"
+)",
+                                                          folder.path().string()));
+  machine::Problem problem = cross_table(6.0, 50.0);
+  for (std::size_t i = 0; i < 2; ++i) {
+    problem.axes[i].moves = measured.axes[i].moves;
+    problem.axes[i].inclination = i == 1 ? 0.4 : 0.0;
+  }
+  problem.axes[0].acceleration_time = measured.axes[0].acceleration_time;
+  return problem;
+}
+
+}  // namespace
+
+TEST_CASE("The search equals all builds where moves are coordinated, jerk-limited and measured") {
+  std::size_t builds_before = std::numeric_limits<std::size_t>::max();
+  for (const double effort : {10.0, 250.0, 700.0}) {
+    const TinyCatalogue tiny(random_prices(static_cast<unsigned>(effort)));
+    const machine::Problem problem = moved_table(effort);
+    machine::Problem everything = problem;
+    for (machine::Axis& axis : everything.axes) axis.keep_every_candidate = true;
+    const MachineModel model(problem, tiny.parts());
+    const Exhaustive all{MachineModel(everything, tiny.parts())};
+    INFO("effort " << effort << " N, " << all.builds.size() << " compliant builds");
+    REQUIRE_FALSE(all.builds.empty());
+    CHECK(all.builds.size() < builds_before);  // what was measured decides
+    builds_before = all.builds.size();
+    const Synthesis cost = solved(model, {"cost"});
+    const Synthesis mass = solved(model, {"mass"});
+    REQUIRE(cost.designs.size() == 1);
+    REQUIRE(mass.designs.size() == 1);
+    CHECK(cost.designs[0].cost == Approx(all.least(&BuildValue::cost)).epsilon(2e-6));
+    CHECK(mass.designs[0].mass == Approx(all.least(&BuildValue::mass)).epsilon(2e-6));
+    require_compliant(cost.designs[0]);
+    require_compliant(mass.designs[0]);
+    for (const auto& dimension : cost.designs[0].dimensions) CHECK(dimension.axis != "x");  // no ramp to choose
+  }
+}

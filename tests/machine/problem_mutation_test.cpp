@@ -100,7 +100,7 @@ void check_sound(const machine::Problem& problem) {
     CHECK(axis.acceleration_time.upper >= axis.acceleration_time.lower);
     CHECK_FALSE(axis.moves.empty());
     for (const machine::Move& move : axis.moves) {
-      CHECK((move.time || move.speed));
+      CHECK((move.time || move.speed || move.profile));
       CHECK(move.distance <= axis.stroke * 1.000001);
     }
   }
