@@ -68,7 +68,7 @@ void check_axis(const Node& node, const Axis& axis, Diagnostics& diagnostics) {
           "add normal = \"y\" to the axis: a vertical axis leans on x or y");
   if (axis.guide->carriages < 4.0)
     error(guide, "carriages: [tool] needs the stiffness of four carriages", "a single one has no published stiffness");
-  if (!axis.guide->tool_at)
+  if (guide.find("tool_at") == nullptr)
     error(guide,
           fmt::format("tool_at: where is the tool, seen from the carriages of axis '{}'?", axis.name),
           "add tool_at = [\"0 mm\", \"90 mm\", \"150 mm\"]: along the travel, across it, above the guides");
@@ -82,12 +82,13 @@ void read_force(TableReader& table, QuantityReader& q, Tool& tool, Diagnostics& 
     (void)table.find("force");
     return;
   }
+  const std::size_t before = diagnostics.error_count();
   TableReader inner(*force, "force of [tool]", diagnostics);
   QuantityReader components(inner, diagnostics);
   for (std::size_t i = 0; i < direction_names.size(); ++i)
     tool.force[i] = components.quantity_or(direction_names[i], "N", 0.0);
   inner.finish();
-  if (*std::max_element(tool.force.begin(), tool.force.end()) <= 0.0)
+  if (diagnostics.error_count() == before && *std::max_element(tool.force.begin(), tool.force.end()) <= 0.0)
     diagnostics.error(force->span(), "force: there is none", "write force = { x = \"200 N\" }");
 }
 

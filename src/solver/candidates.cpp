@@ -32,9 +32,9 @@ class Heap {
   explicit Heap(const StagePlan& plan) {
     for (std::size_t k = 0; k < plan.criteria->size(); ++k) weight_.push_back(1.0 / (std::fabs(plan.least[k]) + 1e-6));
   }
-  void push(Node node) {
+  void push(Node node, double weighed_state = 0.0) {
     constexpr double state_weight = 1e-4;  // decides between equal scores
-    node.value = 0.0;
+    node.value = weighed_state;
     for (std::size_t i = 0; i < node.key.size(); ++i) {
       node.value += node.key[i] * (i < weight_.size() ? weight_[i] : state_weight);
     }
@@ -95,7 +95,7 @@ class Search {
 
   CandidateSet run() {
     offer(plan_.region);
-    while (!heap_.empty()) {
+    while (!heap_.empty() && set_.nodes < question_.node_limit) {
       Node node = heap_.pop();
       if (++set_.nodes % 64 == 0 && question_.stop && question_.stop()) {
         set_.complete = false;
@@ -127,7 +127,10 @@ class Search {
     comparison_.best_key(node.bounds.score, node.bounds.handed_on, node.key.data());
     if (known_.dominates(node.key)) return;
     if (!cut_variables(plan_, question_.states, node.region, node.bounds, desk_)) return;
-    heap_.push(std::move(node));
+    double weighed_state = 0.0;
+    for (std::size_t h = 0; h < question_.state_weight.size(); ++h)
+      weighed_state += question_.state_weight[h] * node.bounds.handed_on[h].lower;
+    heap_.push(std::move(node), weighed_state);
   }
 
   /// Values of the variables at which every utilisation is <= 1 over all of H, if some are found.

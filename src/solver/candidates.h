@@ -14,6 +14,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "solver/staircase.h"
@@ -28,6 +29,10 @@ struct CandidateQuestion {
   std::vector<Interval> states;  ///< H
   std::vector<Pair> useful;      ///< upper staircase of own shares of the first two scores
   std::function<bool()> stop;    ///< asked now and then
+  /// For quick first answers, not for a proof: so many nodes at most, and what a handed-on component weighs in the
+  /// order in which they are taken (empty: next to nothing).
+  std::size_t node_limit = std::numeric_limits<std::size_t>::max();
+  std::vector<double> state_weight = {};
 };
 
 struct Candidate {

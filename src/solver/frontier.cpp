@@ -13,6 +13,8 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t staircase_points = 600;
 constexpr std::size_t front_nodes = 3000;                        // spent on the least front of one stage
+constexpr std::size_t hurried_nodes = 1000;                      // a chunk, in a quick pass with states
+constexpr std::size_t hurried_labels = 200;                      // kept before each stage in such a pass
 constexpr std::size_t most_chunks = 8;                           // of the labels before one stage
 constexpr double narrow = 0.02;                                  // relative width of a chunk's states
 constexpr std::size_t most_combinations = std::size_t{1} << 22;  // kept at a time
@@ -45,10 +47,44 @@ Frontier::Frontier(const Problem& problem,
 
 bool Frontier::run() {
   find_rest();
-  for (const bool with_states : {false, true}) {
-    if (!pass(with_states)) return false;
+  if (!pass({.with_states = false})) return false;
+  // Where what is cheap first leaves too little of a shared allowance to what comes later, nothing is found that way.
+  const bool found = !incumbents_.builds().empty();
+  for (const double weight : {1.0, 0.3, 0.1, 0.03}) {
+    if (found) break;
+    if (!pass({.hurried_weight = weight})) return false;
   }
+  if (!pass({})) return false;
   return !undecided_;
+}
+
+/// What a component weighs where using up all that later stages can bear counts like the least first score, or like a
+/// share of it.
+std::vector<double> Frontier::state_weights(std::size_t stage, double share) const {
+  const StagePlan& plan = plans_[stage];
+  std::vector<double> weights(plan.most_after.size(), 0.0);
+  for (std::size_t c = 0; c < weights.size(); ++c) {
+    const bool smaller = plan.after[c] == Direction::smaller_is_better;
+    if (smaller && std::isfinite(plan.most_after[c]) && plan.most_after[c] > 0.0)
+      weights[c] = share / plan.most_after[c];
+  }
+  return weights;
+}
+
+/// Keeps the best of many labels by first score and weighed state.
+void Frontier::keep_best(std::size_t stage, double share) {
+  std::vector<Label>& labels = labels_[stage + 1];
+  if (labels.size() <= hurried_labels) return;
+  const std::vector<double> weights = state_weights(stage, share);
+  double least = std::numeric_limits<double>::infinity();
+  for (const Label& label : labels) least = std::min(least, label.score[0]);
+  const auto value = [&](const Label& label) {
+    double sum = label.score[0] / (std::fabs(least) + 1e-6);
+    for (std::size_t c = 0; c < weights.size(); ++c) sum += weights[c] * label.state[c];
+    return sum;
+  };
+  std::stable_sort(labels.begin(), labels.end(), [&](const Label& a, const Label& b) { return value(a) < value(b); });
+  labels.resize(hurried_labels);
 }
 
 /// What all stages from each one on add at least.
@@ -82,13 +118,15 @@ void Frontier::update_useful() {
   for (const auto& rest : rest_) useful_.push_back(difference_of_staircases(corners, rest, staircase_points));
 }
 
-bool Frontier::pass(bool with_states) {
+bool Frontier::pass(const Pass& pass) {
+  hurried_weight_ = pass.hurried_weight;
   update_useful();
   labels_.assign(plans_.size() + 1, {});
   labels_[0].push_back(first_label(problem_, criteria_));
   for (std::size_t stage = 0; stage < plans_.size(); ++stage) {
-    const Comparison comparison(criteria_, plans_[stage].after, with_states);
+    const Comparison comparison(criteria_, plans_[stage].after, pass.with_states);
     if (!(plans_[stage].any_priced ? advance_priced(stage, comparison) : advance(stage, comparison))) return false;
+    if (hurried_weight_ > 0.0) keep_best(stage, hurried_weight_);
   }
   for (const Label& label : labels_.back()) finish(label);
   return true;
@@ -107,6 +145,7 @@ bool Frontier::advance(std::size_t stage, const Comparison& comparison) {
     if (!chunks[i].set.complete) return false;
     combine(stage, static_cast<std::uint32_t>(i), chunks[i], comparison);
     if (combinations_.size() > most_combinations) compact(chunks, comparison);
+    if (control_.time_is_up()) return false;
   }
   sort_combinations(comparison);
   Archive known(comparison.dimensions());
@@ -178,6 +217,10 @@ std::vector<Frontier::Chunk> Frontier::make_chunks(std::size_t stage, const Comp
     chunk.question.comparison = &comparison;
     chunk.question.useful =
         difference_of_staircases(useful_[stage + 1], lower_staircase(std::move(scores)), staircase_points);
+    if (hurried_weight_ > 0.0) {
+      chunk.question.node_limit = hurried_nodes;
+      chunk.question.state_weight = state_weights(stage, hurried_weight_);
+    }
     chunk.question.stop = [this] { return control_.time_is_up(); };
   }
   return chunks;
@@ -223,7 +266,11 @@ void Frontier::compact(const std::vector<Chunk>& chunks, const Comparison& compa
   sort_combinations(comparison);
   const std::size_t n = comparison.dimensions();
   Archive known(n);
+  std::size_t looked_at = 0;
+  bool hurry = false;
   std::erase_if(combinations_, [&](const Combination& combination) {
+    hurry = hurry || (++looked_at % 1024 == 0 && control_.time_is_up());
+    if (hurry) return true;  // the pass is given up anyway
     const std::span<const double> key(keys_.data() + combination.key, n);
     if (known.dominates(key)) return true;
     if (chunks[combination.chunk].set.candidates[combination.candidate].universal) known.add(key);

@@ -51,6 +51,12 @@ class Frontier {
   [[nodiscard]] bool undecided() const { return undecided_; }
 
  private:
+  struct Pass {
+    bool with_states = true;
+    double hurried_weight = 0.0;  ///< above 0: a beam search for a first answer, states weighed so much
+  };
+  std::vector<double> state_weights(std::size_t stage, double share) const;
+  void keep_best(std::size_t stage, double share);
   struct Chunk {
     std::vector<std::uint32_t> labels;
     CandidateQuestion question;
@@ -64,7 +70,7 @@ class Frontier {
     std::size_t key = 0;
   };
 
-  bool pass(bool with_states);
+  bool pass(const Pass& pass);
   bool advance(std::size_t stage, const Comparison& comparison);
   bool advance_priced(std::size_t stage, const Comparison& comparison);
   void find_rest();
@@ -99,6 +105,7 @@ class Frontier {
   double leaf_tolerance_ = 0.0;  ///< of one stage with priced variables
   bool applicable_ = true;
   bool undecided_ = false;
+  double hurried_weight_ = 0.0;  ///< of the pass under way
 };
 
 }  // namespace millwright::solver

@@ -38,7 +38,7 @@ const std::vector<std::string> of_every_drive{
 
 TEST_CASE("Every element declares the constraints that the design rules ask of it") {
   const auto elements = declaring_elements();
-  REQUIRE(elements.size() == 8);
+  REQUIRE(elements.size() == 9);
   require_ids(elements[0], of_every_drive);
   require_ids(elements[0],
               {"C-SYS-TRAVEL",   "C-SCR-VM",         "C-SCR-TMAX",       "C-SCR-SIGMA",      "C-SCR-PB",

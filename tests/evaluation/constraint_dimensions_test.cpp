@@ -391,7 +391,7 @@ void check_bolts(bool fitted, bool eccentric, std::set<std::string>& seen) {
 }  // namespace
 
 TEST_CASE("Demand and capacity of every constraint have the dimension of its unit") {
-  std::vector<std::set<std::string>> seen(8);
+  std::vector<std::set<std::string>> seen(9);
   for (const bool vertical : {false, true}) {
     for (const bool geared : {false, true}) {
       for (const bool nut_rotates : {false, true})
@@ -426,6 +426,17 @@ TEST_CASE("Demand and capacity of every constraint have the dimension of its uni
                                                                                   {ampere(2.8)},
                                                                                   ampere(9.7)},
                                                   seen[4]));
+  evaluation::WholeData whole;
+  whole.tool.emplace();
+  whole.tool->force = {200.0, 200.0, 100.0};
+  whole.tool->stiffness = 4e6;
+  whole.cost_limit = 400.0;
+  whole.mass_limit = 12.0;
+  const Dimensioned compliance{1e-7, dimension::none / dimension::stiffness};
+  evaluation::whole_constraints(DimensionVisitor(
+      evaluation::WholeMachine<Dimensioned>{
+          &whole, {compliance, compliance, compliance}, {300.0, dimension::none}, {7.0, dimension::mass}},
+      seen[8]));
   // Nothing was left out.
   const auto elements = declaring_elements();
   for (std::size_t i = 0; i < elements.size(); ++i)

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "evaluation/supply_stage.h"
+#include "evaluation/whole_stage.h"
 #include "machine/belt_drive_constraints.h"
 #include "machine/bolted_joint.h"
 #include "machine/guide_system.h"
@@ -35,10 +36,10 @@ inline std::vector<DeclaringElement> declaring_elements() {
   take("guide", [](auto&& visit) { machine::guide_constraints(visit); });
   take("member", [](auto&& visit) { machine::member_constraints(visit); });
   take("supply", [](auto&& visit) { evaluation::supply_constraints(visit); });
-  take("whole", [](auto&& visit) { evaluation::whole_constraints(visit); });
   take("bolts", [](auto&& visit) { machine::bolted_joint_constraints(visit); });
   take("rack drive", [](auto&& visit) { machine::rack_drive_constraints(visit); });
   take("rotary drive", [](auto&& visit) { machine::rotary_drive_constraints(visit); });
+  take("whole", [](auto&& visit) { evaluation::whole_constraints(visit); });
   return elements;
 }
 

@@ -144,10 +144,11 @@ class TinyCatalogue {
     header("linear_guides",
            "kind,size [mm],block_length [mm],dynamic_load_rating [N],static_load_rating [N],rating_distance "
            "[km],roll_moment_rating [N.m],pitch_moment_rating [N.m],yaw_moment_rating [N.m],carriage_mass "
-           "[kg],rail_mass_per_length [kg/m],maximum_rail_length [mm],price,price_per_length [1/m]");
-    part("R12", "profile rail,12,45,3000,5000,50,30,20,20,{mass},0.6,2000", 8.0, 0.05);
-    part("R20", "profile rail,20,75,15000,25000,50,250,200,200,{mass},2.2,4000", 20.0, 0.4);
-    part("LB16", "linear ball bush,16,40,800,1200,50,,,,{mass},1.6,2000", 5.0, 0.1);
+           "[kg],rail_mass_per_length [kg/m],maximum_rail_length [mm],radial_stiffness [N/um],price,price_per_length "
+           "[1/m]");
+    part("R12", "profile rail,12,45,3000,5000,50,30,20,20,{mass},0.6,2000,40", 8.0, 0.05);
+    part("R20", "profile rail,20,75,15000,25000,50,250,200,200,{mass},2.2,4000,150", 20.0, 0.4);
+    part("LB16", "linear ball bush,16,40,800,1200,50,,,,{mass},1.6,2000,", 5.0, 0.1);
     header("belts",
            "profile,pitch [mm],width [mm],allowable_tension [N],mass_per_length [kg/m],tensile_stiffness "
            "[N],minimum_pulley_teeth [1],maximum_speed [m/s],price_per_length [1/m]");
