@@ -16,7 +16,6 @@ namespace millwright::machine {
 
 using text::Diagnostics;
 using text::Node;
-using text::Presence;
 using text::TableReader;
 
 std::optional<std::size_t> read_direction_name(TableReader& table, std::string_view key) {

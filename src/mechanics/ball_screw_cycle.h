@@ -74,7 +74,7 @@ Dual<Interval, N> cubed_ramp_loads(const Dual<Interval, N>& steady_force,
   const auto squared = [&](const Interval& f) { return square(raceway_load(f, preload.value, preloaded)); };
   const Interval by_preload(0.0, preloaded ? (3.0 * (squared(b + c) + squared(absolute(b - c)))).upper : 0.0);
   Dual<Interval, N> result(cubed_ramp_loads(steady_force.value, c, preload.value, preloaded));
-  for (int i = 0; i < N; ++i) {
+  for (std::size_t i = 0; i < result.slope.size(); ++i) {
     result.slope[i] = by_force * steady.slope[i] + by_force * inertia_force.slope[i] + by_preload * preload.slope[i];
   }
   return result;
