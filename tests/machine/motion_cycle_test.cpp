@@ -223,7 +223,7 @@ TEST_CASE("A long profile is gathered on the safe side") {
   CHECK(move.profile->phases.size() > 20);
   const Cycle<double> cycle = cycle_of(move, mass);
   double time = 0.0, travel = 0.0, squares = 0.0, force_time = 0.0, cubes = 0.0, force_squares = 0.0, largest = 0.0;
-  for (int i = 0; i + 1 < samples; ++i) {
+  for (std::size_t i = 0; i + 1 < times.size(); ++i) {
     const double dt = times[i + 1] - times[i], v0 = std::abs(speeds[i]), v1 = std::abs(speeds[i + 1]);
     const double a = (v1 - v0) / dt, force = 0.5 * (forces[i] + forces[i + 1]), load = std::abs(mass * a + force);
     time += dt;
