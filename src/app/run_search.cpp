@@ -42,6 +42,11 @@ report::MachineResult search(const Options& options, const MachineInput& input) 
   }
   result.status = status_of(synthesis.status);
   result.missing = missing_slots(synthesis.empty_slots);
+  if (result.status == report::Status::infeasible && result.missing.empty()) {
+    result.unmet = evaluation::unmet_checks(model);
+    how.progress = nullptr;
+    result.ways_out = evaluation::ways_out(model, result.unmet, how);
+  }
   result.lower_bound = synthesis.lower_bound;
   result.gap = synthesis.gap;
   result.certificate = {

@@ -97,8 +97,8 @@ GuideSystem<T> GuideStage::design(const Selection<T>& s) const {
   d.unsupported_shaft = applies_to(s.rows[0], unsupported_);
   d.bushings = applies_to(s.rows[0], bushings_);
   d.carried_mass = s.inherited[place_.load_state];
-  // Loads on the guides do not hang on the ramp; the mean speed of the cycle does, a little: the shortest ramp is the
-  // safe side.
+  // The ramp time is the drive's to choose. The shortest one is the safe side: it accelerates hardest, and gives the
+  // cycle the highest mean speed.
   d.acceleration_time = T(acceleration_time_.lower);
   d.derive();
   return d;

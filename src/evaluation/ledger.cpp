@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "evaluation/machine_model.h"
+#include "evaluation/machine_stages.h"
 #include "scalar/unit.h"
 
 namespace millwright::evaluation {
@@ -37,34 +38,82 @@ concept HasPhases = requires(const Element& e) {
 };
 
 template <class Element>
+concept HasCarriages = requires(const Element& e) {
+  e.carriage_loads;
+};
+
+template <class Element>
 concept HasMotor = requires(const Element& e) {
   e.motor.rated_current;
 };
 
-/// The phase in which the quantity of a constraint is largest.
+/// The phase in which the quantity of a constraint is largest, or what of the cycle it is about.
 template <class Element>
 std::string worst_phase(const Element& element, WorstPhase worst) {
-  if constexpr (HasPhases<Element>) {
-    const auto names = machine::phase_names(element.data->motion);
-    const auto place = [&](const std::vector<double>& values) -> std::string {
-      const auto best =
-          std::max_element(values.begin(), values.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
-      return best == values.end() ? std::string() : names[static_cast<std::size_t>(best - values.begin())];
-    };
-    switch (worst) {
-      case WorstPhase::force:
-        return place(element.axial_forces);
-      case WorstPhase::torque:
-        return place(element.motor_torques);
-      case WorstPhase::torque_ratio:
-        return place(element.torque_ratios);
-      case WorstPhase::speed:
-        return place(element.angular_speeds);
-      case WorstPhase::none:
-        break;
+  if (worst == WorstPhase::cycle) return "whole cycle";
+  if (worst == WorstPhase::steady) return "constant speed";
+  if (worst == WorstPhase::standstill) return "standstill";
+  const auto of_largest = [&](const std::vector<double>& values) -> std::string {
+    const auto best =
+        std::max_element(values.begin(), values.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+    if constexpr (HasCarriages<Element> || HasPhases<Element>) {
+      if (best != values.end())
+        return machine::phase_names(element.data->motion)[static_cast<std::size_t>(best - values.begin())];
     }
+    return {};
+  };
+  if constexpr (HasCarriages<Element>) {
+    if (worst == WorstPhase::load) return of_largest(element.carriage_loads);
+  }
+  if constexpr (HasPhases<Element>) {
+    if (worst == WorstPhase::force) return of_largest(element.axial_forces);
+    if (worst == WorstPhase::torque) return of_largest(element.motor_torques);
+    if (worst == WorstPhase::torque_ratio) return of_largest(element.torque_ratios);
+    if (worst == WorstPhase::speed) return of_largest(element.angular_speeds);
   }
   return {};
+}
+
+/// The position that the formula of a constraint takes, in words.
+template <class Element>
+std::string worst_position(const Element& element, machine::WorstPlace place) {
+  using machine::WorstPlace;
+  bool both_ends_fixed = false;
+  constexpr bool has_nut = requires { element.data->both_ends_fixed; };
+  if constexpr (has_nut) both_ends_fixed = element.data->both_ends_fixed;
+  bool cantilever = false;
+  if constexpr (requires { element.data->member.support; })
+    cantilever = element.data->member.support == machine::BeamSupport::cantilever;
+  switch (place) {
+    case WorstPlace::nut_far:
+      return has_nut ? "nut farthest from the fixed bearing" : "";
+    case WorstPlace::nut_softest:
+      return !has_nut ? "" : both_ends_fixed ? "nut between the bearings" : "nut farthest from the fixed bearing";
+    case WorstPlace::long_belt:
+      return "longest free belt";
+    case WorstPlace::mid_span:
+      return cantilever ? "tip" : "mid-span";
+    case WorstPlace::most_bent:
+      return cantilever ? "clamp" : "mid-span";
+    case WorstPlace::travel_ends:
+      return "every axis at the end of its travel";
+    case WorstPlace::none:
+      break;
+  }
+  return {};
+}
+
+/// The contributions to an error budget, in the unit of the check.
+template <class Element>
+std::vector<Contribution> contributions(const Element& element, std::string_view id, const scalar::Unit& unit) {
+  std::vector<Contribution> result;
+  if constexpr (requires { error_budget(element); }) {
+    if (id == "C-ACC-TOTAL" || id == "C-ROT-TOTAL")
+      error_budget(element).visit([&](std::string_view what, double error) {
+        result.push_back({std::string(what), unit.from_si(error)});
+      });
+  }
+  return result;
 }
 
 template <class Element>
@@ -101,6 +150,8 @@ class CheckVisitor {
       check.note = "enforced, and a figure of a part is missing";
     }
     check.phase = worst_phase(element_, declaration.worst);
+    check.position = worst_position(element_, declaration.place);
+    if (unit) check.contributions = contributions(element_, declaration.id, *unit);
     out_.push_back(std::move(check));
   }
 
@@ -109,21 +160,6 @@ class CheckVisitor {
   const StageEntry& entry_;
   std::vector<Check>& out_;
 };
-
-template <class Stage>
-constexpr auto constraints_of() {
-  return [](auto& visit) {
-    if constexpr (std::is_same_v<Stage, ScrewDriveStage>) machine::screw_drive_constraints(visit);
-    if constexpr (std::is_same_v<Stage, BeltDriveStage>) machine::belt_drive_constraints(visit);
-    if constexpr (std::is_same_v<Stage, RackDriveStage>) machine::rack_drive_constraints(visit);
-    if constexpr (std::is_same_v<Stage, RotaryDriveStage>) machine::rotary_drive_constraints(visit);
-    if constexpr (std::is_same_v<Stage, GuideStage>) machine::guide_constraints(visit);
-    if constexpr (std::is_same_v<Stage, MemberStage>) machine::member_constraints(visit);
-    if constexpr (std::is_same_v<Stage, BoltStage>) machine::bolted_joint_constraints(visit);
-    if constexpr (std::is_same_v<Stage, SupplyStage>) supply_constraints(visit);
-    if constexpr (std::is_same_v<Stage, WholeStage>) whole_constraints(visit);
-  };
-}
 
 PartLine part_line(const MachineModel& model, const PartUse& use, const std::string& axis, const Design& design) {
   PartLine line;

@@ -13,6 +13,12 @@ namespace millwright::evaluation {
 
 enum class Verdict { satisfied, violated, not_evaluated };
 
+/// One part of a sum that a check judges, in the unit of the check.
+struct Contribution {
+  std::string what;
+  double value = 0.0;
+};
+
 struct Check {
   std::string axis;     ///< "machine" for what no single axis owns
   std::string element;  ///< "drive", "guide", a member's name, "supply"
@@ -23,7 +29,9 @@ struct Check {
   std::string unit;
   double utilisation = 0.0;  ///< demand/capacity, 1 is the limit
   Verdict verdict = Verdict::satisfied;
-  std::string phase;  ///< of the duty cycle, where the worst case occurs; empty if it has none
+  std::string phase;     ///< of the duty cycle, where the worst case occurs; empty if it has none
+  std::string position;  ///< of the travel, where the worst case occurs; empty if it is the same everywhere
+  std::vector<Contribution> contributions;  ///< to an error budget
   std::string source;
   std::string requirement;  ///< key of the factor or limit, empty if none
   std::string note;         ///< "torque is an estimate: no published curve", ...

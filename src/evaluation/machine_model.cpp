@@ -3,7 +3,16 @@
 
 #include <fmt/format.h>
 
+#include "evaluation/machine_stages.h"
+#include "evaluation/price_book.h"
+
 namespace millwright::evaluation {
+
+StageEntry::StageEntry(std::string axis_name, std::string element_name, StagePointer pointer)
+    : axis(std::move(axis_name)), element(std::move(element_name)), stage(std::move(pointer)) {}
+StageEntry::StageEntry(StageEntry&&) noexcept = default;
+StageEntry& StageEntry::operator=(StageEntry&&) noexcept = default;
+StageEntry::~StageEntry() = default;
 
 const solver::Stage& StageEntry::as_stage() const {
   return std::visit([](const auto& s) -> const solver::Stage& { return *s; }, stage);
@@ -48,8 +57,7 @@ MachineModel::MachineModel(const machine::Problem& given,
   const PriceBook prices(problem);
   solver_problem_.shared.push_back({"supply_voltage", static_cast<solver::Row>(problem.supply_voltages.size())});
   solver_problem_.first_state.assign(first_load_state + problem.axes.size(), 0.0);
-  for (const auto& state : compliance_states(problem))
-    if (state) solver_problem_.first_state.push_back(0.0);
+  solver_problem_.first_state.resize(first_load_state + problem.axes.size() + tool_states(problem).count, 0.0);
   for (std::size_t i = 0; i < problem.axes.size(); ++i)
     solver_problem_.first_state[first_load_state + i] = problem.axes[i].structure_mass + problem.axes[i].payload_mass;
   for (const std::size_t index : problem.order) add_axis(index, prices);
@@ -75,7 +83,9 @@ void MachineModel::add_axis(std::size_t index, const PriceBook& prices) {
   if (axis.carried_by) place.parent_load_state = first_load_state + *axis.carried_by;
   if (problem_.tool && !machine::is_rotary(axis)) {
     place.tool = machine::tool_place(problem_, index);
-    place.compliance_state = compliance_states(problem_);
+    const ToolStates states = tool_states(problem_);
+    place.compliance_state = states.compliance;
+    if (axis.along) place.error_state = states.error[*axis.along];
   }
   const auto add_members = [&](bool riding) {
     for (const machine::Member& member : axis.members)

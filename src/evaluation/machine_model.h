@@ -12,34 +12,45 @@
 #include <variant>
 #include <vector>
 
-#include "evaluation/belt_drive_stage.h"
-#include "evaluation/bolt_stage.h"
-#include "evaluation/guide_stage.h"
+#include "catalogue/catalogue.h"
 #include "evaluation/ledger.h"
-#include "evaluation/member_stage.h"
-#include "evaluation/rack_drive_stage.h"
-#include "evaluation/rotary_drive_stage.h"
-#include "evaluation/screw_drive_stage.h"
-#include "evaluation/supply_stage.h"
-#include "evaluation/whole_stage.h"
+#include "evaluation/slot_table.h"
+#include "machine/problem.h"
 #include "solver/solver.h"
 
 namespace millwright::evaluation {
+
+class ScrewDriveStage;
+class BeltDriveStage;
+class RackDriveStage;
+class RotaryDriveStage;
+class GuideStage;
+class MemberStage;
+class BoltStage;
+class SupplyStage;
+class WholeStage;
+class PriceBook;
+
+/// Whoever looks inside includes machine_stages.h: the elements behind these names take the compiler seconds to read.
+using StagePointer = std::variant<std::unique_ptr<ScrewDriveStage>,
+                                  std::unique_ptr<BeltDriveStage>,
+                                  std::unique_ptr<RackDriveStage>,
+                                  std::unique_ptr<RotaryDriveStage>,
+                                  std::unique_ptr<GuideStage>,
+                                  std::unique_ptr<MemberStage>,
+                                  std::unique_ptr<BoltStage>,
+                                  std::unique_ptr<SupplyStage>,
+                                  std::unique_ptr<WholeStage>>;
 
 /// One stage with what it stands for.
 struct StageEntry {
   std::string axis;     ///< "machine" for the supply
   std::string element;  ///< "guide", "drive", "supply", a member's name
-  std::variant<std::unique_ptr<ScrewDriveStage>,
-               std::unique_ptr<BeltDriveStage>,
-               std::unique_ptr<RackDriveStage>,
-               std::unique_ptr<RotaryDriveStage>,
-               std::unique_ptr<GuideStage>,
-               std::unique_ptr<MemberStage>,
-               std::unique_ptr<BoltStage>,
-               std::unique_ptr<SupplyStage>,
-               std::unique_ptr<WholeStage>>
-      stage;
+  StagePointer stage;
+  StageEntry(std::string axis, std::string element, StagePointer stage);
+  StageEntry(StageEntry&&) noexcept;
+  StageEntry& operator=(StageEntry&&) noexcept;
+  ~StageEntry();
   [[nodiscard]] const solver::Stage& as_stage() const;
   [[nodiscard]] const std::vector<SlotTable>& tables() const;
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "evaluation/synthesis.h"
 
+#include "evaluation/element_stage.h"
+
 namespace millwright::evaluation {
 
 namespace {

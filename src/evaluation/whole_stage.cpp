@@ -3,12 +3,16 @@
 
 namespace millwright::evaluation {
 
-std::array<std::optional<std::size_t>, 3> compliance_states(const machine::Problem& problem) {
-  std::array<std::optional<std::size_t>, 3> states;
+ToolStates tool_states(const machine::Problem& problem) {
+  ToolStates states;
   if (!problem.tool) return states;
-  std::size_t next = first_load_state + problem.axes.size();
-  for (std::size_t i = 0; i < states.size(); ++i)
-    if (problem.tool->force[i] > 0.0) states[i] = next++;
+  const std::size_t first = first_load_state + problem.axes.size();
+  for (std::size_t i = 0; i < states.compliance.size(); ++i)
+    if (problem.tool->force[i] > 0.0) states.compliance[i] = first + states.count++;
+  if (problem.tool->position_error)
+    for (const machine::Axis& axis : problem.axes)
+      if (axis.along && !machine::is_rotary(axis) && !states.error[*axis.along])
+        states.error[*axis.along] = first + states.count++;
   return states;
 }
 
@@ -17,8 +21,9 @@ WholeStage::WholeStage(const machine::Problem& problem)
             .tool = problem.tool,
             .cost_limit = problem.cost_limit.value_or(0.0),
             .mass_limit = problem.mass_limit.value_or(0.0)},
-      states_(compliance_states(problem)) {
+      states_(tool_states(problem)) {
   name_ = "machine.whole";
+  for (std::size_t i = 0; i < states_.error.size(); ++i) data_.error_counts[i] = states_.error[i].has_value();
   whole_constraints([&](const machine::Declaration& d, auto&&, auto&&, auto&&) {
     constraint_count_ += machine::is_searched(d, data_.require);
   });
@@ -28,8 +33,10 @@ template <class T>
 WholeMachine<T> WholeStage::design(const Selection<T>& s) const {
   WholeMachine<T> d;
   d.data = &data_;
-  for (std::size_t i = 0; i < states_.size(); ++i)
-    if (states_[i]) d.compliance[i] = s.inherited[*states_[i]];
+  for (std::size_t i = 0; i < states_.compliance.size(); ++i) {
+    if (states_.compliance[i]) d.compliance[i] = s.inherited[*states_.compliance[i]];
+    if (states_.error[i]) d.error[i] = s.inherited[*states_.error[i]];
+  }
   return d;
 }
 

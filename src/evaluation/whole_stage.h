@@ -16,17 +16,24 @@ struct WholeData {
   machine::Requirements require;
   std::optional<machine::Tool> tool;
   double cost_limit = 0.0, mass_limit = 0.0;  ///< 0 = none
+  std::array<bool, 3> error_counts{};         ///< along x, y and z
 };
 
 template <class T>
 struct WholeMachine {
   const WholeData* data = nullptr;
   std::array<T, 3> compliance{};  ///< m/N, of axes and structure along x, y and z
+  std::array<T, 3> error{};       ///< m, of the axes along x, y and z
   T cost{}, mass{};               ///< of a finished design; the search does not fill them in
 };
 
-/// Where the state vector holds the compliance along x, y and z: where the tool is pressed in that direction.
-std::array<std::optional<std::size_t>, 3> compliance_states(const machine::Problem& problem);
+/// Where the state vector holds, along x, y and z, what is counted at the tool.
+struct ToolStates {
+  std::array<std::optional<std::size_t>, 3> compliance;  ///< where the tool is pressed in that direction
+  std::array<std::optional<std::size_t>, 3> error;       ///< where a position error is asked for and an axis travels
+  std::size_t count = 0;
+};
+ToolStates tool_states(const machine::Problem& problem);
 
 /// Deflection of the tool in one direction [m]: of the machine, and of the tool itself in its holder.
 template <class T>
@@ -38,6 +45,13 @@ T tool_deflection(const WholeMachine<T>& d, std::size_t direction) {
                                            T(d.compliance[direction] + own));
 }
 
+/// Position error at the tool in one direction [m]: of the axes along it, and the deflection.
+template <class T>
+T tool_error(const WholeMachine<T>& d, std::size_t direction) {
+  return d.data->tool->force[direction] > 0.0 ? T(d.error[direction] + tool_deflection(d, direction))
+                                              : d.error[direction];
+}
+
 template <class Visit>
 void whole_constraints(Visit&& visit) {
   using machine::Applies;
@@ -47,6 +61,7 @@ void whole_constraints(Visit&& visit) {
     declaration.symbol = "\u03b4";
     declaration.unit = "um";
     declaration.source = "slocum1992, chapter 2";
+    declaration.place = machine::WorstPlace::travel_ends;
     visit(
         declaration,
         [](const auto& d) { return d.data->tool && d.data->tool->force[direction] > 0.0 ? Applies::yes : Applies::no; },
@@ -56,6 +71,21 @@ void whole_constraints(Visit&& visit) {
           return scalar::in_unit<T>(d.data->tool->deflection, scalar::dimension::length);
         });
   };
+  const auto error = [&visit]<std::size_t direction>(Declaration declaration,
+                                                     std::integral_constant<std::size_t, direction>) {
+    declaration.symbol = "e";
+    declaration.unit = "um";
+    declaration.source = "slocum1992, chapter 2";
+    declaration.place = machine::WorstPlace::travel_ends;
+    visit(
+        declaration,
+        [](const auto& d) { return d.data->error_counts[direction] ? Applies::yes : Applies::no; },
+        [](const auto& d) { return tool_error(d, direction); },
+        [](const auto& d) {
+          using T = std::remove_cvref_t<decltype(d.cost)>;
+          return scalar::in_unit<T>(*d.data->tool->position_error, scalar::dimension::length);
+        });
+  };
   using std::integral_constant;
   deflection(Declaration{.id = "C-TOOL-DEFL-X", .title = "Tool gives way along x"},
              integral_constant<std::size_t, 0>{});
@@ -63,6 +93,12 @@ void whole_constraints(Visit&& visit) {
              integral_constant<std::size_t, 1>{});
   deflection(Declaration{.id = "C-TOOL-DEFL-Z", .title = "Tool gives way along z"},
              integral_constant<std::size_t, 2>{});
+  error(Declaration{.id = "C-TOOL-ERROR-X", .title = "Position error at the tool along x"},
+        integral_constant<std::size_t, 0>{});
+  error(Declaration{.id = "C-TOOL-ERROR-Y", .title = "Position error at the tool along y"},
+        integral_constant<std::size_t, 1>{});
+  error(Declaration{.id = "C-TOOL-ERROR-Z", .title = "Position error at the tool along z"},
+        integral_constant<std::size_t, 2>{});
   visit(
       Declaration{.id = "C-SYS-COST",
                   .title = "Cost of everything chosen",
@@ -99,7 +135,7 @@ class WholeStage final : public ElementStage<WholeStage> {
 
  private:
   WholeData data_;
-  std::array<std::optional<std::size_t>, 3> states_;
+  ToolStates states_;
 };
 
 extern template WholeMachine<double> WholeStage::design(const Selection<double>&) const;

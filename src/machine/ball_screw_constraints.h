@@ -23,7 +23,8 @@ void ball_screw_constraints(Visit&& visit) {
                   .symbol = "L_h",
                   .unit = "h",
                   .source = "iso3408_5, clause 7",
-                  .requirement = "life"},
+                  .requirement = "life",
+                  .worst = WorstPhase::cycle},
       when_ball,
       [](const auto& d) { return d.require(life, dimension::time); },
       [](const auto& d) { return ball_screw_life(d); });
@@ -55,7 +56,8 @@ void ball_screw_constraints(Visit&& visit) {
                   .symbol = "F",
                   .unit = "N",
                   .source = "thk_catalogue, A15",
-                  .worst = WorstPhase::force},
+                  .worst = WorstPhase::force,
+                  .place = WorstPlace::nut_far},
       when_ball,
       [](const auto& d) { return d.largest_force; },
       [](const auto& d) { return d.screw.buckling_load; });
@@ -65,7 +67,8 @@ void ball_screw_constraints(Visit&& visit) {
                   .symbol = "ω",
                   .unit = "rpm",
                   .source = "thk_catalogue, A15",
-                  .worst = WorstPhase::speed},
+                  .worst = WorstPhase::speed,
+                  .place = WorstPlace::nut_far},
       [](const auto& d) { return d.data->nut_rotates ? Applies::no : d.ball(); },
       [](const auto& d) { return d.screw_speed; },
       [](const auto& d) { return d.screw.critical_speed; });

@@ -99,20 +99,18 @@ T reversal_error(const BeltDrive<T>& d) {
   return d.reduction.present ? T(stretch + reversal_in_reduction(d)) : stretch;
 }
 
-/// Error budget of the axis [m]: belt pitch error (0.2 mm/m, a usual figure), stretch, play, wind-up of a reduction and
-/// motor lag systematically, step accuracy and resolution at random.
+/// Errors of the axis [m]; the belt's pitch error is 0.2 mm/m, a usual figure.
 template <class T>
-T position_error_budget(const BeltDrive<T>& d) {
+ErrorBudget<T> error_budget(const BeltDrive<T>& d, UnderForce under_force = UnderForce::yes) {
   using namespace scalar;
-  const double over = d.data->require.known(Requirement::position_error_over)
-                          ? d.data->require(Requirement::position_error_over)
-                          : d.data->stroke;
-  const std::array<T, 4> systematic{named("e_p", in_unit<T>(2e-4 * over, dimension::length)),
-                                    named("e_r", reversal_error(d)),
-                                    named("e_w", reduction_windup(d)),
-                                    named("e_s", motor_lag(d))};
-  const std::array<T, 2> random = step_errors(d);
-  return mechanics::accuracy::mixed_error(std::span<const T>(systematic), std::span<const T>(random));
+  ErrorBudget<T> budget;
+  const double counted = counted_travel(d.data->require, d.data->stroke, false);
+  budget.add_systematic("pitch", named("e_p", in_unit<T>(2e-4 * counted, dimension::length)));
+  if (under_force == UnderForce::yes && has_process_force(d.data->motion))
+    budget.add_systematic("under force",
+                          named("e_F", mechanics::belt::position_error(d.cycle.process_force, belt_stiffness(d))));
+  add_gear_errors(d, reversal_error(d), budget);
+  return budget;
 }
 
 /// The belt at its longest span, a reduction and the motor's field.

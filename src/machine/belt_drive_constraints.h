@@ -116,7 +116,9 @@ void belt_constraints(Visit&& visit) {
                   .symbol = "δ",
                   .unit = "um",
                   .source = "millwright_derivations, stretch of a belt",
-                  .requirement = "belt_stretch_share"},
+                  .requirement = "belt_stretch_share",
+                  .worst = WorstPhase::steady,
+                  .place = WorstPlace::long_belt},
       [](const auto& d) { return d.data->require.known(position_error) ? Applies::yes : Applies::no; },
       [](const auto& d) { return bt::position_error(steady_force(d), belt_stiffness(d)); },
       [](const auto& d) { return d.require(belt_stretch_share) * d.require(position_error, dimension::length); });
@@ -127,7 +129,8 @@ void belt_constraints(Visit&& visit) {
                   .unit = "Hz",
                   .kind = ConstraintKind::soft,
                   .source = "millwright_derivations, frequency of a mass on a belt",
-                  .requirement = "belt_frequency"},
+                  .requirement = "belt_frequency",
+                  .place = WorstPlace::long_belt},
       always,
       [](const auto& d) { return d.require(belt_frequency, dimension::none / dimension::time); },
       [](const auto& d) { return bt::axis_resonant_frequency(belt_stiffness(d), d.moved_mass); });

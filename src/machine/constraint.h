@@ -25,8 +25,11 @@ namespace millwright::machine {
 /// hard: must hold for a compliant build. soft: reported, not enforced. fit: two parts that must go together; hard.
 enum class ConstraintKind { hard, soft, fit };
 
-/// In which phase of the duty cycle a constraint is worst: where this quantity is largest.
-enum class WorstPhase { none, force, torque, torque_ratio, speed };
+/// In which phase of the duty cycle a constraint is worst: where this quantity is largest, or what it is about.
+enum class WorstPhase { none, force, torque, torque_ratio, speed, load, steady, standstill, cycle };
+
+/// At which position of the travel a constraint is worst. The formulas take that position; this names it.
+enum class WorstPlace { none, nut_far, nut_softest, long_belt, mid_span, most_bent, travel_ends };
 
 /// What is said about a constraint besides its two functions. All strings are literals.
 struct Declaration {
@@ -38,6 +41,7 @@ struct Declaration {
   std::string_view source = {};       ///< bibliography key, with section
   std::string_view requirement = {};  ///< key of the requirement that sets its factor or limit, empty if none
   WorstPhase worst = WorstPhase::none;
+  WorstPlace place = WorstPlace::none;
   /// Another hard constraint that never holds where this one does not: the search holds that one only.
   std::string_view implied_by = {};
   /// A limit of cost or mass, which the solver holds itself: the search need not evaluate it.

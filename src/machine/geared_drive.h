@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "machine/axis_motion.h"
+#include "machine/error_budget.h"
 #include "machine/motor.h"
 #include "machine/reduction.h"
 #include "machine/requirement.h"
@@ -216,12 +217,17 @@ T motor_lag(const GearedDrive<T>& d) {
                                        2.0 * pi<T>() * d.travel_of_motor());
 }
 
-/// Random errors of motor and microstepping [m, rad]: 5 % of a full step, half a microstep.
+/// Adds what all geared drives have [m, rad]: reversal, wind-up of a reduction, lag of the motor, and at random 5 % of
+/// a full step and half a microstep.
 template <class T>
-std::array<T, 2> step_errors(const GearedDrive<T>& d) {
+void add_gear_errors(const GearedDrive<T>& d, const T& reversal, ErrorBudget<T>& budget) {
   using namespace scalar;
   const T travel = 2.0 * pi<T>() * d.travel_of_motor();
-  return {named("e_t", 0.05 * travel / (4.0 * d.motor.rotor_teeth)), named("e_q", 0.5 * resolution(d))};
+  budget.add_systematic("reversal", named("e_r", reversal));
+  if (d.reduction.present) budget.add_systematic("wind-up", named("e_w", reduction_windup(d)));
+  budget.add_systematic("motor lag", named("e_s", motor_lag(d)));
+  budget.add_random("step", named("e_t", 0.05 * travel / (4.0 * d.motor.rotor_teeth)));
+  budget.add_random("resolution", named("e_q", 0.5 * resolution(d)));
 }
 
 /// Turn of the output per torque on it, of the reduction and the motor's field [rad/(N.m)].

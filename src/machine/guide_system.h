@@ -69,7 +69,8 @@ struct GuideSystem {
 
   T moved_mass{};
   Cycle<T> cycle;
-  T largest_load{}, life_load{}, shaft_force{};
+  std::vector<T> carriage_loads;  ///< N, on the most loaded carriage, phase by phase
+  T largest_load{}, static_load{}, life_load{}, shaft_force{};
 
   [[nodiscard]] T require(Requirement requirement, const scalar::Dimension& dimension = scalar::dimension::none) const {
     return scalar::in_unit<T>(data->require(requirement), dimension);
@@ -93,24 +94,43 @@ void GuideSystem<T>::derive() {
   const double level = std::abs(std::cos(data->motion.inclination));
   const T pressing = level < 1e-9 ? none : level * weight;
   const T pulling = steep < 1e-9 ? none : steep * weight;
-  const T pitch =
+  const T steady_pitch =
       named("M_y", weight * length(std::abs(c.load_offset_x)) + cycle.process_force * length(std::abs(c.force_height)));
   const T roll = named("M_x", pressing * length(std::abs(c.load_offset_y)));
-  const T yaw = named("M_z", pulling * length(std::abs(c.load_offset_y)));
-  if (c.carriages > 1.0) {
-    largest_load = named("P",
-                         gd::largest_carriage_load(
-                             pressing, roll, pitch, none, yaw, length(c.carriage_spacing), length(c.rail_spacing)));
-  } else {
+  const T steady_yaw = named("M_z", pulling * length(std::abs(c.load_offset_y)));
+  const auto load = [&](const T& inertia) {
+    const T pitch = steady_pitch + inertia * length(std::abs(c.load_height));
+    const T yaw = steady_yaw + inertia * length(std::abs(c.load_offset_y));
+    if (c.carriages > 1.0)
+      return gd::largest_carriage_load(
+          pressing, roll, pitch, none, yaw, length(c.carriage_spacing), length(c.rail_spacing));
     const std::array<T, 3> moments{roll, pitch, yaw};
     const std::array<T, 3> ratings{guide.roll_moment_rating, guide.pitch_moment_rating, guide.yaw_moment_rating};
-    largest_load =
-        named("P",
-              gd::equivalent_load_with_moments(
-                  pressing, none, std::span<const T>(moments), std::span<const T>(ratings), guide.static_rating));
-  }
+    return gd::equivalent_load_with_moments(
+        pressing, none, std::span<const T>(moments), std::span<const T>(ratings), guide.static_rating);
+  };
   // A carriage that carries nothing lives for ever: one newton keeps the life finite and harmless.
-  life_load = larger(largest_load, in_unit<T>(1.0, dimension::force));
+  const T one = in_unit<T>(1.0, dimension::force);
+  if (c.load_height == 0.0 && c.load_offset_y == 0.0) {  // accelerating loads the carriages no more than resting
+    largest_load = named("P", load(none));
+    life_load = larger(largest_load, one);
+    if constexpr (shows_everything<T>) carriage_loads.assign(cycle.phases.size(), largest_load);
+  } else {
+    T damage = in_unit<T>(0.0, dimension::length);
+    for (const Phase<T>& phase : cycle.phases) {
+      carriage_loads.push_back(load(moved_mass * absolute(phase.acceleration)));
+      damage = damage + cube(T(larger(carriage_loads.back(), one) / one)) * phase.mean_speed * phase.duration;
+    }
+    largest_load = named("P", largest(carriage_loads));
+    life_load = named("P_m", one * cbrt(damage / cycle.travelled));
+  }
+  static_load = larger(largest_load, one);
+  T pitch = steady_pitch;
+  if (c.load_height != 0.0) {
+    std::vector<T> inertias;
+    for (const Phase<T>& phase : cycle.phases) inertias.push_back(moved_mass * absolute(phase.acceleration));
+    pitch = pitch + largest(inertias) * length(std::abs(c.load_height));
+  }
   // Beside what presses on the shafts, the pitching moment loads them with the couple of its two bushings; one force at
   // midspan is safe.
   T pushing = pressing + cycle.process_force;
@@ -131,7 +151,8 @@ void guide_bushing_constraints(Visit&& visit) {
                   .unit = "deg",
                   .kind = ConstraintKind::soft,
                   .source = "shigley, Table A-9; thomson_round_rail",
-                  .requirement = "bushing_slope"},
+                  .requirement = "bushing_slope",
+                  .place = WorstPlace::mid_span},
       [](const auto& d) { return d.unsupported_shaft; },
       [](const auto& d) {
         return gd::shaft_slope(d.shaft_force,
@@ -175,7 +196,8 @@ void guide_constraints(Visit&& visit) {
                   .symbol = "L_h",
                   .unit = "h",
                   .source = "hiwin_linear_guideway, service life; iso14728_1",
-                  .requirement = "life"},
+                  .requirement = "life",
+                  .worst = WorstPhase::cycle},
       always,
       [](const auto& d) { return d.require(life, dimension::time); },
       [](const auto& d) {
@@ -192,9 +214,10 @@ void guide_constraints(Visit&& visit) {
                   .symbol = "f_s P",
                   .unit = "N",
                   .source = "thk_lm_guide, static safety factor",
-                  .requirement = "guide_static_safety"},
+                  .requirement = "guide_static_safety",
+                  .worst = WorstPhase::load},
       always,
-      [](const auto& d) { return d.require(guide_static_safety) * d.life_load; },
+      [](const auto& d) { return d.require(guide_static_safety) * d.static_load; },
       [](const auto& d) { return d.guide.static_rating; });
   visit(
       Declaration{.id = "C-GD-DEFL",
@@ -202,7 +225,8 @@ void guide_constraints(Visit&& visit) {
                   .symbol = "δ",
                   .unit = "mm",
                   .source = "shigley, Table A-9",
-                  .requirement = "guide_shaft_deflection_ratio"},
+                  .requirement = "guide_shaft_deflection_ratio",
+                  .place = WorstPlace::mid_span},
       on_shaft,
       [](const auto& d) {
         return gd::shaft_deflection(d.shaft_force,
@@ -218,7 +242,8 @@ void guide_constraints(Visit&& visit) {
                   .symbol = "σ",
                   .unit = "MPa",
                   .source = "torch_table, eq. 13 and 14; khurmi_gupta2005, chapter 14",
-                  .requirement = "guide_shaft_safety_factor"},
+                  .requirement = "guide_shaft_safety_factor",
+                  .place = WorstPlace::mid_span},
       on_shaft,
       [](const auto& d) {
         return gd::shaft_stress(d.shaft_force,

@@ -249,6 +249,7 @@ GuideChoice read_guide(const Node& node, const std::string& title, Diagnostics& 
   const bool spaced = diagnostics.error_count() == before;
   guide.load_offset_x = q.quantity_or("load_offset_x", "mm", 0.0, Sign::any);
   guide.load_offset_y = q.quantity_or("load_offset_y", "mm", 0.0, Sign::any);
+  guide.load_height = q.quantity_or("load_height", "mm", 0.0, Sign::any);
   guide.force_height = q.quantity_or("force_height", "mm", 0.0, Sign::any);
   read_tool_at(table, q, guide, diagnostics);
   read_bushings(table, q, guide, diagnostics);

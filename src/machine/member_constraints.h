@@ -26,7 +26,8 @@ void member_strength_constraints(Visit&& visit) {
                   .symbol = "σ",
                   .unit = "MPa",
                   .source = "khurmi_gupta2005, chapter 5; fdm_printer, eq. 6",
-                  .requirement = "frame_safety_factor"},
+                  .requirement = "frame_safety_factor",
+                  .place = WorstPlace::most_bent},
       bends,
       [](const auto& d) { return d.stress; },
       [](const auto& d) {
@@ -38,7 +39,8 @@ void member_strength_constraints(Visit&& visit) {
                   .symbol = "δ",
                   .unit = "mm",
                   .source = "shigley, Table A-9; slocum1992",
-                  .requirement = "frame_deflection_ratio"},
+                  .requirement = "frame_deflection_ratio",
+                  .place = WorstPlace::mid_span},
       bends,
       [](const auto& d) { return d.deflection; },
       [](const auto& d) { return d.require(frame_deflection_ratio) * d.length(); });
@@ -48,7 +50,8 @@ void member_strength_constraints(Visit&& visit) {
                   .symbol = "σ",
                   .unit = "MPa",
                   .source = "torch_table, eq. 13 and 14",
-                  .requirement = "guide_shaft_safety_factor"},
+                  .requirement = "guide_shaft_safety_factor",
+                  .place = WorstPlace::most_bent},
       guides,
       [](const auto& d) { return d.stress; },
       [](const auto& d) {
@@ -60,7 +63,8 @@ void member_strength_constraints(Visit&& visit) {
                   .symbol = "δ",
                   .unit = "mm",
                   .source = "shigley, Table A-9",
-                  .requirement = "guide_shaft_deflection_ratio"},
+                  .requirement = "guide_shaft_deflection_ratio",
+                  .place = WorstPlace::mid_span},
       guides,
       [](const auto& d) { return d.deflection; },
       [](const auto& d) { return d.require(guide_shaft_deflection_ratio) * d.length(); });
@@ -70,7 +74,8 @@ void member_strength_constraints(Visit&& visit) {
                   .symbol = "d",
                   .unit = "mm",
                   .source = "torch_table, eq. 14; khurmi_gupta2005, section 14.11",
-                  .requirement = "shaft_safety_factor"},
+                  .requirement = "shaft_safety_factor",
+                  .place = WorstPlace::most_bent},
       [](const auto& d) { return d.is(d.data->member.kind == MemberKind::round_shaft); },
       [](const auto& d) {
         const auto one = decltype(d.mass)(1.0);
@@ -178,7 +183,8 @@ void member_dynamics_constraints(Visit&& visit) {
                   .symbol = "n_f",
                   .unit = "1",
                   .source = "shigley, sections 6-7 and 6-12",
-                  .requirement = "fatigue_safety_factor"},
+                  .requirement = "fatigue_safety_factor",
+                  .place = WorstPlace::most_bent},
       [](const auto& d) { return d.is(d.data->member.rotating); },
       [](const auto& d) { return d.require(fatigue_safety_factor); },
       [](const auto& d) { return fatigue_safety(d); });

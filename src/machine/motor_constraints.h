@@ -2,7 +2,7 @@
 //
 // Constraints of motor, driver and accuracy that every drive has. They are generic over the drive's design, which
 // offers motor, cycle, torque_ratios, load_torque, load_inertia, rms_torque, peak_speed and the functions
-// back_driving_torque, power_off_torque, speed_limit, resolution, reversal_error, position_error_budget
+// back_driving_torque, power_off_torque, speed_limit, resolution, reversal_error, error_budget
 // and friction_torque.
 #pragma once
 
@@ -62,7 +62,8 @@ void motor_constraints(Visit&& visit) {
                   .symbol = "T_L",
                   .unit = "N.m",
                   .source = "sander, eq. 22",
-                  .requirement = "load_torque_factor"},
+                  .requirement = "load_torque_factor",
+                  .worst = WorstPhase::steady},
       always,
       [](const auto& d) { return d.load_torque; },
       [](const auto& d) { return d.require(load_torque_factor) * d.motor.holding_torque; });
@@ -83,7 +84,8 @@ void motor_constraints(Visit&& visit) {
                   .unit = "N.m",
                   .kind = ConstraintKind::soft,
                   .source = "sander, eq. 25",
-                  .requirement = "rms_torque_factor"},
+                  .requirement = "rms_torque_factor",
+                  .worst = WorstPhase::cycle},
       always,
       [](const auto& d) { return d.rms_torque; },
       [](const auto& d) { return d.require(rms_torque_factor) * d.motor.holding_torque; });
@@ -108,7 +110,8 @@ void motor_constraints(Visit&& visit) {
                   .symbol = "T_h",
                   .unit = "N.m",
                   .source = "acarnley2002, chapter 5",
-                  .requirement = "holding_factor"},
+                  .requirement = "holding_factor",
+                  .worst = WorstPhase::standstill},
       always,
       [](const auto& d) { return back_driving_torque(d, d.holding_force); },
       [](const auto& d) { return d.require(holding_factor) * d.motor.static_torque; });
@@ -118,7 +121,8 @@ void motor_constraints(Visit&& visit) {
                   .symbol = "T_b",
                   .unit = "N.m",
                   .source = "thk_catalogue, rotational torque; sander, 4.2",
-                  .requirement = "detent_factor"},
+                  .requirement = "detent_factor",
+                  .worst = WorstPhase::standstill},
       [](const auto& d) { return d.data->vertical ? Applies::yes : Applies::no; },
       [](const auto& d) { return power_off_torque(d); },
       [](const auto& d) {
@@ -208,7 +212,8 @@ void motor_current_constraints(Visit&& visit) {
                   .unit = "K",
                   .kind = ConstraintKind::soft,
                   .source = "millwright_derivations, heat balance of the winding; iec60034_1",
-                  .requirement = "winding_temperature_rise"},
+                  .requirement = "winding_temperature_rise",
+                  .worst = WorstPhase::cycle},
       always,
       [](const auto& d) { return steady_winding_rise(d); },
       [](const auto& d) { return d.require(winding_temperature_rise, dimension::temperature); });
@@ -260,9 +265,11 @@ void accuracy_constraints(Visit&& visit) {
                   .symbol = "e",
                   .unit = "um",
                   .source = "slocum1992, chapter 2",
-                  .requirement = "position_error"},
+                  .requirement = "position_error",
+                  .worst = WorstPhase::steady,
+                  .place = WorstPlace::nut_softest},
       [](const auto& d) { return d.data->require.known(position_error) ? Applies::yes : Applies::no; },
-      [](const auto& d) { return position_error_budget(d); },
+      [](const auto& d) { return error_budget(d).total(); },
       [](const auto& d) { return d.require(position_error, dimension::length); });
   visit(
       Declaration{.id = "C-ACC-LOST",
@@ -270,7 +277,8 @@ void accuracy_constraints(Visit&& visit) {
                   .symbol = "Δ",
                   .unit = "um",
                   .source = "millwright_derivations, lost motion",
-                  .requirement = "lost_motion"},
+                  .requirement = "lost_motion",
+                  .place = WorstPlace::nut_softest},
       [](const auto& d) { return d.data->require.known(lost_motion) ? Applies::yes : Applies::no; },
       [](const auto& d) { return reversal_error(d); },
       [](const auto& d) { return d.require(lost_motion, dimension::length); });

@@ -120,6 +120,7 @@ struct Tool {
   std::array<double, 3> force{};                               ///< N, along each direction; 0 = not asked
   double deflection = 5e-5;                                    ///< m, in any of them
   double stiffness = std::numeric_limits<double>::infinity();  ///< N/m, of the tool in its holder
+  std::optional<double> position_error;                        ///< m, in any direction, with the tool pressed
   SourceSpan where;
 };
 
@@ -132,6 +133,7 @@ struct GuideChoice {
   double rail_spacing = 0.0;      ///< m
   double load_offset_x = 0.0;     ///< m, of the moved weight from the centre of the carriages
   double load_offset_y = 0.0;
+  double load_height = 0.0;                ///< m, of the moved mass above the line of the drive
   double force_height = 0.0;               ///< m, process force above the carriages
   bool self_aligning = false;              ///< bushings that follow the slope of their shaft
   std::optional<double> drive_offset;      ///< m, of the drive's line from the shaft, across it

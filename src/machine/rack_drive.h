@@ -69,22 +69,16 @@ void RackDrive<T>::derive() {
   rack_stress = rk::lewis_stress(this->largest_force, face_width, rack.module, 0.154 * pi<T>());
 }
 
-/// Error budget of the axis [m]: pitch error of the rack, play, wind-up of a reduction and motor lag systematically,
-/// steps at random. The pitch error counts over the stated travel and at least over 0.3 m: that of a few teeth is no
-/// smaller share of it.
+/// Errors of the axis [m]. The pitch error counts over at least 0.3 m: that of a few teeth is no smaller share of it.
+/// The teeth are taken as rigid: what a force does is the wind-up of a reduction and the lag of the motor.
 template <class T>
-T position_error_budget(const RackDrive<T>& d) {
+ErrorBudget<T> error_budget(const RackDrive<T>& d, UnderForce /*under_force*/ = UnderForce::yes) {
   using namespace scalar;
-  const double over = d.data->require.known(Requirement::position_error_over)
-                          ? d.data->require(Requirement::position_error_over)
-                          : d.data->stroke;
-  const T counted = in_unit<T>(over > 0.3 ? over : 0.3, dimension::length);
-  const std::array<T, 4> systematic{named("e_p", d.rack.pitch_error_per_length * counted),
-                                    named("e_r", reversal_error(d)),
-                                    named("e_w", reduction_windup(d)),
-                                    named("e_s", motor_lag(d))};
-  const std::array<T, 2> random = step_errors(d);
-  return mechanics::accuracy::mixed_error(std::span<const T>(systematic), std::span<const T>(random));
+  ErrorBudget<T> budget;
+  const T counted = in_unit<T>(counted_travel(d.data->require, d.data->stroke, true), dimension::length);
+  budget.add_systematic("pitch", named("e_p", d.rack.pitch_error_per_length * counted));
+  add_gear_errors(d, reversal_error(d), budget);
+  return budget;
 }
 
 /// A reduction and the motor's field: the teeth are taken as rigid.

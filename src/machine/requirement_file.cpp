@@ -41,6 +41,7 @@ Side side_of(Requirement requirement) {
     case Requirement::nut_wear_fraction:
     case Requirement::largest_preload_fraction:
     case Requirement::lead_error_share:
+    case Requirement::mapped_lead_error:
     case Requirement::windup_share:
     case Requirement::thermal_growth_share:
     case Requirement::belt_stretch_share:
@@ -96,13 +97,16 @@ void warn_of_side(const Node& node, const RequirementDeclaration& declaration, d
         fmt::format("{}: usually at least 1, default {:.4g}", declaration.meaning, declaration.default_value));
 }
 
-/// The position error may state the travel it holds over: { limit = "0.05 mm", over = "300 mm" }.
+/// The position error may state the travel it holds over, and that the controller maps the lead error:
+/// { limit = "0.05 mm", over = "300 mm", lead_error = "mapped" }.
 void read_position_error(const Node& value, Requirements& require, Diagnostics& diagnostics) {
   TableReader inner(value, "position_error", diagnostics);
   QuantityReader q(inner, diagnostics);
   if (const auto limit = q.quantity("limit", "mm", Sign::positive, Presence::required))
     require.set(Requirement::position_error, *limit);
   if (const auto over = q.quantity("over", "mm", Sign::positive)) require.set(Requirement::position_error_over, *over);
+  if (inner.word("lead_error", {"as made", "mapped"}) == "mapped" && !require.known(Requirement::mapped_lead_error))
+    require.set(Requirement::mapped_lead_error, usual_mapped_lead_error);
   inner.finish();
 }
 

@@ -4,8 +4,6 @@
 // angle; what has to be accelerated is the inertia of table and workpiece.
 #pragma once
 
-#include <span>
-
 #include "machine/geared_drive.h"
 
 namespace millwright::machine {
@@ -20,14 +18,12 @@ struct RotaryDrive : GearedDrive<T> {
   }
 };
 
-/// Error budget of the axis [rad]: play, wind-up of a reduction and motor lag systematically, steps at random.
+/// Errors of the axis [rad].
 template <class T>
-T position_error_budget(const RotaryDrive<T>& d) {
-  using namespace scalar;
-  const std::array<T, 3> systematic{
-      named("e_r", reversal_error(d)), named("e_w", reduction_windup(d)), named("e_s", motor_lag(d))};
-  const std::array<T, 2> random = step_errors(d);
-  return mechanics::accuracy::mixed_error(std::span<const T>(systematic), std::span<const T>(random));
+ErrorBudget<T> error_budget(const RotaryDrive<T>& d) {
+  ErrorBudget<T> budget;
+  add_gear_errors(d, reversal_error(d), budget);
+  return budget;
 }
 
 }  // namespace millwright::machine

@@ -41,9 +41,10 @@ void rotary_constraints(Visit&& visit) {
                   .symbol = "e",
                   .unit = "deg",
                   .source = "slocum1992, chapter 2",
-                  .requirement = "angle_error"},
+                  .requirement = "angle_error",
+                  .worst = WorstPhase::steady},
       [](const auto& d) { return d.data->require.known(angle_error) ? Applies::yes : Applies::no; },
-      [](const auto& d) { return position_error_budget(d); },
+      [](const auto& d) { return error_budget(d).total(); },
       [](const auto& d) { return d.require(angle_error); });
   visit(
       Declaration{.id = "C-ROT-LOST",

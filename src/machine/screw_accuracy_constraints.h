@@ -32,7 +32,8 @@ void screw_accuracy_constraints(Visit&& visit) {
                   .symbol = "k",
                   .unit = "N/um",
                   .source = "thk_catalogue, axial rigidity",
-                  .requirement = "axial_stiffness"},
+                  .requirement = "axial_stiffness",
+                  .place = WorstPlace::nut_softest},
       [](const auto& d) { return d.data->require.known(axial_stiffness) ? Applies::yes : Applies::no; },
       [](const auto& d) { return d.require(axial_stiffness, dimension::stiffness); },
       [](const auto& d) { return least_axial_stiffness(d, d.largest_force); });
@@ -43,7 +44,9 @@ void screw_accuracy_constraints(Visit&& visit) {
                   .unit = "um",
                   .kind = ConstraintKind::soft,
                   .source = "millwright_derivations, wind-up",
-                  .requirement = "windup_share"},
+                  .requirement = "windup_share",
+                  .worst = WorstPhase::steady,
+                  .place = WorstPlace::nut_far},
       when_accuracy_is_required,
       [](const auto& d) { return windup_error(d); },
       [](const auto& d) { return d.require(windup_share) * d.require(position_error, dimension::length); });

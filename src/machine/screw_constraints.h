@@ -105,7 +105,8 @@ void screw_shaft_constraints(Visit&& visit) {
                   .unit = "deg",
                   .source = "sularso_suga, shafts; mini_mill, eq. 19",
                   .requirement = "twist_per_length",
-                  .worst = WorstPhase::force},
+                  .worst = WorstPhase::force,
+                  .place = WorstPlace::nut_far},
       always,
       [](const auto& d) {
         return ps::torsional_windup(
@@ -224,7 +225,8 @@ void sliding_screw_constraints(Visit&& visit) {
                   .unit = "km",
                   .kind = ConstraintKind::soft,
                   .source = "tribology_abc; millwright_derivations, wear of a nut",
-                  .requirement = "nut_wear_fraction"},
+                  .requirement = "nut_wear_fraction",
+                  .worst = WorstPhase::cycle},
       when_sliding,
       [](const auto& d) { return d.require(life, dimension::time) * d.cycle.travelled / d.cycle.total_time; },
       [](const auto& d) { return wear_travel(d); });
@@ -235,7 +237,8 @@ void sliding_screw_constraints(Visit&& visit) {
                   .unit = "N",
                   .source = "khurmi_gupta2005, section 16.4",
                   .requirement = "buckling_factor",
-                  .worst = WorstPhase::force},
+                  .worst = WorstPhase::force,
+                  .place = WorstPlace::nut_far},
       when_sliding,
       [](const auto& d) { return d.largest_force; },
       [](const auto& d) { return d.require(buckling_factor) * d.screw.buckling_load; });
@@ -246,7 +249,8 @@ void sliding_screw_constraints(Visit&& visit) {
                   .unit = "rpm",
                   .source = "thk_catalogue, permissible speed",
                   .requirement = "critical_speed_factor",
-                  .worst = WorstPhase::speed},
+                  .worst = WorstPhase::speed,
+                  .place = WorstPlace::nut_far},
       [](const auto& d) { return d.data->nut_rotates ? Applies::no : d.sliding(); },
       [](const auto& d) { return d.screw_speed; },
       [](const auto& d) { return d.require(critical_speed_factor) * d.screw.critical_speed; });
@@ -256,7 +260,8 @@ void sliding_screw_constraints(Visit&& visit) {
                   .symbol = "tan λ/μ_e",
                   .unit = "1",
                   .source = "khurmi_gupta2005, section 17.9",
-                  .requirement = "self_locking_factor"},
+                  .requirement = "self_locking_factor",
+                  .worst = WorstPhase::standstill},
       [](const auto& d) { return d.data->vertical && d.data->brake_torque <= 0.0 ? d.sliding() : Applies::no; },
       [](const auto& d) { return d.screw.self_locking_ratio; },
       [](const auto& d) { return 1.0 / d.require(self_locking_factor); });

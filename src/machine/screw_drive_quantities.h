@@ -6,6 +6,7 @@
 #include <array>
 #include <span>
 
+#include "machine/error_budget.h"
 #include "machine/screw_drive.h"
 #include "machine/tool_chain.h"
 #include "mechanics/ball_screw_cycle.h"
@@ -132,35 +133,30 @@ T resolution(const ScrewDrive<T>& d) {
       d.screw.lead, 4.0 * d.motor.rotor_teeth, T(d.data->microsteps), d.reduction.ratio_or_one());
 }
 
-/// Axial stiffness between motor and table at the far end of the travel [N/m]: shaft, fixed bearing, and the nut of a
-/// ball screw. Lead nuts have no published stiffness and are left out (the estimate is then on the stiff side).
-template <class T>
-T axial_stiffness(const ScrewDrive<T>& d) {
-  namespace ps = mechanics::power_screw;
-  const std::array<T, 3> chain{
-      ps::axial_stiffness_one_end_fixed(d.screw.elastic_modulus, d.screw.root_diameter, d.screw.supported_length),
-      d.support_fixed.axial_stiffness,
-      d.screw.nut_stiffness};
-  const auto of_first = [&](std::size_t links) {
-    return mechanics::ball_screw::chain_stiffness(std::span<const T>(chain).first(links));
-  };
-  return where_applies(d.ball(), of_first(2), [&] { return of_first(3); });
-}
-
-/// Axial stiffness between motor and table at the worst place of the nut [N/m]: the far end, or, with thrust taken at
+/// Stiffness of shaft and thrust bearings at the worst place of the nut [N/m]: the far end, or, with thrust taken at
 /// both ends, where the two sides, each a length of shaft with its bearing, give way alike: there one quarter of the
-/// compliance that shaft and bearings have in a row. The ball nut at its preload, else at the given force [N].
+/// compliance that shaft and bearings have in a row.
 template <class T>
-T least_axial_stiffness(const ScrewDrive<T>& d, const T& force) {
+T held_stiffness(const ScrewDrive<T>& d) {
   using namespace scalar;
   namespace bs = mechanics::ball_screw;
   const T shaft = named("k_S",
                         mechanics::power_screw::axial_stiffness_one_end_fixed(
                             d.screw.elastic_modulus, d.screw.root_diameter, d.screw.supported_length));
   const std::array<T, 3> row{shaft, d.support_fixed.axial_stiffness, d.support_free.axial_stiffness};
-  const T held = named("k_SB",
-                       d.data->both_ends_fixed ? 4.0 * bs::chain_stiffness(std::span<const T>(row))
-                                               : bs::chain_stiffness(std::span<const T>(row).first(2)));
+  return named("k_SB",
+               d.data->both_ends_fixed ? 4.0 * bs::chain_stiffness(std::span<const T>(row))
+                                       : bs::chain_stiffness(std::span<const T>(row).first(2)));
+}
+
+/// Axial stiffness between motor and table at the worst place of the nut [N/m]. The ball nut at its preload, else at
+/// the given force [N]. Lead nuts have no published stiffness and are left out (the estimate is then on the stiff
+/// side).
+template <class T>
+T least_axial_stiffness(const ScrewDrive<T>& d, const T& force) {
+  using namespace scalar;
+  namespace bs = mechanics::ball_screw;
+  const T held = held_stiffness(d);
   return where_applies(d.ball(), held, [&] {
     const T nut = named(
         "k_N",
@@ -168,6 +164,22 @@ T least_axial_stiffness(const ScrewDrive<T>& d, const T& force) {
                           : bs::nut_stiffness(d.screw.nut_stiffness, force, d.screw.dynamic_rating));
     const std::array<T, 2> chain{held, nut};
     return bs::chain_stiffness(std::span<const T>(chain));
+  });
+}
+
+/// How far the table gives way to a force [m], the same chain: in single powers of the force, so that it is seen to
+/// rise with it. A ball nut without preload counts as under at least one newton.
+template <class T>
+T axial_give(const ScrewDrive<T>& d, const T& force) {
+  using namespace scalar;
+  namespace bs = mechanics::ball_screw;
+  const T held = force / held_stiffness(d);
+  return where_applies(d.ball(), held, [&] {
+    return T(held + (d.data->preloaded ? T(force / bs::preloaded_nut_stiffness(
+                                                       d.screw.nut_stiffness, d.screw.preload, d.screw.dynamic_rating))
+                                       : bs::nut_deflection(d.screw.nut_stiffness,
+                                                            T(larger(force, in_unit<T>(1.0, dimension::force))),
+                                                            d.screw.dynamic_rating)));
   });
 }
 
@@ -229,18 +241,10 @@ T coupling_torque(const ScrewDrive<T>& d) {
       at_output, d.motor_side_inertia(), d.output_inertia, d.require(Requirement::coupling_shock_factor));
 }
 
-/// Travel over which the position error counts [m].
-template <class T>
-double accuracy_travel(const ScrewDrive<T>& d) {
-  return d.data->require.known(Requirement::position_error_over) ? d.data->require(Requirement::position_error_over)
-                                                                 : d.data->stroke;
-}
-
-/// Lead error [m] over the stated travel and at least over the 300 mm for which catalogues state it.
+/// Lead error [m] over the stated travel (error_budget.h).
 template <class T>
 T lead_error(const ScrewDrive<T>& d) {
-  const double over = accuracy_travel(d);
-  return (over > 0.3 ? over / 0.3 : 1.0) * d.screw.lead_error_300;
+  return counted_travel(d.data->require, d.data->stroke, true) / rated_travel * d.screw.lead_error_300;
 }
 
 /// Position error from the twist of coupling, screw and reduction under the load torque [m]. A screw that stands while
@@ -258,16 +262,17 @@ T windup_error(const ScrewDrive<T>& d) {
 template <class T>
 T thermal_growth(const ScrewDrive<T>& d) {
   using namespace scalar;
-  return mechanics::power_screw::thermal_growth(in_unit<T>(steel_expansion, dimension::none / dimension::temperature),
-                                                in_unit<T>(accuracy_travel(d), dimension::length),
-                                                d.require(Requirement::screw_temperature_rise, dimension::temperature));
+  return mechanics::power_screw::thermal_growth(
+      in_unit<T>(steel_expansion, dimension::none / dimension::temperature),
+      in_unit<T>(accuracy_travel(d.data->require, d.data->stroke), dimension::length),
+      d.require(Requirement::screw_temperature_rise, dimension::temperature));
 }
 
-/// Reversal error [m]: play and twice the elastic deflection under friction; of a reduction its play and twice its
+/// Reversal error [m]: play and twice what the drive gives way under friction; of a reduction its play and twice its
 /// wind-up under friction.
 template <class T>
 T reversal_error(const ScrewDrive<T>& d) {
-  const T axial = mechanics::ball_screw::lost_motion(d.cycle.friction_force, axial_stiffness(d), d.screw.backlash);
+  const T axial = d.screw.backlash + 2.0 * axial_give(d, d.cycle.friction_force);
   if (!d.reduction.present) return axial;
   const T friction = mechanics::ball_screw::drive_torque(d.cycle.friction_force, d.screw.lead, d.screw.efficiency) +
                      d.screw.drag_torque;
@@ -275,21 +280,25 @@ T reversal_error(const ScrewDrive<T>& d) {
                      T(d.reduction.backlash + 2.0 * d.reduction.compliance * friction), d.screw.lead);
 }
 
-/// Error budget of the axis [m]: lead error, lost motion, wind-up and motor lag systematically, step accuracy and
-/// resolution at random.
+/// Errors of the axis [m].
 template <class T>
-T position_error_budget(const ScrewDrive<T>& d) {
+ErrorBudget<T> error_budget(const ScrewDrive<T>& d, UnderForce under_force = UnderForce::yes) {
   using namespace scalar;
-  const T along = named("e_l", lead_error(d));
-  const T lost = named("e_r", reversal_error(d));
-  const T windup = named("e_w", windup_error(d));
+  ErrorBudget<T> budget;
+  budget.add_systematic("lead", named("e_l", lead_error(d)));
+  budget.add_systematic("reversal", named("e_r", reversal_error(d)));
+  if (under_force == UnderForce::yes && has_process_force(d.data->motion))
+    budget.add_systematic("under force", named("e_F", axial_give(d, d.cycle.process_force)));
+  budget.add_systematic("wind-up", named("e_w", windup_error(d)));
   const T torque = smaller(d.load_torque, d.motor.static_torque);
-  const T lag = named(
-      "e_s", mechanics::accuracy::load_lag(torque, d.motor.static_torque, d.motor.rotor_teeth, d.lead_of_motor()));
-  const std::array<T, 4> systematic{along, lost, windup, lag};
-  const T step = 0.05 * d.lead_of_motor() / (4.0 * d.motor.rotor_teeth);
-  const std::array<T, 2> random{named("e_t", step), named("e_q", 0.5 * resolution(d))};
-  return mechanics::accuracy::mixed_error(std::span<const T>(systematic), std::span<const T>(random));
+  budget.add_systematic(
+      "motor lag",
+      named("e_s",
+            mechanics::accuracy::load_lag(torque, d.motor.static_torque, d.motor.rotor_teeth, d.lead_of_motor())));
+  budget.add_systematic("thermal growth", named("e_th", thermal_growth(d)));
+  budget.add_random("step", named("e_t", 0.05 * d.lead_of_motor() / (4.0 * d.motor.rotor_teeth)));
+  budget.add_random("resolution", named("e_q", 0.5 * resolution(d)));
+  return budget;
 }
 
 /// How the free end sits in its support, 1 being the limit: a journal is turned from the root, so its bore must not

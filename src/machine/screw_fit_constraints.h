@@ -34,7 +34,8 @@ void coupling_constraints(Visit&& visit) {
                   .unit = "Hz",
                   .kind = ConstraintKind::soft,
                   .source = "millwright_derivations, two masses on a torsional spring; acarnley2002, chapter 6",
-                  .requirement = "torsional_frequency_factor"},
+                  .requirement = "torsional_frequency_factor",
+                  .place = WorstPlace::nut_far},
       always,
       [](const auto& d) {
         return d.require(torsional_frequency_factor) *

@@ -30,10 +30,12 @@ struct ToolPlace {
   double force = 0.0;  ///< N, of the tool along the travel, on the most loaded drive
   double drives = 1.0, load_share = 1.0;
   std::array<double, 3> step{};  ///< m/N, by which compliances are counted; 0 = no force in that direction
+  double error_step = 0.0;       ///< m, by which position errors are counted; 0 = not asked
 };
 
-/// Every element's compliance counts in whole steps, rounded up, of so much of what is permitted: two motors whose
-/// fields differ by a hundredth of a micrometre at the tool then ask the same of the rest of the machine.
+/// Every element's compliance, and every axis's position error, counts in whole steps, rounded up, of so much of what
+/// is permitted: two motors whose fields differ by a hundredth of a micrometre at the tool then ask the same of the
+/// rest of the machine.
 inline constexpr double compliance_step = 0.01;
 
 /// How axis `index` sees the problem's tool. The problem must have one, and the axis must be linear.
@@ -54,10 +56,10 @@ Compliance<T> no_compliance() {
 }
 
 template <class T>
-T whole_steps(const T& compliance, double step) {
+T whole_steps(const T& value, double step, const scalar::Dimension& dimension) {
   using namespace scalar;
-  const T one = in_unit<T>(step, dimension::none / dimension::stiffness);
-  return -floor_of(-compliance / one) * one;
+  const T one = in_unit<T>(step, dimension);
+  return -floor_of(-value / one) * one;
 }
 
 }  // namespace millwright::machine

@@ -48,7 +48,7 @@ void read_axis_directions(TableReader& table, Axis& axis, Diagnostics& diagnosti
 namespace {
 
 /// What the chain from tool to workpiece asks of one axis.
-void check_axis(const Node& node, const Axis& axis, Diagnostics& diagnostics) {
+void check_axis(const Node& node, const Axis& axis, const Tool& tool, Diagnostics& diagnostics) {
   const auto error = [&](const Node& where, const std::string& message, const std::string& hint) {
     diagnostics.error(where.span(), message, hint);
   };
@@ -59,6 +59,10 @@ void check_axis(const Node& node, const Axis& axis, Diagnostics& diagnostics) {
                  "leave out [tool], or take the axis as horizontal or vertical");
   if (!axis.along)
     error(node, fmt::format("along: in which direction does axis '{}' travel?", axis.name), "add along = \"x\"");
+  if (tool.position_error && !axis.require.known(Requirement::position_error))
+    error(node,
+          fmt::format("position_error: [tool] asks for it, and axis '{}' states none", axis.name),
+          "add position_error = { limit = \"0.1 mm\", over = \"300 mm\" } to [axis.require]");
   if (!axis.guide) return;
   const Node& guide = *node.find("guide");
   if (!axis.normal)
@@ -102,6 +106,7 @@ void read_tool(const Node& node, const Node* axes, Problem& problem, Diagnostics
   read_force(table, q, tool, diagnostics);
   tool.deflection = q.quantity_or("deflection", "mm", tool.deflection, Sign::positive);
   tool.stiffness = q.quantity_or("stiffness", "N/m", tool.stiffness, Sign::positive);
+  tool.position_error = q.quantity("position_error", "mm", Sign::positive);
   table.finish();
   const auto found =
       std::find_if(problem.axes.begin(), problem.axes.end(), [&](const Axis& axis) { return axis.name == name; });
@@ -116,7 +121,8 @@ void read_tool(const Node& node, const Node* axes, Problem& problem, Diagnostics
     tool.axis = static_cast<std::size_t>(found - problem.axes.begin());
   }
   if (axes != nullptr && axes->size() == problem.axes.size())
-    for (std::size_t i = 0; i < problem.axes.size(); ++i) check_axis(axes->items()[i], problem.axes[i], diagnostics);
+    for (std::size_t i = 0; i < problem.axes.size(); ++i)
+      check_axis(axes->items()[i], problem.axes[i], tool, diagnostics);
   problem.tool = tool;
   for (Axis& axis : problem.axes) axis.stiffness_counts = !is_rotary(axis);
 }

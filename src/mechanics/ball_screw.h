@@ -225,6 +225,13 @@ T nut_stiffness(const T& catalogue_stiffness, const T& force, const T& dynamic_l
   return 0.8 * catalogue_stiffness * cbrt(force / (0.3 * dynamic_load_rating));
 }
 
+/// Deflection (m) of a nut without preload under an axial load: the load over nut_stiffness, in one power of the load.
+/// [thk_catalogue, axial rigidity]
+template <class T>
+T nut_deflection(const T& catalogue_stiffness, const T& force, const T& dynamic_load_rating) {
+  return square(cbrt(force)) * cbrt(0.3 * dynamic_load_rating) / (0.8 * catalogue_stiffness);
+}
+
 /// Axial stiffness (N/m) of a preloaded nut, from the catalogue's value at a preload of 10 % of the dynamic load
 /// rating. [thk_catalogue, axial rigidity]
 template <class T>

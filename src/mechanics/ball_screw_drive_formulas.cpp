@@ -149,6 +149,20 @@ void define_ball_screw_drive(FormulaList& list) {
 
   define(
       list,
+      {.name = "ball_screw.nut_deflection",
+       .symbol = "δ_N",
+       .unit = "m",
+       .title = "Deflection of a nut without preload",
+       .source = "thk_catalogue, axial rigidity"},
+      [](const auto&... x) { return ball_screw::nut_deflection(x...); },
+      quantity("catalogue_stiffness", "K_cat", "N/m", "nut stiffness of the catalogue").falling(),
+      quantity("force", "F_a", "N", "axial load").rising(),
+      quantity("dynamic_load_rating", "C_a", "N", "basic dynamic axial load rating")
+          .typical(1000.0, 100000.0)
+          .rising());
+
+  define(
+      list,
       {.name = "ball_screw.preloaded_nut_stiffness",
        .handbook_id = "BS-NUT-STIFFNESS-PRELOADED",
        .symbol = "k_N",

@@ -70,6 +70,11 @@ std::string unit_text(const std::string& unit) { return unit == "1" ? std::strin
 
 }  // namespace
 
+std::string worst_text(const Check& check) {
+  const bool both = !check.phase.empty() && !check.position.empty();
+  return check.phase + (both ? "; " : "") + check.position;
+}
+
 std::string utilisation_text(const Check& check) {
   if (check.verdict == Verdict::not_evaluated || std::isnan(check.utilisation)) return "-";
   if (check.utilisation > 9.99) return "> 999 %";
@@ -129,6 +134,14 @@ std::string governing_text(const MachineResult& result, const Design& design, co
   return table.empty() ? std::string() : style.heading("Governing check of each axis") + "\n" + table.str(2) + "\n";
 }
 
+/// "C-ACC-TOTAL: lead 58.2, reversal 3.1, ... um"
+std::string contributions_text(const Check& check) {
+  std::vector<std::string> parts;
+  for (const evaluation::Contribution& part : check.contributions)
+    if (part.value > 0.0) parts.push_back(part.what + " " + scalar::format_number(part.value, 3));
+  return fmt::format("{}: {} {}", check.id, fmt::join(parts, ", "), check.unit);
+}
+
 std::string checks_text(const MachineResult& result, const Design& design, const Style& style) {
   std::string out;
   std::set<std::string> notes;
@@ -155,10 +168,13 @@ std::string checks_text(const MachineResult& result, const Design& design, const
                  unit_text(check->unit),
                  utilisation_text(*check),
                  verdict_text(*check, style),
-                 check->phase});
+                 worst_text(*check)});
     }
     out += style.heading(axis == "machine" ? "Checks of the machine" : "Checks of axis " + axis) + "\n";
-    out += table.str(2, style) + "\n";
+    out += table.str(2, style);
+    for (const Check* check : checks_of(design, axis))
+      if (!check->contributions.empty()) out += "  " + contributions_text(*check) + "\n";
+    out += "\n";
   }
   if (soft) out += "  * reported, not enforced\n";
   if (open) out += "  open: a figure that the check needs is not known\n";

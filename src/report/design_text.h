@@ -30,5 +30,7 @@ std::string assumptions_text(const evaluation::Design& design, const Style& styl
 
 /// "97.2 %"; "> 999 %" beyond that; "-" where nothing could be evaluated.
 std::string utilisation_text(const evaluation::Check& check);
+/// Phase of the duty cycle and position of the travel where a check is worst.
+std::string worst_text(const evaluation::Check& check);
 
 }  // namespace millwright::report

@@ -69,9 +69,12 @@ Json check_of(const Check& check) {
             {"utilisation", number(check.utilisation)},
             {"verdict", verdict_name(check.verdict)},
             {"phase", check.phase},
+            {"position", check.position},
             {"source", check.source}};
   if (!check.requirement.empty()) json["requirement"] = check.requirement;
   if (!check.note.empty()) json["note"] = check.note;
+  for (const evaluation::Contribution& part : check.contributions)
+    json["contributions"].push_back({{"what", part.what}, {"value", number(part.value)}});
   return json;
 }
 
@@ -122,6 +125,33 @@ void add_missing(const MachineResult& result, Json& json) {
     json["missing"].push_back({{"axis", slot.axis}, {"slot", slot.slot}, {"reason", slot.reason}});
 }
 
+void add_unmet(const MachineResult& result, Json& json) {
+  if (result.status != Status::infeasible) return;
+  json["unmet"] = Json::array();
+  for (const evaluation::UnmetCheck& check : result.unmet)
+    json["unmet"].push_back({{"axis", check.axis},
+                             {"element", check.element},
+                             {"id", check.id},
+                             {"title", check.title},
+                             {"requirement", check.requirement},
+                             {"least_utilisation", number(check.least_utilisation)}});
+  json["ways_out"] = Json::array();
+  for (const evaluation::WayOut& way : result.ways_out) {
+    Json changes = Json::array();
+    for (const auto& change : way.changes)
+      changes.push_back({{"axis", change.axis},
+                         {"requirement", "position_error"},
+                         {"from", number(change.from)},
+                         {"to", number(change.to)},
+                         {"unit", "m"},
+                         {"over", number(change.over)}});
+    json["ways_out"].push_back({{"lead_error", way.mapped ? "mapped" : "as made"},
+                                {"changes", changes},
+                                {"cost", {{"value", number(way.cost)}, {"unit", way.currency}}},
+                                {"mass", {{"value", number(way.mass)}, {"unit", "kg"}}}});
+  }
+}
+
 Json objective_of(const MachineResult& result) {
   const std::string& name = result.objectives.front();
   const Design* design = result.designs.empty() ? nullptr : &result.designs.front();
@@ -156,6 +186,7 @@ std::string solve_json(const MachineResult& result) {
   json["objective"] = objective_of(result);
   if (!result.designs.empty()) add_design(result, result.designs.front(), json);
   add_missing(result, json);
+  add_unmet(result, json);
   json["certificate"] = certificate_of(result);
   json["timing_s"] = timing_of(result);
   return text_of(json);
@@ -175,6 +206,7 @@ std::string front_json(const MachineResult& result) {
   json["complete"] = result.status != Status::limit;
   json["tolerance"] = result.certificate.front_tolerance;
   add_missing(result, json);
+  add_unmet(result, json);
   json["certificate"] = certificate_of(result);
   json["timing_s"] = timing_of(result);
   return text_of(json);
@@ -189,6 +221,7 @@ std::string check_json(const MachineResult& result) {
   json["completed"] = result.completed;
   if (!result.designs.empty()) add_design(result, result.designs.front(), json);
   add_missing(result, json);
+  add_unmet(result, json);
   json["timing_s"] = timing_of(result);
   return text_of(json);
 }

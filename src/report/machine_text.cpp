@@ -32,6 +32,40 @@ std::string both_totals(const std::string& objective, const Design& design) {
   return objective == "mass" ? mass + ", " + cost : cost + ", " + mass;
 }
 
+/// Checks that fail whatever is chosen.
+std::string unmet_text(const MachineResult& result) {
+  TextTable table({{"axis"}, {"id"}, {"check", Align::left, 44}, {"at least", Align::right}, {"set by"}});
+  for (const evaluation::UnmetCheck& check : result.unmet)
+    table.add({check.axis,
+               check.id,
+               check.title,
+               check.least_utilisation < machine::useless_utilisation
+                   ? fmt::format("{:.1f} %", 100.0 * check.least_utilisation)
+                   : "no part",
+               check.requirement});
+  return "\nProved: these checks fail whatever is chosen\n" + table.str(2);
+}
+
+/// "x position_error 10 um -> 64.1 um over 700 mm: 412.10 USD, 12.3 kg"
+std::string ways_out_text(const MachineResult& result) {
+  if (result.ways_out.empty()) return {};
+  std::string out = "\nWays out, found by solving (to 1 %)\n";
+  const scalar::Unit micrometre = scalar::Unit::of("um");
+  const auto um = [&](double metres) { return scalar::format_number(micrometre.from_si(metres), 3); };
+  for (const evaluation::WayOut& way : result.ways_out) {
+    out += way.mapped ? "  with lead_error = \"mapped\" (the controller corrects the measured lead error)\n"
+                      : "  with lead errors as made\n";
+    for (const auto& change : way.changes)
+      out += fmt::format("    {}: position_error {} -> {} um over {:.4g} mm\n",
+                         change.axis,
+                         um(change.from),
+                         um(change.to),
+                         1e3 * change.over);
+    out += fmt::format("    cheapest build then: {:.2f} {}, {:.3f} kg\n", way.cost, way.currency, way.mass);
+  }
+  return out;
+}
+
 std::string nothing_text(const MachineResult& result, const Style& style) {
   if (!result.missing.empty()) {
     std::string out = style.bad("No build is possible:") + "\n";
@@ -42,8 +76,9 @@ std::string nothing_text(const MachineResult& result, const Style& style) {
   if (result.status == Status::limit)
     return "The limit was reached before a compliant build was found; whether there is one is open.\n";
   return style.bad("No compliant build exists") +
-         " in these catalogues: every combination of parts fails at least one check.\n"
-         "  'check' with a bill of materials (and --complete) shows by how much.\n";
+         " in these catalogues: every combination of parts fails at least one check.\n" +
+         (result.unmet.empty() ? "  'check' with a bill of materials (and --complete) shows by how much.\n"
+                               : unmet_text(result) + ways_out_text(result));
 }
 
 std::string certificate_text(const MachineResult& result, const Style& style) {
@@ -92,7 +127,7 @@ std::string failures_text(const MachineResult& result, const Design& design, con
                                check->unit == "1" ? "" : " ",
                                check->unit == "1" ? "" : check->unit),
                    utilisation_text(*check),
-                   check->phase});
+                   worst_text(*check)});
   return table.empty() ? std::string() : style.bad("Failed checks") + "\n" + table.str(2) + "\n";
 }
 

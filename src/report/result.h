@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "evaluation/ledger.h"
+#include "evaluation/unmet_checks.h"
 #include "machine/problem.h"
 
 namespace millwright::report {
@@ -68,6 +69,8 @@ struct MachineResult {
   double gap = 0.0;
   std::vector<RequirementLine> requirements;  ///< of the first design
   std::vector<MissingSlot> missing;
+  std::vector<evaluation::UnmetCheck> unmet;  ///< why nothing is compliant, where single checks say so
+  std::vector<evaluation::WayOut> ways_out;
   Certificate certificate;
   Timing timing;
   std::string bom_file;    ///< of check

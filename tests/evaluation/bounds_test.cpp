@@ -7,6 +7,7 @@
 
 #include "catalogue/temporary_folder.h"
 #include "catch.h"
+#include "evaluation/machine_stages.h"
 #include "evaluation/machines.h"
 #include "evaluation/random_boxes.h"
 

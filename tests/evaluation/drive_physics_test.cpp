@@ -4,6 +4,7 @@
 #include <random>
 
 #include "catch.h"
+#include "evaluation/machine_stages.h"
 #include "evaluation/machines.h"
 #include "evaluation/random_boxes.h"
 

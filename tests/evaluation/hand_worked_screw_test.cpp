@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "catch.h"
+#include "evaluation/machine_stages.h"
 #include "evaluation/synthesis.h"
 #include "evaluation/tiny_catalogue.h"
 
