@@ -99,10 +99,10 @@ CheckedMachine checked(const std::filesystem::path& problem_file) {
 
   const std::string file = (problems / (result.name + "-bom.csv")).string();
   text::Diagnostics diagnostics;
-  const auto text = text::SourceText::load(file, diagnostics);
-  const auto bom = text ? machine::read_bill_of_materials(text, problem, diagnostics) : std::nullopt;
+  const auto source = text::SourceText::load(file, diagnostics);
+  const auto bom = source ? machine::read_bill_of_materials(source, problem, diagnostics) : std::nullopt;
   if (!bom || diagnostics.count() > 0) throw std::runtime_error(text::format(diagnostics));
-  result.bill = std::string(text->contents());
+  result.bill = std::string(source->contents());
 
   const auto outcome = evaluation::check(problem, catalogue_of(places), *bom, false, {});
   for (const auto& p : outcome.problems) throw std::runtime_error(file + ": " + p.message);
