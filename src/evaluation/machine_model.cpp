@@ -83,9 +83,7 @@ void MachineModel::add_axis(std::size_t index, const PriceBook& prices) {
   if (axis.carried_by) place.parent_load_state = first_load_state + *axis.carried_by;
   if (problem_.tool && !machine::is_rotary(axis)) {
     place.tool = machine::tool_place(problem_, index);
-    const ToolStates states = tool_states(problem_);
-    place.compliance_state = states.compliance;
-    if (axis.along) place.error_state = states.error[*axis.along];
+    place.states = tool_states(problem_);
   }
   const auto add_members = [&](bool riding) {
     for (const machine::Member& member : axis.members)

@@ -7,49 +7,15 @@
 
 #include <memory>
 
+#include "evaluation/axis_place.h"
 #include "evaluation/element_stage.h"
 #include "evaluation/motor_set.h"
 #include "evaluation/price_book.h"
 #include "evaluation/reduction_slot.h"
 #include "machine/geared_drive.h"
 #include "machine/screw_drive_constraints.h"
-#include "machine/tool_chain.h"
 
 namespace millwright::evaluation {
-
-/// Where an axis stands in the machine: its load and its parent's in the state vector.
-struct AxisPlace {
-  std::size_t load_state = 0;
-  std::optional<std::size_t> parent_load_state;
-  std::optional<machine::ToolPlace> tool;  ///< where compliance counts
-  /// Of the tool's compliance along x, y and z, where it is asked for.
-  std::array<std::optional<std::size_t>, 3> compliance_state;
-  std::optional<std::size_t> error_state;  ///< of the position error along the axis, where it is asked for at the tool
-};
-
-/// Adds what an element gives way under the tool.
-template <class T, class Element>
-void add_compliance(const AxisPlace& place, const Element& element, solver::Answer<T>& out) {
-  using scalar::dimension::stiffness;
-  if (!place.tool) return;
-  const machine::Compliance<T> compliance = tool_compliance(element, *place.tool);
-  for (std::size_t i = 0; i < compliance.size(); ++i)
-    if (place.compliance_state[i])
-      out.handed_on[*place.compliance_state[i]] =
-          out.handed_on[*place.compliance_state[i]] +
-          machine::whole_steps(compliance[i], place.tool->step[i], scalar::dimension::none / stiffness);
-}
-
-/// Adds what a drive gives way under the tool, and its own position error.
-template <class T, class Drive>
-void add_to_tool(const AxisPlace& place, const Drive& drive, solver::Answer<T>& out) {
-  add_compliance(place, drive, out);
-  if (!place.error_state) return;
-  T& sum = out.handed_on[*place.error_state];
-  sum = sum + machine::whole_steps(error_budget(drive, machine::UnderForce::no).total(),
-                                   place.tool->error_step,
-                                   scalar::dimension::length);
-}
 
 machine::MotionData motion_of(const machine::Axis& axis);
 /// The same for the most loaded of the axis's drives: its share of the forces.

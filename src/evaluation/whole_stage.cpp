@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "evaluation/whole_stage.h"
 
+#include <algorithm>
+
 namespace millwright::evaluation {
 
 ToolStates tool_states(const machine::Problem& problem) {
@@ -8,11 +10,13 @@ ToolStates tool_states(const machine::Problem& problem) {
   if (!problem.tool) return states;
   const std::size_t first = first_load_state + problem.axes.size();
   for (std::size_t i = 0; i < states.compliance.size(); ++i)
-    if (problem.tool->force[i] > 0.0) states.compliance[i] = first + states.count++;
-  if (problem.tool->position_error)
-    for (const machine::Axis& axis : problem.axes)
-      if (axis.along && !machine::is_rotary(axis) && !states.error[*axis.along])
-        states.error[*axis.along] = first + states.count++;
+    if (problem.tool->deflection && problem.tool->force[i] > 0.0) states.compliance[i] = first + states.count++;
+  for (std::size_t i = 0; i < states.error.size(); ++i) {
+    const bool travels = std::any_of(problem.axes.begin(), problem.axes.end(), [&](const machine::Axis& axis) {
+      return axis.along == i && !machine::is_rotary(axis);
+    });
+    if (problem.tool->position_error && travels) states.error[i] = first + states.count++;
+  }
   return states;
 }
 

@@ -6,6 +6,7 @@
 
 #include <array>
 
+#include "evaluation/axis_place.h"
 #include "evaluation/element_stage.h"
 #include "machine/problem.h"
 #include "mechanics/tool_point.h"
@@ -27,12 +28,6 @@ struct WholeMachine {
   T cost{}, mass{};               ///< of a finished design; the search does not fill them in
 };
 
-/// Where the state vector holds, along x, y and z, what is counted at the tool.
-struct ToolStates {
-  std::array<std::optional<std::size_t>, 3> compliance;  ///< where the tool is pressed in that direction
-  std::array<std::optional<std::size_t>, 3> error;       ///< where a position error is asked for and an axis travels
-  std::size_t count = 0;
-};
 ToolStates tool_states(const machine::Problem& problem);
 
 /// Deflection of the tool in one direction [m]: of the machine, and of the tool itself in its holder.
@@ -45,11 +40,10 @@ T tool_deflection(const WholeMachine<T>& d, std::size_t direction) {
                                            T(d.compliance[direction] + own));
 }
 
-/// Position error at the tool in one direction [m]: of the axes along it, and the deflection.
+/// Position error at the tool in one direction [m]: of the axes along it, and what gives way.
 template <class T>
 T tool_error(const WholeMachine<T>& d, std::size_t direction) {
-  return d.data->tool->force[direction] > 0.0 ? T(d.error[direction] + tool_deflection(d, direction))
-                                              : d.error[direction];
+  return d.error[direction] + tool_deflection(d, direction);
 }
 
 template <class Visit>
@@ -64,11 +58,14 @@ void whole_constraints(Visit&& visit) {
     declaration.place = machine::WorstPlace::travel_ends;
     visit(
         declaration,
-        [](const auto& d) { return d.data->tool && d.data->tool->force[direction] > 0.0 ? Applies::yes : Applies::no; },
+        [](const auto& d) {
+          return d.data->tool && d.data->tool->deflection && d.data->tool->force[direction] > 0.0 ? Applies::yes
+                                                                                                  : Applies::no;
+        },
         [](const auto& d) { return tool_deflection(d, direction); },
         [](const auto& d) {
           using T = std::remove_cvref_t<decltype(d.cost)>;
-          return scalar::in_unit<T>(d.data->tool->deflection, scalar::dimension::length);
+          return scalar::in_unit<T>(*d.data->tool->deflection, scalar::dimension::length);
         });
   };
   const auto error = [&visit]<std::size_t direction>(Declaration declaration,

@@ -114,11 +114,11 @@ struct MotorChoice {
 inline constexpr std::array<std::string_view, 3> direction_names{"x", "y", "z"};
 inline constexpr std::size_t upright = 2;
 
-/// What presses on the tool and how far it may give way (C-TOOL-DEFL-X, -Y, -Z).
+/// What presses on the tool and how far it may give way (C-TOOL-DEFL-X, -Y, -Z) or be off (C-TOOL-ERROR-X, -Y, -Z).
 struct Tool {
   std::size_t axis = 0;                                        ///< that carries the tool
   std::array<double, 3> force{};                               ///< N, along each direction; 0 = not asked
-  double deflection = 5e-5;                                    ///< m, in any of them
+  std::optional<double> deflection;                            ///< m, in any of them
   double stiffness = std::numeric_limits<double>::infinity();  ///< N/m, of the tool in its holder
   std::optional<double> position_error;                        ///< m, in any direction, with the tool pressed
   SourceSpan where;

@@ -27,8 +27,10 @@ ToolPlace tool_place(const Problem& problem, std::size_t index) {
   place.across = 3 - place.travel - place.normal;
   for (std::size_t i = 0; i < place.step.size(); ++i)
     if (problem.tool->force[i] > 0.0)
-      place.step[i] = compliance_step * problem.tool->deflection / problem.tool->force[i];
+      place.step[i] = compliance_step * problem.tool->deflection.value_or(problem.tool->position_error.value_or(0.0)) /
+                      problem.tool->force[i];
   place.error_step = compliance_step * problem.tool->position_error.value_or(0.0);
+  place.tool_force = problem.tool->force;
   place.force = axis.mechanism.load_share * problem.tool->force[place.travel];
   place.drives = axis.mechanism.drives;
   place.load_share = axis.mechanism.load_share;

@@ -27,7 +27,8 @@ struct ToolPlace {
   std::size_t travel = 0, across = 1, normal = 2;  ///< directions of the machine
   /// Levers of the tool about the centre of the carriages [m], not negative, at the worst positions of all axes.
   double along_arm = 0.0, across_arm = 0.0, height_arm = 0.0;
-  double force = 0.0;  ///< N, of the tool along the travel, on the most loaded drive
+  double force = 0.0;                  ///< N, of the tool along the travel, on the most loaded drive
+  std::array<double, 3> tool_force{};  ///< N
   double drives = 1.0, load_share = 1.0;
   std::array<double, 3> step{};  ///< m/N, by which compliances are counted; 0 = no force in that direction
   double error_step = 0.0;       ///< m, by which position errors are counted; 0 = not asked

@@ -47,6 +47,8 @@ void read_axis_directions(TableReader& table, Axis& axis, Diagnostics& diagnosti
 
 namespace {
 
+constexpr double usual_tool_deflection = 5e-5;  ///< m
+
 /// What the chain from tool to workpiece asks of one axis.
 void check_axis(const Node& node, const Axis& axis, const Tool& tool, Diagnostics& diagnostics) {
   const auto error = [&](const Node& where, const std::string& message, const std::string& hint) {
@@ -104,9 +106,10 @@ void read_tool(const Node& node, const Node* axes, Problem& problem, Diagnostics
   tool.where = node.span();
   const std::string name = q.required_text("axis", "axis = \"z\": the axis that carries the tool");
   read_force(table, q, tool, diagnostics);
-  tool.deflection = q.quantity_or("deflection", "mm", tool.deflection, Sign::positive);
+  tool.deflection = q.quantity("deflection", "mm", Sign::positive);
   tool.stiffness = q.quantity_or("stiffness", "N/m", tool.stiffness, Sign::positive);
   tool.position_error = q.quantity("position_error", "mm", Sign::positive);
+  if (!tool.deflection && !tool.position_error) tool.deflection = usual_tool_deflection;
   table.finish();
   const auto found =
       std::find_if(problem.axes.begin(), problem.axes.end(), [&](const Axis& axis) { return axis.name == name; });

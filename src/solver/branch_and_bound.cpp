@@ -159,9 +159,13 @@ void BranchAndBound::expand(const Node& node, Outcome& outcome, Desk& desk) cons
     const Label& label = labels_[node.label];
     const std::size_t stage = label.stage;
     outcome.is_leaf = true;
-    const LeafQuestion question{&plans_[stage], &label, &node.region, leaf_tolerance_, true, [&](const Worth& own) {
-                                  return useless(label, stage, own);
-                                }};
+    const LeafQuestion question{&plans_[stage],
+                                &label,
+                                &node.region,
+                                leaf_tolerance_,
+                                true,
+                                [&](const Worth& own) { return useless(label, stage, own); },
+                                [&] { return control_.time_is_up(); }};
     outcome.leaf = solve_leaf(question, desk);
   }
 }

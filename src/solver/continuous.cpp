@@ -123,7 +123,7 @@ class Cover {
     start_points(variables);
     push(variables);
     std::size_t boxes = 0;
-    for (; !heap_.empty() && boxes < cover_boxes; ++boxes) {
+    for (; !heap_.empty() && boxes < cover_boxes && !stopped(boxes); ++boxes) {
       const VariableBox box = heap_.pop();
       if (covered(box.bounds)) continue;
       look_inside(box, boxes);
@@ -143,6 +143,11 @@ class Cover {
   }
 
  private:
+  [[nodiscard]] bool stopped(std::size_t boxes) const {
+    constexpr std::size_t asked_every = 16;
+    return boxes % asked_every == 0 && question_.stop && question_.stop();
+  }
+
   void start_points(std::span<const Interval> variables) {
     std::vector<double> start = middle_of(variables);
     if (const auto feasible = design_.try_points(variables))

@@ -34,6 +34,7 @@ struct LeafQuestion {
   bool relieve = true;             ///< move variables that only decide feasibility to a small worst utilisation
   /// Whether designs of this stage with at least these scores (own share), this state and utilisation are of no use.
   std::function<bool(const Worth&)> hopeless;
+  std::function<bool()> stop = {};  ///< asked now and then; what is left then counts as undecided
 };
 
 /// A feasible point of a stage and what it stands for.

@@ -65,7 +65,9 @@ bool Frontier::advance_priced(std::size_t stage, const Comparison& comparison) {
     const auto hopeless = [&](const Worth& worth) {
       return !below_staircase(useful, group.best.score[0] + worth.score[0], group.best.score[1] + worth.score[1]);
     };
-    group.answer = solve_leaf({&plan, &group.best, &region, leaf_tolerance_, false, hopeless}, control_.desk(thread));
+    group.answer = solve_leaf(
+        {&plan, &group.best, &region, leaf_tolerance_, false, hopeless, [this] { return control_.time_is_up(); }},
+        control_.desk(thread));
   });
   if (control_.time_is_up()) return false;
   std::vector<Label> arrived;

@@ -430,13 +430,20 @@ TEST_CASE("Demand and capacity of every constraint have the dimension of its uni
   whole.tool.emplace();
   whole.tool->force = {200.0, 200.0, 100.0};
   whole.tool->stiffness = 4e6;
+  whole.tool->deflection = 5e-5;
+  whole.tool->position_error = 1e-4;
+  whole.error_counts = {true, true, true};
   whole.cost_limit = 400.0;
   whole.mass_limit = 12.0;
   const Dimensioned compliance{1e-7, dimension::none / dimension::stiffness};
-  evaluation::whole_constraints(DimensionVisitor(
-      evaluation::WholeMachine<Dimensioned>{
-          &whole, {compliance, compliance, compliance}, {300.0, dimension::none}, {7.0, dimension::mass}},
-      seen[8]));
+  const Dimensioned error{2e-5, dimension::length};
+  evaluation::whole_constraints(
+      DimensionVisitor(evaluation::WholeMachine<Dimensioned>{&whole,
+                                                             {compliance, compliance, compliance},
+                                                             {error, error, error},
+                                                             {300.0, dimension::none},
+                                                             {7.0, dimension::mass}},
+                       seen[8]));
   // Nothing was left out.
   const auto elements = declaring_elements();
   for (std::size_t i = 0; i < elements.size(); ++i)

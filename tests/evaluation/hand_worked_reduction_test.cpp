@@ -117,11 +117,11 @@ TEST_CASE("A lead screw behind a belt reduction worked by hand") {
       0.05e-3 + 2.0 * friction / chain + (0.1 * pi / 180.0 + 2.0 * friction * per_newton / 200.0) * lead / (2.0 * pi);
   expect(d, "drive", "C-ACC-LOST", lost * 1e6, 100.0);
   const double lag = lead / i / (2.0 * pi) * std::asin(steady * per_newton / (i * eta_g) / held) / 50.0;
-  const double step = lead / i / 200.0;
+  const double step = lead / i / 200.0, growth = 12e-6 * 0.3 * 5.0;  // 5 K over the stated 300 mm
   expect(d,
          "drive",
          "C-ACC-TOTAL",
-         (50e-6 + lost + windup + lag + std::hypot(0.05 * step, 0.5 * step / 4.0)) * 1e6,
+         (50e-6 + lost + 50.0 / chain + windup + lag + growth + std::hypot(0.05 * step, 0.5 * step / 4.0)) * 1e6,
          300.0);
   expect(d, "drive", "C-ACC-RES", step / 4.0 * 1e6, 150.0);
 
@@ -221,7 +221,7 @@ reduction_service_factor = 1.25
   expect(d,
          "drive",
          "C-ACC-TOTAL",
-         (2e-4 * 0.5 + reversal + windup + lag + std::hypot(0.05 * step, 0.5 * step / 16.0)) * 1e6,
+         (2e-4 * 0.5 + 5.0 / stiffness + reversal + windup + lag + std::hypot(0.05 * step, 0.5 * step / 16.0)) * 1e6,
          500.0);
   expect(d, "drive", "C-ACC-RES", step / 16.0 * 1e6, 250.0);
   CHECK(d.cost == Approx(5.0 * (2.0 * span + pi / 2.0 * 0.04) + 4.0 + 3.0 + 16.0 + 20.0 + 15.0 + 30.0));

@@ -9,6 +9,7 @@
 #include "evaluation/hand_worked.h"
 #include "evaluation/synthesis.h"
 #include "machine/belt_drive.h"
+#include "machine/guide_system.h"
 #include "machine/member_compliance.h"
 #include "machine/screw_drive_quantities.h"
 #include "machine/tool_chain.h"

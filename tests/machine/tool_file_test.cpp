@@ -53,7 +53,7 @@ TEST_CASE("Tool, limits and enforced constraints are read into SI") {
   CHECK(tool.force[0] == Approx(200.0));
   CHECK(tool.force[1] == 0.0);
   CHECK(tool.force[2] == Approx(100.0));
-  CHECK(tool.deflection == Approx(5e-5));
+  CHECK(tool.deflection.value() == Approx(5e-5));
   CHECK(tool.stiffness == Approx(4e6));
   CHECK(*outcome.problem->cost_limit == Approx(540.0));
   CHECK(*outcome.problem->mass_limit == Approx(12.0));
@@ -81,6 +81,7 @@ TEST_CASE("What is wrong with tool, limits or enforced constraints is said at th
        "tool_at = «[\"-70 mm\", \"10 mm\"]»",
        "tool_at: needs three lengths",
        "above the guides"},
+      {"deflection = \"0.05 mm\"", "position_error = \"«0» mm\"", "position_error: must be greater than zero", "700 mm"},
       {"cost = \"500 EUR\"", "cost = «\"500 GBP\"»", "cost: needs an amount above zero", "USD"},
       {"cost = \"500 EUR\"", "cost = «\"-1 USD\"»", "cost: needs an amount above zero", "USD"},
       {"mass = \"12 kg\"", "mass = \"12 «N»\"", "mass", ""},

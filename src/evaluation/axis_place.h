@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Where the state vector holds what concerns an axis: loads, and what is counted at the tool.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "machine/error_budget.h"
+#include "machine/tool_chain.h"
+#include "solver/stage.h"
+
+namespace millwright::evaluation {
+
+/// Where the state vector holds, along x, y and z, what is counted at the tool.
+struct ToolStates {
+  std::array<std::optional<std::size_t>, 3> compliance;  ///< where the tool is pressed and a deflection is asked for
+  std::array<std::optional<std::size_t>, 3> error;       ///< where a position error is asked for
+  std::size_t count = 0;
+};
+
+/// Where an axis stands in the machine: its load and its parent's in the state vector.
+struct AxisPlace {
+  std::size_t load_state = 0;
+  std::optional<std::size_t> parent_load_state;
+  std::optional<machine::ToolPlace> tool;  ///< where compliance counts
+  ToolStates states;                       ///< what is counted at the tool; empty where nothing is
+};
+
+/// Adds what an element gives way under the tool: as compliance, or, where only the position error is asked for, as
+/// part of that.
+template <class T, class Element>
+void add_compliance(const AxisPlace& place, const Element& element, solver::Answer<T>& out) {
+  namespace dimension = scalar::dimension;
+  if (!place.tool) return;
+  const machine::Compliance<T> compliance = tool_compliance(element, *place.tool);
+  for (std::size_t i = 0; i < compliance.size(); ++i) {
+    if (!place.states.compliance[i] && !place.states.error[i]) continue;
+    if (place.tool->step[i] <= 0.0) continue;
+    const T counted = machine::whole_steps(compliance[i], place.tool->step[i], dimension::none / dimension::stiffness);
+    if (place.states.compliance[i]) {
+      out.handed_on[*place.states.compliance[i]] = out.handed_on[*place.states.compliance[i]] + counted;
+    } else {
+      const T force = scalar::in_unit<T>(place.tool->tool_force[i], dimension::force);
+      out.handed_on[*place.states.error[i]] = out.handed_on[*place.states.error[i]] + force * counted;
+    }
+  }
+}
+
+/// Adds what a drive gives way under the tool, and its own position error.
+template <class T, class Drive>
+void add_to_tool(const AxisPlace& place, const Drive& drive, solver::Answer<T>& out) {
+  add_compliance(place, drive, out);
+  if (!place.tool || !place.states.error[place.tool->travel]) return;
+  T& sum = out.handed_on[*place.states.error[place.tool->travel]];
+  sum = sum + machine::whole_steps(error_budget(drive, machine::UnderForce::no).total(),
+                                   place.tool->error_step,
+                                   scalar::dimension::length);
+}
+
+}  // namespace millwright::evaluation
