@@ -21,6 +21,7 @@ struct ScrewTable {
   SlotTable table;
   std::vector<machine::ScrewKind> kinds;               ///< per row
   std::vector<machine::ScrewFigures<double>> figures;  ///< per row, for the calculation sheet
+  std::vector<machine::ScrewSite> sites;               ///< per row: what the axis adds, by the kind of screw
 };
 ScrewTable screw_table(const catalogue::Catalogue& catalogue, const machine::Axis& axis, const PriceBook& prices);
 

@@ -7,6 +7,7 @@
 
 #include "evaluation/machine_model.h"
 #include "evaluation/machine_stages.h"
+#include "evaluation/outside_validity.h"
 #include "scalar/unit.h"
 
 namespace millwright::evaluation {
@@ -119,8 +120,8 @@ std::vector<Contribution> contributions(const Element& element, std::string_view
 template <class Element>
 class CheckVisitor {
  public:
-  CheckVisitor(const Element& element, const StageEntry& entry, std::vector<Check>& out)
-      : element_(element), entry_(entry), out_(out) {}
+  CheckVisitor(const Element& element, const StageEntry& entry, std::vector<Check>& out, ValidityLedger& outside)
+      : element_(element), entry_(entry), out_(out), outside_(outside) {}
 
   template <class When, class Demand, class Capacity>
   void operator()(const machine::Declaration& declaration, When when, Demand demand, Capacity capacity) {
@@ -136,8 +137,10 @@ class CheckVisitor {
     check.unit = declaration.unit;
     check.source = declaration.source;
     check.requirement = declaration.requirement;
+    mechanics::ValidityWatch watch;
     const double value = demand(element_);
     const double limit = capacity(element_);
+    outside_.take(watch, entry_.axis, entry_.element, declaration.id);
     std::string reason;
     const auto unit = scalar::Unit::parse(declaration.unit, reason);
     check.value = unit ? unit->from_si(value) : value;
@@ -159,6 +162,7 @@ class CheckVisitor {
   const Element& element_;
   const StageEntry& entry_;
   std::vector<Check>& out_;
+  ValidityLedger& outside_;
 };
 
 PartLine part_line(const MachineModel& model, const PartUse& use, const std::string& axis, const Design& design) {
@@ -247,6 +251,21 @@ void mark_estimated_torque(const DriveStage& stage,
       check.note = "torque at speed is an estimate from the winding: no published curve at this voltage and current";
 }
 
+/// The element of a stage; what its formulas leave of their ranges goes into the ledger. A screw's readings come from a
+/// table that was filled long before: here they are made once more.
+template <class Stage>
+auto watched_element(const Stage& stage,
+                     const Selection<double>& selection,
+                     const StageEntry& entry,
+                     ValidityLedger& outside) {
+  mechanics::ValidityWatch watch;
+  auto element = stage.template design<double>(selection);
+  if constexpr (std::is_same_v<Stage, ScrewDriveStage>)
+    (void)stage.reading_anew(selection.rows[ScrewDriveStage::screw_slot].front());
+  outside.take(watch, entry.axis, entry.element, {});
+  return element;
+}
+
 std::string unit_of_variable(const std::string& name) { return name == "acceleration_time" ? "s" : "m"; }
 
 }  // namespace
@@ -258,6 +277,7 @@ Design MachineModel::design(const solver::Build& build) const {
   design.dimensions.push_back({"machine", "supply_voltage", design.supply_voltage, "V"});
   std::vector<double> state = solver_problem_.first_state;
   std::vector<double> motor_currents;
+  ValidityLedger outside;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     const StageEntry& entry = entries_[i];
     const solver::StageChoice& choice = build.stages[i];
@@ -268,7 +288,7 @@ Design MachineModel::design(const solver::Build& build) const {
     std::visit(
         [&](const auto& stage) {
           using Kind = std::remove_cvref_t<decltype(*stage)>;
-          auto element = stage->template design<double>(selection);
+          auto element = watched_element(*stage, selection, entry, outside);
           if constexpr (HasMotor<decltype(element)>) {
             motor_currents.insert(motor_currents.end(), drives_of(problem_, entry.axis), element.motor.rated_current);
           }
@@ -277,7 +297,7 @@ Design MachineModel::design(const solver::Build& build) const {
             element.cost = design.cost;
             element.mass = design.mass;
           }
-          CheckVisitor visitor(element, entry, design.checks);
+          CheckVisitor visitor(element, entry, design.checks, outside);
           constraints_of<Kind>()(visitor);
           if constexpr (std::is_same_v<Kind, WholeStage>) {
             for (Check& check : design.checks)
@@ -305,6 +325,7 @@ Design MachineModel::design(const solver::Build& build) const {
     entry.as_stage().evaluate({build.shared, state, choice.rows, choice.variables}, answer);
     state = answer.handed_on;
   }
+  outside.write(design);
   return design;
 }
 

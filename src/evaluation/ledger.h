@@ -57,11 +57,28 @@ struct DimensionLine {
   std::string unit;    ///< SI unit
 };
 
+/// A limit within which a formula is stated, and which the design leaves. That fails no check: it tells how far a check
+/// can be trusted.
+struct OutsideValidity {
+  struct Value {
+    std::string name, unit;
+    std::vector<double> numbers;  ///< SI; one, or the elements of a list
+  };
+  std::string axis, element;
+  std::string constraint;      ///< id of the check that uses the formula; empty where it serves several
+  std::string formula, title;  ///< in the register
+  std::string sentence;        ///< "lead_angle = 1.6 rad is above 1.5 rad"
+  std::string source;          ///< of the formula
+  std::vector<Value> values;   ///< its arguments there
+};
+
 /// A machine fully decided.
 struct Design {
   std::vector<PartLine> parts;
   std::vector<DimensionLine> dimensions;
   std::vector<Check> checks;
+  std::vector<OutsideValidity> outside_validity;
+  std::size_t formulas_watched = 0;  ///< with stated limits, among those that the design was computed with
   double cost = 0.0;
   double mass = 0.0;  ///< kg, of everything chosen
   std::string currency;

@@ -48,6 +48,10 @@ class ScrewDriveStage final : public ElementStage<ScrewDriveStage> {
                           solver::Row row_b) const override;
   [[nodiscard]] const MotorSet& motors() const { return *motors_; }
   [[nodiscard]] const machine::ScrewDriveData& data() const { return data_; }
+  /// The readings of a screw with its nut, from its figures and not from the table.
+  [[nodiscard]] machine::ScrewReading<double> reading_anew(solver::Row screw) const {
+    return machine::screw_reading(screws_.figures[screw], screws_.sites[screw]);
+  }
 
   enum SlotIndex : std::size_t { screw_slot, motor_slot };
 

@@ -50,7 +50,8 @@ void finish(ScrewTable& result,
             const ScrewFigures<double>& figures,
             Candidate candidate,
             const machine::Axis& axis) {
-  const machine::ScrewReading<double> reading = screw_reading(figures, site_of(axis, kind));
+  const machine::ScrewSite site = site_of(axis, kind);
+  const machine::ScrewReading<double> reading = screw_reading(figures, site);
   const std::vector<double> values = flat(reading);
   if (!all_known(std::span(values).first(machine::screw_reading_fields)) || std::isnan(candidate.price) ||
       std::isnan(candidate.mass))
@@ -60,6 +61,7 @@ void finish(ScrewTable& result,
   result.table.add(std::move(candidate), values);
   result.kinds.push_back(kind);
   result.figures.push_back(figures);
+  result.sites.push_back(site);
 }
 
 double supported_length(const machine::Axis& axis, double nut_length) {
@@ -225,7 +227,7 @@ bool stiffness_matters(const machine::Axis& axis) {
 
 ScrewTable screw_table(const catalogue::Catalogue& catalogue, const machine::Axis& axis, const PriceBook& prices) {
   constexpr std::size_t fields = machine::screw_reading_fields + machine::shown_screw_reading_fields;
-  ScrewTable result{SlotTable("screw", fields), {}, {}};
+  ScrewTable result{SlotTable("screw", fields), {}, {}, {}};
   if (axis.mechanism.ball_screws) add_ball_screws(catalogue, axis, prices, result);
   if (axis.mechanism.lead_screws) add_lead_screws(catalogue, axis, prices, result);
   return result;

@@ -162,6 +162,8 @@ ScrewReading<T> screw_reading(const ScrewFigures<T>& f, const ScrewSite& site) {
     r.speed_value_limit = f.speed_value_limit;
   } else {
     const T friction = named("μ_e", ps::effective_friction(f.friction, f.flank_angle));
+    // Asked for its range only.
+    if constexpr (mechanics::is_watched<T>) (void)ps::exact_friction_ratio(f.flank_angle, lead_angle);
     r.efficiency = named("η", ps::thread_efficiency(lead_angle, friction));
     r.reverse_efficiency = named("η_r", ps::reverse_efficiency(lead_angle, friction));
     r.self_locking_ratio = named("u", ps::self_locking_ratio(lead_angle, friction));

@@ -109,7 +109,7 @@ struct StructureMember {
 
  private:
   void take_section();
-  T deflection_of(const T& point, const T& distributed, const T& second_moment) const;
+  T deflection_of(const T& point, const T& distributed, const T& second_moment, const T& bent_height) const;
   T moment_of(const T& point, const T& distributed) const;
   void derive_bending();
   void derive_portal();
@@ -169,8 +169,13 @@ T StructureMember<T>::moment_of(const T& point, const T& distributed) const {
 }
 
 template <class T>
-T StructureMember<T>::deflection_of(const T& point, const T& distributed, const T& second_moment) const {
+T StructureMember<T>::deflection_of(const T& point,
+                                    const T& distributed,
+                                    const T& second_moment,
+                                    [[maybe_unused]] const T& bent_height) const {
   namespace bm = mechanics::beam;
+  // Asked for its range only: the deflections know nothing of the height.
+  if constexpr (mechanics::is_watched<T>) (void)bm::span_to_height(length(), bent_height);
   const T E = elastic_modulus();
   switch (data->member.support) {
     case BeamSupport::cantilever:
@@ -195,14 +200,14 @@ void StructureMember<T>::derive_bending() {
   const T lateral = lateral_force();
   moment = named("M", moment_of(force, own));
   lateral_moment = named("M_z", moment_of(lateral, no_load));
-  const T down = deflection_of(force, own, section.strong_second_moment);
+  const T down = deflection_of(force, own, section.strong_second_moment, section.height);
   const T stress_down = mechanics::section::bending_stress(moment, section.strong_second_moment, 0.5 * section.height);
   if (data->member.lateral_force == 0.0) {
     deflection = named("δ", down);
     stress = named("σ", stress_down);
     return;
   }
-  const T sideways = deflection_of(lateral, no_load, section.weak_second_moment);
+  const T sideways = deflection_of(lateral, no_load, section.weak_second_moment, section.width);
   deflection = named("δ", sqrt(square(down) + square(sideways)));
   const T stress_sideways =
       mechanics::section::bending_stress(lateral_moment, section.weak_second_moment, 0.5 * section.width);
@@ -223,7 +228,7 @@ void StructureMember<T>::derive_portal() {
   // In its middle the beam is taken as supported; its corners bend by the load on it (its own weight lumped in its
   // middle, which is safe) and by the sway.
   moment = named("M", moment_of(force, own));
-  deflection = named("δ", deflection_of(force, own, second_moment));
+  deflection = named("δ", deflection_of(force, own, second_moment, section.height));
   const T on_beam = force + own * length();
   const T hanging = named("M_g", col::portal_corner_moment_of_beam_load(on_beam, length(), ratio));
   const T swaying = named("M_s", col::portal_corner_moment(lateral, rise, ratio));

@@ -6,6 +6,7 @@
 
 #include "mechanics/stepper_sizing.h"
 #include "mechanics/sums.h"
+#include "mechanics/validity_watch.h"
 #include "scalar/elementary.h"
 
 /// Resolution and error budget of an axis. Everything in SI.
@@ -23,6 +24,7 @@ T linear_resolution(const T& lead, const T& full_steps, const T& microsteps, con
 /// most the static torque. [millwright_derivations, definition]
 template <class T>
 T load_lag(const T& load_torque, const T& static_torque, const T& rotor_teeth, const T& lead) {
+  watch_validity<T>("accuracy.load_lag", load_torque, static_torque, rotor_teeth, lead);
   return lead / (2.0 * pi<T>()) * stepper::load_angle(load_torque, static_torque, rotor_teeth);
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "mechanics/sums.h"
+#include "mechanics/validity_watch.h"
 #include "scalar/elementary.h"
 
 /// What an axis asks of its motor: moved mass, force, inertia, torque, power. Everything in SI.
@@ -22,6 +23,7 @@ T stacked_mass(std::span<const T> own_masses, const T& payload) {
 /// Force of gravity along an inclined axis after the counterbalance, at standard gravity (N). [sander, 4.2]
 template <class T>
 T gravity_force(const T& mass, const T& inclination, const T& counterbalance_force) {
+  watch_validity<T>("actuation.gravity_force", mass, inclination, counterbalance_force);
   return mass * in_unit<T>(9.80665, dimension::acceleration) * sin(inclination) - counterbalance_force;
 }
 
@@ -33,6 +35,8 @@ T axial_force(const T& mass,
               const T& friction_force,
               const T& direction,
               const T& process_force) {
+  watch_validity<T>(
+      "actuation.axial_force", mass, acceleration, gravity_force, friction_force, direction, process_force);
   return mass * acceleration + gravity_force + friction_force * direction + process_force;
 }
 
@@ -72,6 +76,16 @@ T screw_motor_torque(const T& force,
                      const T& drag_torque,
                      const T& ratio,
                      const T& reducer_efficiency) {
+  watch_validity<T>("actuation.screw_motor_torque",
+                    force,
+                    lead,
+                    efficiency,
+                    reverse_efficiency,
+                    rotating_inertia,
+                    angular_acceleration,
+                    drag_torque,
+                    ratio,
+                    reducer_efficiency);
   const T per_turn = named("l_i", lead / (2.0 * pi<T>() * ratio));
   const auto driven = [&](const T& opposing) -> T { return opposing * per_turn / (efficiency * reducer_efficiency); };
   const auto driving = [&](const T& assisting) -> T {
@@ -94,6 +108,14 @@ T belt_motor_torque(const T& force,
                     const T& angular_acceleration,
                     const T& drag_torque,
                     const T& ratio) {
+  watch_validity<T>("actuation.belt_motor_torque",
+                    force,
+                    pitch_radius,
+                    efficiency,
+                    rotating_inertia,
+                    angular_acceleration,
+                    drag_torque,
+                    ratio);
   const auto driven = [&](const T& opposing) -> T { return opposing * pitch_radius / (ratio * efficiency); };
   const auto driving = [&](const T& assisting) -> T { return assisting * pitch_radius * efficiency / ratio; };
   return where_below(force, T(0.0), driving, driven) + rotating_inertia * angular_acceleration + drag_torque;
@@ -104,6 +126,7 @@ T belt_motor_torque(const T& force,
 template <class T>
 T backdriving_torque(
     const T& gravity_force, const T& lead, const T& reverse_efficiency, const T& friction_force, const T& ratio) {
+  watch_validity<T>("actuation.backdriving_torque", gravity_force, lead, reverse_efficiency, friction_force, ratio);
   return larger(gravity_force - friction_force, T(0.0)) * lead * larger(reverse_efficiency, T(0.0)) /
          (2.0 * pi<T>() * ratio);
 }
@@ -112,6 +135,7 @@ T backdriving_torque(
 /// torque. [oriental_motor_sizing; sander, eq. 22]
 template <class T>
 T torque_utilisation(const T& required_torque, const T& available_torque, const T& permitted_fraction) {
+  watch_validity<T>("actuation.torque_utilisation", required_torque, available_torque, permitted_fraction);
   return required_torque / (permitted_fraction * available_torque);
 }
 

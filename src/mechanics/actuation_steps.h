@@ -5,6 +5,7 @@
 #include <span>
 
 #include "mechanics/sums.h"
+#include "mechanics/validity_watch.h"
 #include "scalar/elementary.h"
 
 /// The single steps of a drive calculation as handbooks and papers write them, where actuation.h has the whole in one
@@ -36,12 +37,14 @@ T lever_torque(const T& force, const T& lever_arm) {
 /// loss-free screw. [sander, eq. 18]
 template <class T>
 T friction_torque(const T& friction, const T& mass, const T& gravity, const T& lead) {
+  watch_validity<T>("actuation.friction_torque", friction, mass, gravity, lead);
   return friction * mass * gravity * lead / (2.0 * pi<T>());
 }
 
 /// Load torque at the motor through a gear (N·m). [sander, eq. 19]
 template <class T>
 T geared_load_torque(const T& screw_torque, const T& gear_ratio, const T& efficiency) {
+  watch_validity<T>("actuation.geared_load_torque", screw_torque, gear_ratio, efficiency);
   return gear_ratio / efficiency * screw_torque;
 }
 
@@ -76,6 +79,7 @@ T flywheel_effect(const T& mass, const T& outer_diameter, const T& inner_diamete
 /// millwright_derivations, definition]
 template <class T>
 T stroke_time(const T& distance, const T& speed, const T& acceleration_time) {
+  watch_validity<T>("actuation.stroke_time", distance, speed, acceleration_time);
   return distance / speed + acceleration_time;
 }
 
@@ -88,6 +92,7 @@ T angular_acceleration(const T& angular_speed, const T& acceleration_time) {
 /// Inertia the motor torque has to accelerate, the load through the transmission (kg·m²). [sander, eq. 23]
 template <class T>
 T accelerated_inertia(const T& rotor_inertia, const T& load_inertia, const T& efficiency) {
+  watch_validity<T>("actuation.accelerated_inertia", rotor_inertia, load_inertia, efficiency);
   return rotor_inertia + load_inertia / efficiency;
 }
 

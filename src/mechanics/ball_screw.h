@@ -8,6 +8,7 @@
 #include "mechanics/corner_bounds.h"
 #include "mechanics/critical_speed.h"
 #include "mechanics/sums.h"
+#include "mechanics/validity_watch.h"
 #include "scalar/elementary.h"
 
 /// Ball screws: mean load, preload, life, torque, permissible speed and load, stiffness, accuracy. Loads are
@@ -38,6 +39,7 @@ T mean_load(std::span<const T> forces, std::span<const T> angular_speeds, std::s
 /// [thk_catalogue, average load]
 template <class T>
 T mean_load_linear(const T& smallest_force, const T& largest_force) {
+  watch_validity<T>("ball_screw.mean_load_linear", smallest_force, largest_force);
   return (2.0 * largest_force + smallest_force) / 3.0;
 }
 
@@ -124,6 +126,7 @@ T life_distance(const T& life_revolutions, const T& lead) {
 /// Life in revolutions for another reliability than 90 % (95 %: factor 0.62, 99 %: 0.21). [iso3408_5, section 7.2.4]
 template <class T>
 T reliable_life(const T& life_revolutions, const T& reliability_factor) {
+  watch_validity<T>("ball_screw.reliable_life", life_revolutions, reliability_factor);
   return reliability_factor * life_revolutions;
 }
 
@@ -133,6 +136,8 @@ T required_dynamic_load_rating(const T& mean_load,
                                const T& load_factor,
                                const T& life_revolutions,
                                const T& reliability_factor) {
+  watch_validity<T>(
+      "ball_screw.required_dynamic_load_rating", mean_load, load_factor, life_revolutions, reliability_factor);
   return load_factor * mean_load * cbrt(life_revolutions / (1e6 * reliability_factor));
 }
 
@@ -143,6 +148,8 @@ T modified_dynamic_load_rating(const T& dynamic_load_rating,
                                const T& hardness_factor,
                                const T& accuracy_factor,
                                const T& melting_factor) {
+  watch_validity<T>(
+      "ball_screw.modified_dynamic_load_rating", dynamic_load_rating, hardness_factor, accuracy_factor, melting_factor);
   return hardness_factor * accuracy_factor * melting_factor * dynamic_load_rating;
 }
 
@@ -156,6 +163,7 @@ T static_safety(const T& static_load_rating, const T& largest_force) {
 /// [thk_catalogue, efficiency; iso3408_5]
 template <class T>
 T efficiency(const T& friction, const T& lead_angle) {
+  watch_validity<T>("ball_screw.efficiency", friction, lead_angle);
   const T slope = named("tan λ", tan(lead_angle));
   return (1.0 - friction * slope) / (1.0 + friction / slope);
 }
@@ -163,6 +171,7 @@ T efficiency(const T& friction, const T& lead_angle) {
 /// Efficiency while the load drives: ball screws do not lock. [thk_catalogue, efficiency; iso3408_5]
 template <class T>
 T reverse_efficiency(const T& friction, const T& lead_angle) {
+  watch_validity<T>("ball_screw.reverse_efficiency", friction, lead_angle);
   const T slope = named("tan λ", tan(lead_angle));
   return (1.0 - friction / slope) / (1.0 + friction * slope);
 }
@@ -170,18 +179,23 @@ T reverse_efficiency(const T& friction, const T& lead_angle) {
 /// Torque (N.m) to move against a force. [thk_catalogue, rotational torque]
 template <class T>
 T drive_torque(const T& force, const T& lead, const T& efficiency) {
+  watch_validity<T>("ball_screw.drive_torque", force, lead, efficiency);
   return force * lead / (2.0 * pi<T>() * efficiency);
 }
 
-/// Torque (N.m) that holds a force which drives the screw. [thk_catalogue, rotational torque]
+/// Torque (N.m) that holds a force which drives the screw. Of a self-locking thread, whose reverse efficiency is
+/// negative, it is the torque to lower the load, with the other sign. [thk_catalogue, rotational torque;
+/// khurmi_gupta2005, section 17.5]
 template <class T>
 T backdriving_torque(const T& force, const T& lead, const T& reverse_efficiency) {
+  watch_validity<T>("ball_screw.backdriving_torque", force, lead, reverse_efficiency);
   return force * lead * reverse_efficiency / (2.0 * pi<T>());
 }
 
 /// Drag (N.m) of a preloaded nut, ± 40 %, without seals and bearings. [jis_b1192; thk_catalogue, preload torque]
 template <class T>
 T preload_torque(const T& preload, const T& lead, const T& lead_angle) {
+  watch_validity<T>("ball_screw.preload_torque", preload, lead, lead_angle);
   const T coefficient = named("K", 0.05 / sqrt(tan(lead_angle)));
   return coefficient * preload * lead / (2.0 * pi<T>());
 }

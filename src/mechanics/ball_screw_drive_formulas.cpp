@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
+#include <limits>
 
 #include "mechanics/ball_screw.h"
 #include "mechanics/formula_definition.h"
@@ -59,12 +60,12 @@ void define_ball_screw_drive(FormulaList& list) {
        .symbol = "T_b",
        .unit = "N.m",
        .title = "Torque that holds a driving load",
-       .source = "thk_catalogue, rotational torque"},
+       .source = "thk_catalogue, rotational torque; khurmi_gupta2005, section 17.5"},
       [](const auto&... x) { return ball_screw::backdriving_torque(x...); },
       quantity("force", "F", "N", "axial load that drives the screw").rising(),
       quantity("lead", "l", "m", "lead").typical(0.001, 0.04).rising(),
-      quantity("reverse_efficiency", "η_r", "1", "efficiency while the load drives")
-          .between(0, 1)
+      quantity("reverse_efficiency", "η_r", "1", "efficiency while the load drives (negative = self-locking)")
+          .between(-std::numeric_limits<double>::infinity(), 1)
           .typical(0.1, 1)
           .rising());
 

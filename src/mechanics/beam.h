@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "mechanics/validity_watch.h"
 #include "scalar/elementary.h"
 
 /// Deflection, slope and bending moment of straight beams. Loads on one beam add up (the equations are linear); of
@@ -38,6 +39,8 @@ T cantilever_tip_slope(const T& force, const T& length, const T& elastic_modulus
 template <class T>
 T cantilever_tip_deflection_load_at(
     const T& force, const T& load_distance, const T& length, const T& elastic_modulus, const T& second_moment_of_area) {
+  watch_validity<T>(
+      "beam.cantilever_tip_deflection_load_at", force, load_distance, length, elastic_modulus, second_moment_of_area);
   return force * square(load_distance) * (3.0 * length - load_distance) /
          (6.0 * elastic_modulus * second_moment_of_area);
 }
@@ -65,6 +68,7 @@ T cantilever_tip_deflection_moment(const T& moment,
 template <class T>
 T cantilever_shear_deflection(
     const T& force, const T& length, const T& shear_coefficient, const T& shear_modulus, const T& area) {
+  watch_validity<T>("beam.cantilever_shear_deflection", force, length, shear_coefficient, shear_modulus, area);
   return force * length / (shear_coefficient * shear_modulus * area);
 }
 
@@ -83,6 +87,8 @@ T supported_deflection_at(const T& force,
                           const T& length,
                           const T& elastic_modulus,
                           const T& second_moment_of_area) {
+  watch_validity<T>(
+      "beam.supported_deflection_at", force, load_distance, position, length, elastic_modulus, second_moment_of_area);
   const auto deflection = [&](const T& load_to_far_support, const T& from_support) -> T {
     return force * load_to_far_support * from_support *
            (square(length) - square(load_to_far_support) - square(from_support)) /
@@ -100,6 +106,8 @@ T supported_deflection_at(const T& force,
 template <class T>
 T supported_largest_deflection(
     const T& force, const T& load_distance, const T& length, const T& elastic_modulus, const T& second_moment_of_area) {
+  watch_validity<T>(
+      "beam.supported_largest_deflection", force, load_distance, length, elastic_modulus, second_moment_of_area);
   const T shorter_part = named("b", smaller(load_distance, length - load_distance));
   return force * shorter_part * pow(square(length) - square(shorter_part), 1.5) /
          (9.0 * std::sqrt(3.0) * elastic_modulus * second_moment_of_area * length);
@@ -119,6 +127,8 @@ T supported_deflection_distributed(const T& distributed_load,
 template <class T>
 T supported_deflection_two_loads(
     const T& force, const T& load_distance, const T& length, const T& elastic_modulus, const T& second_moment_of_area) {
+  watch_validity<T>(
+      "beam.supported_deflection_two_loads", force, load_distance, length, elastic_modulus, second_moment_of_area);
   return force * load_distance * (3.0 * square(length) - 4.0 * square(load_distance)) /
          (24.0 * elastic_modulus * second_moment_of_area);
 }
@@ -142,6 +152,8 @@ T fixed_deflection(const T& force, const T& length, const T& elastic_modulus, co
 template <class T>
 T fixed_deflection_load_at(
     const T& force, const T& load_distance, const T& length, const T& elastic_modulus, const T& second_moment_of_area) {
+  watch_validity<T>(
+      "beam.fixed_deflection_load_at", force, load_distance, length, elastic_modulus, second_moment_of_area);
   return force * cube(load_distance) * cube(length - load_distance) /
          (3.0 * elastic_modulus * second_moment_of_area * cube(length));
 }
@@ -175,10 +187,19 @@ T largest_moment(LoadCase load_case, const T& load, const T& length) {
   return load * length;
 }
 
+/// Span over the height in the plane of bending: the deflections here leave out shear, which counts in stubby beams.
+/// Valid: at least 8. [shigley, Table A-9]
+template <class T>
+T span_to_height(const T& length, const T& height) {
+  watch_validity<T>("beam.span_to_height", length, height);
+  return length / height;
+}
+
 /// Bending moment under a force at any place of a simply supported beam (N·m). Valid: force on the span. [shigley,
 /// Table A-9]
 template <class T>
 T supported_moment_load_at(const T& force, const T& load_distance, const T& length) {
+  watch_validity<T>("beam.supported_moment_load_at", force, load_distance, length);
   return force * load_distance * (length - load_distance) / length;
 }
 

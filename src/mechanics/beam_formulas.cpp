@@ -279,6 +279,19 @@ void define_beam(FormulaList& list) {
 
   define(
       list,
+      {.name = "beam.span_to_height",
+       .symbol = "L/h",
+       .unit = "1",
+       .title = "Span over height of a beam",
+       .source = "shigley, Table A-9",
+       .validity = "at least 8: below it shear counts, which the deflections leave out"},
+      [](const auto&... x) { return beam::span_to_height(x...); },
+      quantity("length", "L", "m", "span, or length of a cantilever").typical(0.1, 2).rising(),
+      quantity("height", "h", "m", "height in the plane of bending").typical(0.004, 0.1).falling())
+      .valid_when("length >= 8·height", [](double length, double height) { return length >= 8.0 * height; });
+
+  define(
+      list,
       {.name = "beam.supported_moment_load_at",
        .handbook_id = "BEAM-MOMENT-SS-POINT-AT",
        .symbol = "M",

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "mechanics/corner_bounds.h"
+#include "mechanics/validity_watch.h"
 #include "scalar/elementary.h"
 
 /// Synchronous (timing) belts: tension, teeth in mesh, power, stiffness. Everything in SI.
@@ -54,18 +55,21 @@ T largest_span_tension(const T& pretension, const T& effective_tension) {
 /// Radial load (N) on the shaft of a pulley at rest, wrap angle up to pi. [autodesk_synchronous_belts]
 template <class T>
 T shaft_load(const T& pretension, const T& wrap_angle) {
+  watch_validity<T>("belt.shaft_load", pretension, wrap_angle);
   return 2.0 * pretension * sin(0.5 * wrap_angle);
 }
 
 /// Wrap angle (rad) on the smaller of two pulleys. [autodesk_synchronous_belts; sularso_suga, chapter 5]
 template <class T>
 T wrap_angle(const T& large_diameter, const T& small_diameter, const T& centre_distance) {
+  watch_validity<T>("belt.wrap_angle", large_diameter, small_diameter, centre_distance);
   return pi<T>() - 2.0 * asin((large_diameter - small_diameter) / (2.0 * centre_distance));
 }
 
 /// Teeth in mesh on the smaller pulley (not rounded). [sularso_suga, chapter 5]
 template <class T>
 T teeth_in_mesh(const T& teeth, const T& wrap_angle) {
+  watch_validity<T>("belt.teeth_in_mesh", teeth, wrap_angle);
   return teeth * wrap_angle / (2.0 * pi<T>());
 }
 
@@ -81,6 +85,7 @@ T tooth_factor(const T& teeth_in_mesh) {
 /// Length (m) of an open belt over two pulleys, before it is rounded to whole teeth. [autodesk_synchronous_belts]
 template <class T>
 T length(const T& large_diameter, const T& small_diameter, const T& centre_distance) {
+  watch_validity<T>("belt.length", large_diameter, small_diameter, centre_distance);
   const T slope = named("γ", asin((large_diameter - small_diameter) / (2.0 * centre_distance)));
   return 2.0 * centre_distance * cos(slope) + 0.5 * pi<T>() * (large_diameter + small_diameter) +
          slope * (large_diameter - small_diameter);
@@ -110,12 +115,14 @@ T design_power(const T& service_factor, const T& power) {
 /// Power (W) that the belt can transmit at a speed. [autodesk_synchronous_belts; iso5295]
 template <class T>
 T power_capacity(const T& tooth_factor, const T& allowable_tension, const T& mass_per_length, const T& speed) {
+  watch_validity<T>("belt.power_capacity", tooth_factor, allowable_tension, mass_per_length, speed);
   return (tooth_factor * allowable_tension - mass_per_length * square(speed)) * speed;
 }
 
 /// Width (m) that carries a tension; linear in width. [iso5295]
 template <class T>
 T required_width(const T& design_tension, const T& tooth_factor, const T& allowable_tension_per_width) {
+  watch_validity<T>("belt.required_width", design_tension, tooth_factor, allowable_tension_per_width);
   return design_tension / (tooth_factor * allowable_tension_per_width);
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "mechanics/sums.h"
+#include "mechanics/validity_watch.h"
 #include "scalar/elementary.h"
 
 /// Preloaded bolts and groups of bolts. Everything in SI.
@@ -24,6 +25,7 @@ T stress_area(const T& diameter, const T& pitch) {
 /// Preload as a share of the proof load (N): 0.75 for joints to be reopened, 0.90 for permanent ones. [shigley, 8-9]
 template <class T>
 T preload(const T& stress_area, const T& proof_strength, const T& proof_fraction) {
+  watch_validity<T>("bolt.preload", stress_area, proof_strength, proof_fraction);
   return proof_fraction * stress_area * proof_strength;
 }
 
@@ -49,12 +51,14 @@ T joint_constant(const T& bolt_stiffness, const T& member_stiffness) {
 /// Tension in a preloaded bolt under an external force (N). [shigley, chapter 8]
 template <class T>
 T largest_tension(const T& preload, const T& joint_constant, const T& external_tension) {
+  watch_validity<T>("bolt.largest_tension", preload, joint_constant, external_tension);
   return preload + joint_constant * external_tension;
 }
 
 /// Margin of the preload against opening of the joint; at least 1.5. [shigley, chapter 8]
 template <class T>
 T separation_safety(const T& preload, const T& joint_constant, const T& external_tension) {
+  watch_validity<T>("bolt.separation_safety", preload, joint_constant, external_tension);
   return preload / (external_tension * (1.0 - joint_constant));
 }
 
@@ -65,6 +69,7 @@ T proof_safety(const T& stress_area,
                const T& preload,
                const T& joint_constant,
                const T& external_tension) {
+  watch_validity<T>("bolt.proof_safety", stress_area, proof_strength, preload, joint_constant, external_tension);
   return proof_strength * stress_area / largest_tension(preload, joint_constant, external_tension);
 }
 
@@ -77,6 +82,7 @@ T slip_safety(const T& bolt_count,
               const T& external_tension,
               const T& joint_constant,
               const T& shear_force) {
+  watch_validity<T>("bolt.slip_safety", bolt_count, friction, preload, external_tension, joint_constant, shear_force);
   return bolt_count * friction * (preload - (1.0 - joint_constant) * external_tension) / shear_force;
 }
 

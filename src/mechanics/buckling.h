@@ -2,6 +2,7 @@
 #pragma once
 
 #include "mechanics/corner_bounds.h"
+#include "mechanics/validity_watch.h"
 #include "scalar/elementary.h"
 
 /// Buckling of a screw under axial compression, on its core diameter; `length` is the largest distance between the nut
@@ -67,6 +68,7 @@ T euler_load(const T& end_fixity, const T& elastic_modulus, const T& core_diamet
 template <class T>
 T johnson_load(
     const T& end_fixity, const T& elastic_modulus, const T& yield_strength, const T& core_diameter, const T& length) {
+  watch_validity<T>("buckling.johnson_load", end_fixity, elastic_modulus, yield_strength, core_diameter, length);
   const T area = named("A", pi<T>() * square(core_diameter) / 4.0);
   const T ratio = named("L/k", slenderness(length, core_diameter));
   return area * yield_strength *

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "mechanics/corner_bounds.h"
+#include "mechanics/validity_watch.h"
 #include "scalar/elementary.h"
 
 /// Buckling of columns, and the lateral stiffness of a portal frame. Use the smallest second moment of area.
@@ -14,6 +15,7 @@ using namespace scalar;
 /// Valid: straight, centrally loaded column; slender. [khurmi_gupta2005, chapter 16]
 template <class T>
 T euler_load(const T& end_fixity, const T& elastic_modulus, const T& second_moment_of_area, const T& length) {
+  watch_validity<T>("column.euler_load", end_fixity, elastic_modulus, second_moment_of_area, length);
   return end_fixity * square(pi<T>()) * elastic_modulus * second_moment_of_area / square(length);
 }
 
@@ -26,6 +28,8 @@ T johnson_load(const T& end_fixity,
                const T& area,
                const T& second_moment_of_area,
                const T& length) {
+  watch_validity<T>(
+      "column.johnson_load", end_fixity, elastic_modulus, yield_strength, area, second_moment_of_area, length);
   return area * yield_strength *
          (1.0 - yield_strength * square(length) * area /
                     (4.0 * end_fixity * square(pi<T>()) * elastic_modulus * second_moment_of_area));
@@ -40,6 +44,8 @@ T critical_load(const T& end_fixity,
                 const T& area,
                 const T& second_moment_of_area,
                 const T& length) {
+  watch_validity<T>(
+      "column.critical_load", end_fixity, elastic_modulus, yield_strength, area, second_moment_of_area, length);
   const T slenderness = named("λ", length / sqrt(second_moment_of_area / area));
   const T transition = named("λ_t", sqrt(2.0 * end_fixity * square(pi<T>()) * elastic_modulus / yield_strength));
   return where_below(
@@ -117,6 +123,8 @@ T johnson_load_of_radius(const T& end_fixity,
                          const T& area,
                          const T& length,
                          const T& radius_of_gyration) {
+  watch_validity<T>(
+      "column.johnson_load_of_radius", end_fixity, elastic_modulus, yield_strength, area, length, radius_of_gyration);
   const T slenderness = named("λ", length / radius_of_gyration);
   return area * yield_strength *
          (1.0 - yield_strength / (4.0 * end_fixity * square(pi<T>()) * elastic_modulus) * square(slenderness));
@@ -127,6 +135,7 @@ T johnson_load_of_radius(const T& end_fixity,
 template <class T>
 T euler_load_of_radius(
     const T& end_fixity, const T& elastic_modulus, const T& area, const T& length, const T& radius_of_gyration) {
+  watch_validity<T>("column.euler_load_of_radius", end_fixity, elastic_modulus, area, length, radius_of_gyration);
   return end_fixity * square(pi<T>()) * elastic_modulus * area / square(length / radius_of_gyration);
 }
 

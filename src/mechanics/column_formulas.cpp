@@ -36,7 +36,7 @@ void define_column(FormulaList& list) {
       quantity("area", "A", "m^2", "area").rising(),
       quantity("second_moment_of_area", "I", "m^4", "smallest second moment of area").typical(1e-10, 1e-6).rising(),
       quantity("length", "L", "m", "length").falling())
-      .valid_when("yield_strength·length·length·area <= 2·end_fixity·π²·elastic_modulus·second_moment_of_area",
+      .valid_when("slenderness <= √(2·end_fixity·π²·elastic_modulus / yield_strength)",
                   [](double end_fixity,
                      double elastic_modulus,
                      double yield_strength,
@@ -134,17 +134,16 @@ void define_column(FormulaList& list) {
       quantity("area", "A", "m^2", "area").rising(),
       quantity("length", "L", "m", "length").falling(),
       quantity("radius_of_gyration", "k", "m", "radius of gyration").rising())
-      .valid_when(
-          "yield_strength·length·length <= 2·end_fixity·π²·elastic_modulus·radius_of_gyration·radius_of_gyration",
-          [](double end_fixity,
-             double elastic_modulus,
-             double yield_strength,
-             double,
-             double length,
-             double radius_of_gyration) {
-            return yield_strength * length * length <=
-                   2.0 * end_fixity * 9.869604401089358 * elastic_modulus * radius_of_gyration * radius_of_gyration;
-          });
+      .valid_when("slenderness <= √(2·end_fixity·π²·elastic_modulus / yield_strength)",
+                  [](double end_fixity,
+                     double elastic_modulus,
+                     double yield_strength,
+                     double,
+                     double length,
+                     double radius_of_gyration) {
+                    return yield_strength * length * length <= 2.0 * end_fixity * 9.869604401089358 * elastic_modulus *
+                                                                   radius_of_gyration * radius_of_gyration;
+                  });
 
   define(
       list,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "mechanics/validity_watch.h"
 #include "scalar/elementary.h"
 
 /// Process loads: milling, drilling, grinding, sanding, extruding. Everything in SI.
@@ -25,6 +26,7 @@ T feed_speed(const T& feed_per_tooth, const T& teeth, const T& spindle_speed) {
 /// [sandvik_milling]
 template <class T>
 T mean_chip_thickness(const T& feed_per_tooth, const T& radial_engagement, const T& diameter, const T& entering_angle) {
+  watch_validity<T>("cutting.mean_chip_thickness", feed_per_tooth, radial_engagement, diameter, entering_angle);
   const T engagement_angle = named("φ_s", acos(1.0 - 2.0 * radial_engagement / diameter));
   return 2.0 * feed_per_tooth * radial_engagement * sin(entering_angle) / (diameter * engagement_angle);
 }
@@ -37,6 +39,7 @@ T specific_cutting_force(const T& unit_specific_force,
                          const T& chip_thickness,
                          const T& exponent,
                          const T& rake_angle) {
+  watch_validity<T>("cutting.specific_cutting_force", unit_specific_force, chip_thickness, exponent, rake_angle);
   return unit_specific_force * pow(chip_thickness / in_unit<T>(1e-3, dimension::length), -exponent) *
          (1.0 - 1.8 * rake_angle / pi<T>());
 }
@@ -68,6 +71,13 @@ T peak_tooth_force(const T& unit_specific_force,
                    const T& feed_per_tooth,
                    const T& radial_engagement,
                    const T& diameter) {
+  watch_validity<T>("cutting.peak_tooth_force",
+                    unit_specific_force,
+                    exponent,
+                    axial_depth,
+                    feed_per_tooth,
+                    radial_engagement,
+                    diameter);
   const T cosine = named("cos φ_s", 1.0 - 2.0 * radial_engagement / diameter);
   const T thickness = named("h_max", T(where_below(cosine, T(0.0), feed_per_tooth, [&](const T& positive) -> T {
                               return feed_per_tooth * sqrt(1.0 - square(positive));
@@ -93,6 +103,7 @@ T drill_thrust(const T& specific_cutting_force,
                const T& diameter,
                const T& feed_per_revolution,
                const T& half_point_angle) {
+  watch_validity<T>("cutting.drill_thrust", specific_cutting_force, diameter, feed_per_revolution, half_point_angle);
   return 0.5 * specific_cutting_force * diameter / 2.0 * feed_per_revolution * sin(half_point_angle);
 }
 
@@ -117,6 +128,7 @@ T grinding_force(const T& specific_tangential_force,
 /// definition]
 template <class T>
 T sanding_force(const T& friction, const T& contact_pressure, const T& contact_area) {
+  watch_validity<T>("cutting.sanding_force", friction, contact_pressure, contact_area);
   return friction * contact_pressure * contact_area;
 }
 
@@ -137,6 +149,7 @@ T extrusion_force(const T& pressure, const T& filament_diameter) {
 /// Volume removed per time in traverse grinding (m³/s). [sander, eq. 2]
 template <class T>
 T grinding_removal_rate(const T& depth_of_cut, const T& axial_feed, const T& overlap, const T& feed_speed) {
+  watch_validity<T>("cutting.grinding_removal_rate", depth_of_cut, axial_feed, overlap, feed_speed);
   return depth_of_cut * axial_feed * overlap * feed_speed;
 }
 
@@ -159,6 +172,8 @@ T specific_normal_force(const T& specific_tangential_force,
                         const T& friction,
                         const T& equivalent_chip_thickness,
                         const T& exponent) {
+  watch_validity<T>(
+      "cutting.specific_normal_force", specific_tangential_force, friction, equivalent_chip_thickness, exponent);
   return specific_tangential_force / friction * chip_thickness_factor(equivalent_chip_thickness, exponent);
 }
 

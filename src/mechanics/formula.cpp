@@ -36,17 +36,19 @@ const char* kind_name(ArgumentKind kind) {
   return "";
 }
 
-void check_range(const Argument& argument, double value, std::vector<std::string>& sentences) {
+/// Limits are numbered: three for each argument (not a number or an empty list, below, above), then the relations.
+constexpr std::size_t limits_of_argument = 3;
+
+void check_range(const Argument& argument, std::size_t first, double value, std::vector<BrokenLimit>& broken) {
   const std::string& unit = argument.unit;
   const std::string suffix = unit.empty() || unit == "1" || unit == "any" ? "" : " " + unit;
+  const std::string is = argument.name + " = " + text_of(value) + suffix + " is ";
   if (std::isnan(value)) {
-    sentences.push_back(argument.name + " is not a number");
+    broken.push_back({first, 0.0, argument.name + " is not a number"});
   } else if (value < argument.lower) {
-    sentences.push_back(argument.name + " = " + text_of(value) + suffix + " is below " + text_of(argument.lower) +
-                        suffix);
+    broken.push_back({first + 1, argument.lower - value, is + "below " + text_of(argument.lower) + suffix});
   } else if (value > argument.upper) {
-    sentences.push_back(argument.name + " = " + text_of(value) + suffix + " is above " + text_of(argument.upper) +
-                        suffix);
+    broken.push_back({first + 2, value - argument.upper, is + "above " + text_of(argument.upper) + suffix});
   }
 }
 
@@ -119,24 +121,43 @@ std::vector<std::string> Formula::source_keys() const {
   return keys;
 }
 
-std::vector<std::string> Formula::violations(std::span<const ArgumentValue<double>> values) const {
+bool Formula::has_limits() const {
+  return !conditions_.empty() || std::any_of(arguments_.begin(), arguments_.end(), [](const Argument& argument) {
+    const double usual = argument.whole ? 1.0 : 0.0;
+    return argument.kind != ArgumentKind::choice &&
+           (std::isfinite(argument.upper) || (std::isfinite(argument.lower) && argument.lower != usual));
+  });
+}
+
+std::vector<BrokenLimit> Formula::broken_limits(std::span<const ArgumentValue<double>> values) const {
   check_shape(values.size(), [&](std::size_t i) { return values[i].index(); });
-  std::vector<std::string> sentences;
+  std::vector<BrokenLimit> broken;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const Argument& argument = arguments_[i];
-    if (const double* number = std::get_if<double>(&values[i])) check_range(argument, *number, sentences);
+    const std::size_t first = limits_of_argument * i;
+    if (const double* number = std::get_if<double>(&values[i])) check_range(argument, first, *number, broken);
     if (const auto* list = std::get_if<std::vector<double>>(&values[i])) {
-      for (double value : *list) check_range(argument, value, sentences);
-      if (list->empty()) sentences.push_back(argument.name + " is an empty list");
+      for (double value : *list) check_range(argument, first, value, broken);
+      if (list->empty()) broken.push_back({first, 0.0, argument.name + " is an empty list"});
       const int other = argument.same_length_as;
       if (other >= 0 && std::get<std::vector<double>>(values[static_cast<std::size_t>(other)]).size() != list->size())
-        sentences.push_back(argument.name + " and " + arguments_[static_cast<std::size_t>(other)].name +
-                            " differ in length");
+        broken.push_back(
+            {first,
+             0.0,
+             argument.name + " and " + arguments_[static_cast<std::size_t>(other)].name + " differ in length"});
     }
   }
-  if (!sentences.empty()) return sentences;  // the relations below may divide by what was just found to be bad
-  for (const Validity& condition : conditions_)
-    if (!condition.holds(values)) sentences.push_back("it does not hold that " + condition.text);
+  if (!broken.empty()) return broken;  // the relations below may divide by what was just found to be bad
+  for (std::size_t i = 0; i < conditions_.size(); ++i)
+    if (!conditions_[i].holds(values))
+      broken.push_back(
+          {limits_of_argument * arguments_.size() + i, 0.0, "it does not hold that " + conditions_[i].text});
+  return broken;
+}
+
+std::vector<std::string> Formula::violations(std::span<const ArgumentValue<double>> values) const {
+  std::vector<std::string> sentences;
+  for (BrokenLimit& broken : broken_limits(values)) sentences.push_back(std::move(broken.sentence));
   return sentences;
 }
 

@@ -56,6 +56,14 @@ struct Validity {
   Holds holds;
 };
 
+/// A stated limit that given values break. `index` tells the limits of one formula apart, `excess` is how far a value
+/// lies beyond its bound (0 for relations).
+struct BrokenLimit {
+  std::size_t index = 0;
+  double excess = 0.0;
+  std::string sentence;
+};
+
 /// What the person who registers a formula writes about it. `source` is "key, place; key, place" with keys of
 /// sources.bib. `display_unit` is given where people do not read the SI unit.
 template <class Text>
@@ -118,7 +126,12 @@ class Formula {
     return evaluate<T>(std::span<const ArgumentValue<T>>(values));
   }
 
-  /// One sentence for each stated limit that these values break; empty where the formula holds.
+  /// Whether anything is stated beyond "above zero" (of a count: at least one).
+  bool has_limits() const;
+
+  /// Each stated limit that these values break; empty where the formula holds.
+  std::vector<BrokenLimit> broken_limits(std::span<const ArgumentValue<double>> values) const;
+  /// The same, in one sentence each.
   std::vector<std::string> violations(std::span<const ArgumentValue<double>> values) const;
 
   void add_condition(std::string_view text, Validity::Holds holds);

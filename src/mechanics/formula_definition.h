@@ -18,6 +18,8 @@
 ///              [](const auto&... x) { return power_screw::lead(x...); },
 ///              quantity("pitch", "p", "m", "pitch").rising(), count("starts", "starts", "number of starts").rising())
 ///           .valid_when("pitch < major_diameter", [](double pitch, double starts) { ... });    // if there is any
+///     and with a relation or a bound beyond "above zero", watch_validity<T>(...) as the formula's first line, so that
+///     a design that leaves the range is found out (validity_watch.h);
 ///  3. add the source to sources.bib and at least one independent value to tests/mechanics/check_values.csv.
 /// Derivative, interval, dimension, trace and monotone signs are then tested without further ado.
 namespace millwright::mechanics {

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "mechanics/sums.h"
+#include "mechanics/validity_watch.h"
 #include "scalar/elementary.h"
 
 /// Linear guides. x along the travel, y across, z up from the base; the origin lies in the middle of the four
@@ -45,6 +46,14 @@ T carriage_vertical_load(const T& force_z,
                          const T& rail_spacing,
                          const T& side_x,
                          const T& side_y) {
+  watch_validity<T>("guide.carriage_vertical_load",
+                    force_z,
+                    roll_moment,
+                    pitch_moment,
+                    carriage_spacing,
+                    rail_spacing,
+                    side_x,
+                    side_y);
   return force_z / 4.0 - side_x * pitch_moment / (2.0 * carriage_spacing) + side_y * roll_moment / (2.0 * rail_spacing);
 }
 
@@ -52,6 +61,7 @@ T carriage_vertical_load(const T& force_z,
 /// [hiwin_linear_guideway, load calculation]
 template <class T>
 T carriage_lateral_load(const T& force_y, const T& yaw_moment, const T& carriage_spacing, const T& side_x) {
+  watch_validity<T>("guide.carriage_lateral_load", force_y, yaw_moment, carriage_spacing, side_x);
   return force_y / 4.0 + side_x * yaw_moment / (2.0 * carriage_spacing);
 }
 
@@ -94,6 +104,7 @@ T equivalent_load_with_moments(const T& vertical_load,
 /// [hiwin_linear_guideway, load calculation]
 template <class T>
 T mean_load(std::span<const T> equivalent_loads, std::span<const T> distances, const T& exponent) {
+  watch_validity<T>("guide.mean_load", equivalent_loads, distances, exponent);
   const std::size_t count = common_length(equivalent_loads, distances);
   const T one = in_unit<T>(1.0, dimension::force);
   const T damage =
@@ -110,6 +121,8 @@ T ball_life_distance(const T& dynamic_load_rating,
                      const T& load_factor,
                      const T& condition_factor,
                      const T& rating_distance) {
+  watch_validity<T>(
+      "guide.ball_life_distance", dynamic_load_rating, mean_load, load_factor, condition_factor, rating_distance);
   return rating_distance * cube(condition_factor * dynamic_load_rating / (load_factor * mean_load));
 }
 
@@ -119,6 +132,7 @@ T roller_life_distance(const T& dynamic_load_rating,
                        const T& mean_load,
                        const T& load_factor,
                        const T& condition_factor) {
+  watch_validity<T>("guide.roller_life_distance", dynamic_load_rating, mean_load, load_factor, condition_factor);
   return in_unit<T>(1e5, dimension::length) *
          pow(condition_factor * dynamic_load_rating / (load_factor * mean_load), 10.0 / 3.0);
 }
@@ -147,6 +161,7 @@ T static_safety(const T& static_load_rating, const T& largest_load) {
 /// 0.2; seals 1 to 5 N each. [hiwin_linear_guideway, load calculation]
 template <class T>
 T friction_force(const T& friction, const T& load_sum, const T& carriage_count, const T& seal_drag) {
+  watch_validity<T>("guide.friction_force", friction, load_sum, carriage_count, seal_drag);
   return friction * load_sum + carriage_count * seal_drag;
 }
 
@@ -168,6 +183,7 @@ T pitch_stiffness(const T& carriage_stiffness, const T& carriage_spacing) {
 template <class T>
 T shaft_deflection(
     const T& force, const T& span, const T& bushing_spacing, const T& elastic_modulus, const T& diameter) {
+  watch_validity<T>("guide.shaft_deflection", force, span, bushing_spacing, elastic_modulus, diameter);
   const T force_distance = named("a", (span - bushing_spacing) / 2.0);
   const T second_moment = named("I", pi<T>() * pow(diameter, 4.0) / 64.0);
   return force / 2.0 * force_distance * (3.0 * square(span) - 4.0 * square(force_distance)) /
@@ -178,6 +194,7 @@ T shaft_deflection(
 /// supported ends, bushings centred, spacing below the span. [shigley, Table A-9]
 template <class T>
 T shaft_slope(const T& force, const T& span, const T& bushing_spacing, const T& elastic_modulus, const T& diameter) {
+  watch_validity<T>("guide.shaft_slope", force, span, bushing_spacing, elastic_modulus, diameter);
   const T force_distance = named("a", (span - bushing_spacing) / 2.0);
   const T second_moment = named("I", pi<T>() * pow(diameter, 4.0) / 64.0);
   return force / 2.0 * force_distance * (span - 2.0 * force_distance) / (2.0 * elastic_modulus * second_moment);
@@ -187,6 +204,7 @@ T shaft_slope(const T& force, const T& span, const T& bushing_spacing, const T& 
 /// centred, spacing below the span. [khurmi_gupta2005, chapter 14]
 template <class T>
 T shaft_stress(const T& force, const T& span, const T& bushing_spacing, const T& diameter) {
+  watch_validity<T>("guide.shaft_stress", force, span, bushing_spacing, diameter);
   return force / 2.0 * (span - bushing_spacing) / 2.0 * 32.0 / (pi<T>() * cube(diameter));
 }
 
@@ -194,6 +212,7 @@ T shaft_stress(const T& force, const T& span, const T& bushing_spacing, const T&
 /// the 2:1 rule. Valid: plain bushing, force parallel to the guide. [millwright_derivations, definition]
 template <class T>
 T required_bushing_length(const T& friction, const T& force_offset, const T& safety_factor) {
+  watch_validity<T>("guide.required_bushing_length", friction, force_offset, safety_factor);
   return 2.0 * friction * force_offset * safety_factor;
 }
 

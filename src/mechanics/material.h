@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "mechanics/validity_watch.h"
 #include "scalar/elementary.h"
 
 /// Strength of ductile metals: equivalent and allowable stresses, fatigue screening. Everything in SI.
@@ -13,6 +14,7 @@ using namespace scalar;
 /// Shear modulus (Pa) of an isotropic material. [shigley, section 3-8]
 template <class T>
 T shear_modulus(const T& elastic_modulus, const T& poisson_ratio) {
+  watch_validity<T>("material.shear_modulus", elastic_modulus, poisson_ratio);
   return elastic_modulus / (2.0 * (1.0 + poisson_ratio));
 }
 
@@ -41,10 +43,11 @@ T allowable_stress(const T& yield_strength, const T& safety_factor) {
   return yield_strength / safety_factor;
 }
 
-/// Allowable shear stress (Pa) of shafts. Material factor 5.6 (guaranteed strength) or 6.0; notch factor 1.3 to 3.0.
-/// [sularso_suga, chapter 1; mini_mill, eq. 1]
+/// Allowable shear stress (Pa) of shafts. Valid: material factor 5.6 (guaranteed strength) to 6.0, notch factor 1.3
+/// to 3.0. [sularso_suga, chapter 1; mini_mill, eq. 1]
 template <class T>
 T sularso_allowable_shear_stress(const T& tensile_strength, const T& material_factor, const T& notch_factor) {
+  watch_validity<T>("material.sularso_allowable_shear_stress", tensile_strength, material_factor, notch_factor);
   return tensile_strength / (material_factor * notch_factor);
 }
 
@@ -77,18 +80,21 @@ T endurance_limit(const T& tensile_strength, const T& modifying_factor) {
 /// and -0.265). [shigley, table 6-2]
 template <class T>
 T surface_factor(const T& tensile_strength, const T& coefficient, const T& exponent) {
+  watch_validity<T>("material.surface_factor", tensile_strength, coefficient, exponent);
   return smaller(T(1.0), coefficient * pow(tensile_strength / in_unit<T>(1e6, dimension::pressure), exponent));
 }
 
 /// Size factor of the endurance limit for bending and torsion, diameters 2.79 mm to 51 mm. [shigley, eq. 6-20]
 template <class T>
 T size_factor(const T& diameter) {
+  watch_validity<T>("material.size_factor", diameter);
   return 1.24 * pow(diameter / in_unit<T>(1e-3, dimension::length), -0.107);
 }
 
 /// Fatigue notch factor, by which a stress amplitude is multiplied. [shigley, eq. 6-32]
 template <class T>
 T fatigue_notch_factor(const T& notch_sensitivity, const T& stress_concentration) {
+  watch_validity<T>("material.fatigue_notch_factor", notch_sensitivity, stress_concentration);
   return 1.0 + notch_sensitivity * (stress_concentration - 1.0);
 }
 

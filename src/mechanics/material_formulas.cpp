@@ -72,11 +72,12 @@ void define_material(FormulaList& list) {
        .symbol = "τ_a",
        .unit = "Pa",
        .title = "Allowable shear stress of shafts",
-       .source = "sularso_suga, chapter 1; mini_mill, eq. 1"},
+       .source = "sularso_suga, chapter 1; mini_mill, eq. 1",
+       .validity = "material factor 5.6 to 6.0, notch factor 1.3 to 3.0"},
       [](const auto&... x) { return material::sularso_allowable_shear_stress(x...); },
       quantity("tensile_strength", "σ_B", "Pa", "tensile strength").typical(200000000.0, 2000000000.0).rising(),
-      quantity("material_factor", "Sf_1", "1", "material factor").typical(4, 8).falling(),
-      quantity("notch_factor", "Sf_2", "1", "notch and size factor").typical(1.3, 3).falling());
+      quantity("material_factor", "Sf_1", "1", "material factor").between(5.6, 6.0).typical(5.6, 6.0).falling(),
+      quantity("notch_factor", "Sf_2", "1", "notch and size factor").between(1.3, 3.0).typical(1.3, 3.0).falling());
 
   define(
       list,

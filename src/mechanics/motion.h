@@ -5,6 +5,7 @@
 
 #include "mechanics/corner_bounds.h"
 #include "mechanics/sums.h"
+#include "mechanics/validity_watch.h"
 #include "scalar/elementary.h"
 
 /// Motion of one axis from rest to rest. Limits (speed, acceleration, deceleration, jerk) are what the controller
@@ -56,6 +57,7 @@ Dual<Interval, N> trapezoidal_time(const Dual<Interval, N>& distance,
 /// too slow. [millwright_derivations, inversion of trapezoidal_time]
 template <class T>
 T required_acceleration(const T& distance, const T& time, const T& speed_limit) {
+  watch_validity<T>("motion.required_acceleration", distance, time, speed_limit);
   return where_below(
       speed_limit,
       2.0 * distance / time,
@@ -126,12 +128,14 @@ T ramp_rms(const T& start_value, const T& end_value) {
 /// [millwright_derivations]
 template <class T>
 T pulse_rms(const T& value, const T& on_fraction) {
+  watch_validity<T>("motion.pulse_rms", value, on_fraction);
   return value * sqrt(on_fraction);
 }
 
 /// Fraction of the cycle under load. [millwright_derivations]
 template <class T>
 T duty_factor(const T& on_time, const T& cycle_time) {
+  watch_validity<T>("motion.duty_factor", on_time, cycle_time);
   return on_time / cycle_time;
 }
 
@@ -145,6 +149,7 @@ T arc_speed(const T& acceleration, const T& radius) {
 /// angle between the segments: pi is straight on (no limit), 0 a reversal (standstill). [grbl_planner]
 template <class T>
 T corner_speed(const T& acceleration, const T& deviation, const T& corner_angle) {
+  watch_validity<T>("motion.corner_speed", acceleration, deviation, corner_angle);
   const T sine = sin(0.5 * corner_angle);
   return sqrt(acceleration * deviation * sine / (1.0 - sine));
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "mechanics/validity_watch.h"
 #include "scalar/elementary.h"
 
 /// Power (lead) screws: geometry, torque and efficiency; strength and nut in power_screw_strength.h. One nut on one
@@ -39,6 +40,7 @@ T lead(const T& pitch, const T& starts) {
 /// Mean (pitch) diameter (m). [din103; iso724]
 template <class T>
 T mean_diameter(ThreadForm form, const T& major_diameter, const T& pitch) {
+  watch_validity<T>("power_screw.mean_diameter", form, major_diameter, pitch);
   if (form == ThreadForm::metric_60) return major_diameter - 0.375 * std::sqrt(3.0) * pitch;
   return major_diameter - 0.5 * pitch;
 }
@@ -47,6 +49,7 @@ T mean_diameter(ThreadForm form, const T& major_diameter, const T& pitch) {
 /// that steps with the pitch. [din103; asme_b1_5; iso724]
 template <class T>
 T core_diameter(ThreadForm form, const T& major_diameter, const T& pitch) {
+  watch_validity<T>("power_screw.core_diameter", form, major_diameter, pitch);
   const auto millimetres = [](double value) { return in_unit<T>(1e-3 * value, dimension::length); };
   // The limits are moved by 1e-9 so that a pitch of exactly 2, 5, 12 or 2.54 mm falls on its own side however it was
   // rounded on its way here.
@@ -100,6 +103,7 @@ T inertia(const T& density, const T& diameter, const T& length) {
 /// angles below 20 degrees. [khurmi_gupta2005, section 17.12; bhandari, eq. 6.9]
 template <class T>
 T effective_friction(const T& friction, const T& flank_angle) {
+  watch_validity<T>("power_screw.effective_friction", friction, flank_angle);
   return friction / cos(flank_angle);
 }
 
@@ -107,13 +111,24 @@ T effective_friction(const T& friction, const T& flank_angle) {
 /// [shigley, section 8-2]
 template <class T>
 T exact_effective_friction(const T& friction, const T& flank_angle, const T& lead_angle) {
+  watch_validity<T>("power_screw.exact_effective_friction", friction, flank_angle, lead_angle);
   return friction / cos(atan(tan(flank_angle) * cos(lead_angle)));
+}
+
+/// What is left of the effective friction when the flank angle is taken in the normal plane: exact over approximate.
+/// Valid: the approximation is for lead angles below 20 degrees; square threads need none.
+/// [khurmi_gupta2005, section 17.12; shigley, section 8-2]
+template <class T>
+T exact_friction_ratio(const T& flank_angle, const T& lead_angle) {
+  watch_validity<T>("power_screw.exact_friction_ratio", flank_angle, lead_angle);
+  return sqrt(square(cos(flank_angle)) + square(sin(flank_angle) * cos(lead_angle)));
 }
 
 /// Torque (N.m) to move the nut against the force. Holds while friction * tan(lead angle) < 1.
 /// [khurmi_gupta2005, section 17.4; bhandari, eq. 6.2; shigley, eq. 8-1]
 template <class T>
 T raising_torque(const T& force, const T& mean_diameter, const T& lead, const T& friction) {
+  watch_validity<T>("power_screw.raising_torque", force, mean_diameter, lead, friction);
   const T slope = named("tan λ", lead / (pi<T>() * mean_diameter));
   return force * mean_diameter / 2.0 * ((slope + friction) / (1.0 - friction * slope));
 }
@@ -122,6 +137,7 @@ T raising_torque(const T& force, const T& mean_diameter, const T& lead, const T&
 /// force drives the screw and the motor has to brake. [khurmi_gupta2005, section 17.5; bhandari, eq. 6.3]
 template <class T>
 T lowering_torque(const T& force, const T& mean_diameter, const T& lead, const T& friction) {
+  watch_validity<T>("power_screw.lowering_torque", force, mean_diameter, lead, friction);
   const T slope = named("tan λ", lead / (pi<T>() * mean_diameter));
   return force * mean_diameter / 2.0 * ((friction - slope) / (1.0 + friction * slope));
 }
@@ -130,6 +146,7 @@ T lowering_torque(const T& force, const T& mean_diameter, const T& lead, const T
 /// [khurmi_gupta2005, section 17.4; bhandari, eq. 6.5]
 template <class T>
 T collar_torque(const T& force, const T& collar_friction, const T& outer_radius, const T& inner_radius) {
+  watch_validity<T>("power_screw.collar_torque", force, collar_friction, outer_radius, inner_radius);
   return collar_friction * force * (outer_radius + inner_radius) / 2.0;
 }
 
@@ -140,6 +157,7 @@ T collar_torque_uniform_pressure(const T& force,
                                  const T& collar_friction,
                                  const T& outer_radius,
                                  const T& inner_radius) {
+  watch_validity<T>("power_screw.collar_torque_uniform_pressure", force, collar_friction, outer_radius, inner_radius);
   const T sum = outer_radius + inner_radius;
   return 2.0 / 3.0 * collar_friction * force * (sum - outer_radius * inner_radius / sum);
 }
@@ -154,6 +172,7 @@ T efficiency(const T& force, const T& lead, const T& torque) {
 /// [khurmi_gupta2005, section 17.6]
 template <class T>
 T thread_efficiency(const T& lead_angle, const T& friction) {
+  watch_validity<T>("power_screw.thread_efficiency", lead_angle, friction);
   const T slope = named("tan λ", tan(lead_angle));
   return slope * (1.0 - friction * slope) / (slope + friction);
 }
@@ -168,6 +187,7 @@ T greatest_thread_efficiency(const T& friction) {
 /// Back-driven torque over force * lead / 2π; negative for a self-locking thread. [millwright_derivations]
 template <class T>
 T reverse_efficiency(const T& lead_angle, const T& friction) {
+  watch_validity<T>("power_screw.reverse_efficiency", lead_angle, friction);
   const T slope = named("tan λ", tan(lead_angle));
   return (slope - friction) / ((1.0 + friction * slope) * slope);
 }
@@ -176,6 +196,7 @@ T reverse_efficiency(const T& lead_angle, const T& friction) {
 /// person. [khurmi_gupta2005, section 17.9]
 template <class T>
 T self_locking_ratio(const T& lead_angle, const T& friction) {
+  watch_validity<T>("power_screw.self_locking_ratio", lead_angle, friction);
   return tan(lead_angle) / friction;
 }
 
@@ -183,6 +204,7 @@ T self_locking_ratio(const T& lead_angle, const T& friction) {
 /// is removed while the axial load stays below it. [millwright_derivations]
 template <class T>
 T antibacklash_drag_torque(const T& spring_force, const T& mean_diameter, const T& lead, const T& friction) {
+  watch_validity<T>("power_screw.antibacklash_drag_torque", spring_force, mean_diameter, lead, friction);
   return named("T_R", raising_torque(spring_force, mean_diameter, lead, friction)) +
          named("T_L", lowering_torque(spring_force, mean_diameter, lead, friction));
 }
@@ -226,6 +248,7 @@ T axial_stiffness_both_ends_fixed(const T& elastic_modulus,
                                   const T& core_diameter,
                                   const T& length,
                                   const T& distance) {
+  watch_validity<T>("power_screw.axial_stiffness_both_ends_fixed", elastic_modulus, core_diameter, length, distance);
   return pi<T>() * square(core_diameter) * elastic_modulus / 4.0 * (1.0 / distance + 1.0 / (length - distance));
 }
 

@@ -93,6 +93,21 @@ void define_power_screw(FormulaList& list) {
 
   define(
       list,
+      {.name = "power_screw.exact_friction_ratio",
+       .symbol = "r",
+       .unit = "1",
+       .title = "Exact over approximate effective friction of a thread",
+       .source = "khurmi_gupta2005, section 17.12; shigley, section 8-2",
+       .validity = "the approximation is for lead angles below 20 degrees; square threads need none"},
+      [](const auto&... x) { return power_screw::exact_friction_ratio(x...); },
+      quantity("flank_angle", "β", "rad", "half of the thread angle").between(0, 1.5).typical(0, 0.55).falling(),
+      quantity("lead_angle", "λ", "rad", "lead angle").between(0, 1.5).typical(0.02, 0.6).falling())
+      .valid_when("lead angle < 20 degrees", [](double flank_angle, double lead_angle) {
+        return flank_angle == 0.0 || lead_angle < std::numbers::pi / 9.0;
+      });
+
+  define(
+      list,
       {.name = "power_screw.raising_torque",
        .handbook_id = "SCREW-TORQUE-RAISE",
        .symbol = "T_R",

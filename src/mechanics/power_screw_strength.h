@@ -3,6 +3,7 @@
 
 #include "mechanics/material.h"
 #include "mechanics/power_screw.h"
+#include "mechanics/validity_watch.h"
 
 /// The strength part of namespace power_screw: stresses in the core, the thread and the nut, and wear. The load is
 /// shared equally by the engaged turns, at most 10 of them. Turns are counted by the pitch, also on multi-start
@@ -71,6 +72,7 @@ T required_nut_height(
 /// at the mean diameter and growing with the flank angle from there. [millwright_derivations]
 template <class T>
 T thread_root_thickness(const T& pitch, const T& flank_angle, const T& mean_diameter, const T& root_diameter) {
+  watch_validity<T>("power_screw.thread_root_thickness", pitch, flank_angle, mean_diameter, root_diameter);
   return 0.5 * pitch + absolute(mean_diameter - root_diameter) * tan(flank_angle);
 }
 
@@ -109,6 +111,7 @@ T pressure_velocity(const T& bearing_pressure, const T& sliding_speed) {
 /// Axial wear (m) of the nut after a sliding distance; an order of magnitude. [tribology_abc]
 template <class T>
 T nut_wear(const T& wear_rate, const T& bearing_pressure, const T& sliding_distance, const T& flank_angle) {
+  watch_validity<T>("power_screw.nut_wear", wear_rate, bearing_pressure, sliding_distance, flank_angle);
   return wear_rate * bearing_pressure * sliding_distance / cos(flank_angle);
 }
 
@@ -120,6 +123,8 @@ T nut_wear_travel(const T& wear_rate,
                   const T& allowable_wear,
                   const T& mean_diameter,
                   const T& lead) {
+  watch_validity<T>(
+      "power_screw.nut_wear_travel", wear_rate, bearing_pressure, flank_angle, allowable_wear, mean_diameter, lead);
   const T sliding = named("s_slide", allowable_wear * cos(flank_angle) / (wear_rate * bearing_pressure));
   return sliding / sqrt(square(pi<T>() * mean_diameter / lead) + 1.0);
 }

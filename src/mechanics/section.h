@@ -5,6 +5,7 @@
 #include <span>
 
 #include "mechanics/sums.h"
+#include "mechanics/validity_watch.h"
 #include "scalar/elementary.h"
 
 /// Properties of cross sections, and the stresses that follow from them. Heights lie in the bending direction, widths
@@ -32,6 +33,7 @@ T rectangle_torsion_constant(const T& width, const T& height) {
 /// Second moment of area of a rectangular tube (m⁴). Valid: wall below half of either side. [roark, appendix A]
 template <class T>
 T rectangular_tube_second_moment(const T& width, const T& height, const T& wall_thickness) {
+  watch_validity<T>("section.rectangular_tube_second_moment", width, height, wall_thickness);
   return (width * cube(height) - (width - 2.0 * wall_thickness) * cube(height - 2.0 * wall_thickness)) / 12.0;
 }
 
@@ -39,6 +41,7 @@ T rectangular_tube_second_moment(const T& width, const T& height, const T& wall_
 /// quarter of either side, better thinner. [roark, Table 10.1]
 template <class T>
 T rectangular_tube_torsion_constant(const T& width, const T& height, const T& wall_thickness) {
+  watch_validity<T>("section.rectangular_tube_torsion_constant", width, height, wall_thickness);
   const T mean_width = named("b_m", width - wall_thickness);
   const T mean_height = named("h_m", height - wall_thickness);
   return 2.0 * wall_thickness * square(mean_width) * square(mean_height) / (mean_width + mean_height);
@@ -48,6 +51,7 @@ T rectangular_tube_torsion_constant(const T& width, const T& height, const T& wa
 /// [roark, appendix A]
 template <class T>
 T round_second_moment(const T& outer_diameter, const T& inner_diameter) {
+  watch_validity<T>("section.round_second_moment", outer_diameter, inner_diameter);
   return pi<T>() * (pow(outer_diameter, 4.0) - pow(inner_diameter, 4.0)) / 64.0;
 }
 
@@ -55,6 +59,7 @@ T round_second_moment(const T& outer_diameter, const T& inner_diameter) {
 /// appendix A]
 template <class T>
 T round_torsion_constant(const T& outer_diameter, const T& inner_diameter) {
+  watch_validity<T>("section.round_torsion_constant", outer_diameter, inner_diameter);
   return pi<T>() * (pow(outer_diameter, 4.0) - pow(inner_diameter, 4.0)) / 32.0;
 }
 
@@ -62,6 +67,7 @@ T round_torsion_constant(const T& outer_diameter, const T& inner_diameter) {
 /// because of fillets. Valid: thickness below both legs. [roark, appendix A]
 template <class T>
 T angle_centroid(const T& height, const T& width, const T& thickness) {
+  watch_validity<T>("section.angle_centroid", height, width, thickness);
   return (height * thickness * height / 2.0 + (width - thickness) * thickness * thickness / 2.0) /
          (thickness * (height + width - thickness));
 }
@@ -71,6 +77,7 @@ T angle_centroid(const T& height, const T& width, const T& thickness) {
 /// [roark, appendix A]
 template <class T>
 T angle_second_moment(const T& height, const T& width, const T& thickness) {
+  watch_validity<T>("section.angle_second_moment", height, width, thickness);
   const T centroid = named("c", angle_centroid(height, width, thickness));
   return thickness * cube(height) / 12.0 + thickness * height * square(height / 2.0 - centroid) +
          (width - thickness) * cube(thickness) / 12.0 +
@@ -83,6 +90,7 @@ T channel_strong_second_moment(const T& depth,
                                const T& flange_width,
                                const T& web_thickness,
                                const T& flange_thickness) {
+  watch_validity<T>("section.channel_strong_second_moment", depth, flange_width, web_thickness, flange_thickness);
   return (flange_width * cube(depth) - (flange_width - web_thickness) * cube(depth - 2.0 * flange_thickness)) / 12.0;
 }
 
@@ -90,6 +98,7 @@ T channel_strong_second_moment(const T& depth,
 /// prefer table values. Valid: walls inside the outline. [roark, appendix A]
 template <class T>
 T channel_weak_second_moment(const T& depth, const T& flange_width, const T& web_thickness, const T& flange_thickness) {
+  watch_validity<T>("section.channel_weak_second_moment", depth, flange_width, web_thickness, flange_thickness);
   const T web_area = named("A_1", depth * web_thickness);
   const T web_centre = named("c_1", web_thickness / 2.0);
   const T flange_area = named("A_2", 2.0 * (flange_width - web_thickness) * flange_thickness);
@@ -131,6 +140,7 @@ T rectangle_term(const T& width, const T& height) {
 /// outline. [sander, eq. 32]
 template <class T>
 T inner_rectangle_term(const T& width, const T& height, const T& side_wall, const T& height_reduction) {
+  watch_validity<T>("section.inner_rectangle_term", width, height, side_wall, height_reduction);
   return (width - 2.0 * side_wall) * cube(height - height_reduction);
 }
 
@@ -139,6 +149,7 @@ T inner_rectangle_term(const T& width, const T& height, const T& side_wall, cons
 /// centre, cut-out inside the outline. [sander, eq. 32]
 template <class T>
 T reduced_rectangle_second_moment(const T& width, const T& height, const T& side_wall, const T& height_reduction) {
+  watch_validity<T>("section.reduced_rectangle_second_moment", width, height, side_wall, height_reduction);
   return (rectangle_term(width, height) - inner_rectangle_term(width, height, side_wall, height_reduction)) / 12.0;
 }
 

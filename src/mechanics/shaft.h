@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "mechanics/validity_watch.h"
 #include "scalar/elementary.h"
 
 /// Solid round shafts in bending and torsion. Everything in SI.
@@ -24,6 +25,8 @@ T required_diameter_maximum_shear(const T& moment,
                                   const T& bending_factor,
                                   const T& torsion_factor,
                                   const T& allowable_shear_stress) {
+  watch_validity<T>(
+      "shaft.required_diameter_maximum_shear", moment, torque, bending_factor, torsion_factor, allowable_shear_stress);
   return cbrt(16.0 / (pi<T>() * allowable_shear_stress) *
               sqrt(square(bending_factor * moment) + square(torsion_factor * torque)));
 }
@@ -32,6 +35,8 @@ T required_diameter_maximum_shear(const T& moment,
 template <class T>
 T required_diameter_von_mises(
     const T& moment, const T& torque, const T& bending_factor, const T& torsion_factor, const T& allowable_stress) {
+  watch_validity<T>(
+      "shaft.required_diameter_von_mises", moment, torque, bending_factor, torsion_factor, allowable_stress);
   return cbrt(32.0 / (pi<T>() * allowable_stress) *
               sqrt(square(bending_factor * moment) + 0.75 * square(torsion_factor * torque)));
 }
@@ -43,6 +48,8 @@ T required_diameter_torsion(const T& torque,
                             const T& torsion_factor,
                             const T& bending_allowance,
                             const T& allowable_shear_stress) {
+  watch_validity<T>(
+      "shaft.required_diameter_torsion", torque, torsion_factor, bending_allowance, allowable_shear_stress);
   return cbrt(16.0 / pi<T>() * torsion_factor * bending_allowance * torque / allowable_shear_stress);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "mechanics/validity_watch.h"
 #include "scalar/elementary.h"
 
 /// Square threads as textbooks calculate them, step by step over the tangents of lead and friction angle. power_screw
@@ -19,6 +20,7 @@ T lead_tangent(const T& lead, const T& mean_diameter) {
 /// 17.4]
 template <class T>
 T tangent_of_sum(const T& lead_tangent, const T& friction) {
+  watch_validity<T>("square_thread.tangent_of_sum", lead_tangent, friction);
   return (lead_tangent + friction) / (1.0 - lead_tangent * friction);
 }
 
@@ -38,6 +40,7 @@ T tangential_force(const T& torque, const T& diameter) {
 /// Square of the core diameter that carries an axial force (m²). [torch_table, eq. 15; khurmi_gupta2005, section 17.10]
 template <class T>
 T required_core_diameter_squared(const T& force, const T& safety_factor, const T& yield_strength) {
+  watch_validity<T>("square_thread.required_core_diameter_squared", force, safety_factor, yield_strength);
   return 4.0 * force * safety_factor / (pi<T>() * yield_strength);
 }
 

@@ -5,6 +5,7 @@
 
 #include "mechanics/corner_bounds.h"
 #include "mechanics/pull_out_torque.h"
+#include "mechanics/validity_watch.h"
 #include "scalar/elementary.h"
 
 /// Two-phase hybrid stepper motors: what torque at what speed. `current_amplitude` is the peak of the sinusoidal phase
@@ -133,6 +134,7 @@ T quadrature_torque(const T& voltage,
 /// to published pull-out curves]
 template <class T>
 T loss_torque(const T& holding_torque, const T& angular_speed, const T& constant_loss, const T& speed_loss) {
+  watch_validity<T>("stepper.loss_torque", holding_torque, angular_speed, constant_loss, speed_loss);
   return holding_torque * (constant_loss + speed_loss * angular_speed);
 }
 
@@ -151,6 +153,18 @@ T available_torque(const T& supply_voltage,
                    const T& angular_speed,
                    const T& constant_loss,
                    const T& speed_loss) {
+  watch_validity<T>("stepper.available_torque",
+                    supply_voltage,
+                    voltage_fraction,
+                    resistance,
+                    inductance,
+                    rotor_teeth,
+                    holding_torque,
+                    rated_current,
+                    current_amplitude,
+                    angular_speed,
+                    constant_loss,
+                    speed_loss);
   const T constant = named("K_m", torque_constant(holding_torque, rated_current));
   const T pull_out = named("T_p",
                            pull_out_torque(voltage_fraction * supply_voltage,
@@ -168,6 +182,7 @@ T available_torque(const T& supply_voltage,
 template <class T>
 T no_load_speed(
     const T& voltage, const T& resistance, const T& inductance, const T& rotor_teeth, const T& torque_constant) {
+  watch_validity<T>("stepper.no_load_speed", voltage, resistance, inductance, rotor_teeth, torque_constant);
   const T margin = named("q", square(resistance * torque_constant) - square(voltage * rotor_teeth * inductance));
   const T endless = in_unit<T>(std::numeric_limits<double>::infinity(), dimension::angular_speed);
   return where_below(

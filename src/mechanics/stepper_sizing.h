@@ -7,6 +7,7 @@
 
 #include "mechanics/corner_bounds.h"
 #include "mechanics/sums.h"
+#include "mechanics/validity_watch.h"
 #include "scalar/elementary.h"
 
 /// Stepper motors beyond the torque curve (stepper.h): resolution, inertia, resonance, heating, supply. Everything in
@@ -19,6 +20,7 @@ using namespace scalar;
 /// Valid: load torque at most the static torque. [acarnley2002, chapter 5]
 template <class T>
 T load_angle(const T& load_torque, const T& static_torque, const T& rotor_teeth) {
+  watch_validity<T>("stepper.load_angle", load_torque, static_torque, rotor_teeth);
   return asin(load_torque / static_torque) / rotor_teeth;
 }
 
@@ -49,6 +51,7 @@ T acceleration_torque(const T& rotor_inertia,
                       const T& load_inertia,
                       const T& efficiency,
                       const T& angular_acceleration) {
+  watch_validity<T>("stepper.acceleration_torque", rotor_inertia, load_inertia, efficiency, angular_acceleration);
   return (rotor_inertia + load_inertia / efficiency) * angular_acceleration;
 }
 
@@ -73,6 +76,7 @@ T start_rate(const T& no_load_start_rate, const T& load_inertia, const T& rotor_
 /// torque. [millwright_derivations, definition]
 template <class T>
 T start_speed(const T& static_torque, const T& load_torque, const T& rotor_teeth, const T& inertia) {
+  watch_validity<T>("stepper.start_speed", static_torque, load_torque, rotor_teeth, inertia);
   const T load_angle = named("δ_0", asin(load_torque / static_torque));
   const T barrier =
       named("ΔU", (2.0 * static_torque * cos(load_angle) - load_torque * (pi<T>() - 2.0 * load_angle)) / rotor_teeth);
@@ -144,6 +148,7 @@ T copper_loss_two_phases_on(const T& current, const T& resistance) {
 /// 200 °C. [millwright_derivations, definition]
 template <class T>
 T hot_resistance(const T& resistance_at_20_celsius, const T& winding_temperature) {
+  watch_validity<T>("stepper.hot_resistance", resistance_at_20_celsius, winding_temperature);
   const T warmer = winding_temperature - in_unit<T>(293.15, dimension::temperature);
   return resistance_at_20_celsius * (1.0 + in_unit<T>(0.00393, dimension::none / dimension::temperature) * warmer);
 }
@@ -152,6 +157,7 @@ T hot_resistance(const T& resistance_at_20_celsius, const T& winding_temperature
 /// [millwright_derivations, definition]
 template <class T>
 T winding_temperature(const T& ambient_temperature, const T& power_loss, const T& thermal_resistance) {
+  watch_validity<T>("stepper.winding_temperature", ambient_temperature, power_loss, thermal_resistance);
   return ambient_temperature + power_loss * thermal_resistance;
 }
 
@@ -168,6 +174,7 @@ T thermal_resistance(const T& rated_temperature_rise, const T& rated_current, co
 template <class T>
 T drive_input_power(
     const T& copper_loss, const T& torque, const T& angular_speed, const T& iron_loss, const T& driver_efficiency) {
+  watch_validity<T>("stepper.drive_input_power", copper_loss, torque, angular_speed, iron_loss, driver_efficiency);
   return (copper_loss + torque * angular_speed + iron_loss) / driver_efficiency;
 }
 
@@ -175,6 +182,7 @@ T drive_input_power(
 /// [millwright_derivations, definition]
 template <class T>
 T supply_power(std::span<const T> input_powers, const T& reserve_factor) {
+  watch_validity<T>("stepper.supply_power", input_powers, reserve_factor);
   return reserve_factor * sum_of(input_powers.size(), [&](std::size_t n) { return input_powers[n]; });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "mechanics/validity_watch.h"
 #include "scalar/elementary.h"
 
 /// Timing belts after Sularso and Suga; belt has the general formulas. Everything in SI.
@@ -16,6 +17,8 @@ T transmissible_power(const T& pitch_diameter,
                       const T& angular_speed,
                       const T& allowable_tension,
                       const T& centrifugal_tension) {
+  watch_validity<T>(
+      "timing_belt.transmissible_power", pitch_diameter, angular_speed, allowable_tension, centrifugal_tension);
   return pitch_diameter / 2.0 * angular_speed * (allowable_tension - centrifugal_tension);
 }
 
@@ -29,6 +32,7 @@ T mass_per_length(const T& mass, const T& length) {
 /// [sularso_suga, chapter 5]
 template <class T>
 T length_in_pitches(const T& driving_teeth, const T& driven_teeth, const T& centre_distance_in_pitches) {
+  watch_validity<T>("timing_belt.length_in_pitches", driving_teeth, driven_teeth, centre_distance_in_pitches);
   return (driving_teeth + driven_teeth) / 2.0 + 2.0 * centre_distance_in_pitches +
          square((driven_teeth - driving_teeth) / (2.0 * pi<T>())) / centre_distance_in_pitches;
 }

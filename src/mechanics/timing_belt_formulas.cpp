@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <numbers>
+
 #include "mechanics/formula_definition.h"
 #include "mechanics/timing_belt.h"
 
@@ -45,7 +47,12 @@ void define_timing_belt(FormulaList& list) {
       [](const auto&... x) { return timing_belt::length_in_pitches(x...); },
       count("driving_teeth", "z_1", "teeth of the driving pulley").typical(10, 60),
       count("driven_teeth", "z_2", "teeth of the driven pulley").typical(10, 60),
-      quantity("centre_distance_in_pitches", "c", "1", "centre distance over belt pitch").typical(20, 200));
+      quantity("centre_distance_in_pitches", "c", "1", "centre distance over belt pitch").typical(20, 200))
+      .valid_when("driving_teeth + driven_teeth < 2·π·centre_distance_in_pitches",
+                  [](double driving_teeth, double driven_teeth, double centre_distance_in_pitches) {
+                    // Else the pulleys touch each other.
+                    return driving_teeth + driven_teeth < 2.0 * std::numbers::pi * centre_distance_in_pitches;
+                  });
 }
 
 }  // namespace millwright::mechanics

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "mechanics/sums.h"
+#include "mechanics/validity_watch.h"
 #include "scalar/elementary.h"
 
 /// Stiffness between tool and workpiece. Compliances of the elements in the chain add, each times the square of the
@@ -38,6 +39,7 @@ T deflection(const T& force, const T& compliance) {
 /// [slocum1992, chapter 2; roark, chapter 8]
 template <class T>
 T end_mill_stiffness(const T& elastic_modulus, const T& diameter, const T& diameter_ratio, const T& overhang) {
+  watch_validity<T>("tool_point.end_mill_stiffness", elastic_modulus, diameter, diameter_ratio, overhang);
   return 3.0 * elastic_modulus * pi<T>() * pow(diameter_ratio * diameter, 4.0) / 64.0 / cube(overhang);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "mechanics/validity_watch.h"
 #include "scalar/elementary.h"
 
 /// Inertia and torque across a reduction; `ratio` is motor speed over output speed. Everything in SI.
@@ -11,6 +12,7 @@ using namespace scalar;
 /// Moment of inertia (kg.m²) of a hollow or solid cylinder about its axis. [millwright_derivations; sander, eq. 4.2]
 template <class T>
 T cylinder_inertia(const T& mass, const T& outer_diameter, const T& inner_diameter) {
+  watch_validity<T>("transmission.cylinder_inertia", mass, outer_diameter, inner_diameter);
   return mass * (square(outer_diameter) + square(inner_diameter)) / 8.0;
 }
 
@@ -35,6 +37,7 @@ T reflected_inertia(const T& inertia, const T& ratio) {
 /// Motor torque (N.m) for an output torque, while the motor drives. [oriental_motor_sizing]
 template <class T>
 T motor_torque(const T& output_torque, const T& ratio, const T& efficiency) {
+  watch_validity<T>("transmission.motor_torque", output_torque, ratio, efficiency);
   return output_torque / (ratio * efficiency);
 }
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "mechanics/validity_watch.h"
 #include "scalar/elementary.h"
 
 /// Fillet welds with equal legs, the load taken as shear on the throat. Everything in SI.
@@ -66,6 +67,7 @@ T eccentric_stress(
 /// paper takes 0.60, the share for tension.) [shigley, chapter 9]
 template <class T>
 T allowable_stress(const T& electrode_strength, const T& fraction) {
+  watch_validity<T>("weld.allowable_stress", electrode_strength, fraction);
   return electrode_strength * fraction;
 }
 

@@ -182,6 +182,14 @@ std::string checks_text(const MachineResult& result, const Design& design, const
   return soft || open || !notes.empty() ? out + "\n" : out;
 }
 
+std::string outside_validity_text(const Design& design, const Style& style) {
+  TextTable table({{"axis"}, {"of"}, {"check"}, {"formula"}, {"limit", Align::left, 44}});
+  for (const evaluation::OutsideValidity& line : design.outside_validity)
+    table.add({line.axis, line.element, line.constraint, line.formula, line.sentence});
+  if (table.empty()) return {};
+  return style.heading("Outside the range a formula is stated for") + "\n" + table.str(2, style) + "\n";
+}
+
 std::string requirements_text(const MachineResult& result, const Style& style) {
   TextTable table({{"requirement"}, {"value", Align::right}, {"axes"}, {"from"}, {"meaning", Align::left, 44}});
   for (const RequirementLine& line : result.requirements)

@@ -22,6 +22,9 @@ std::string governing_text(const MachineResult& result, const evaluation::Design
 /// Every check, axis by axis, the most used first.
 std::string checks_text(const MachineResult& result, const evaluation::Design& design, const Style& style);
 
+/// Limits within which formulas are stated and which the design leaves.
+std::string outside_validity_text(const evaluation::Design& design, const Style& style);
+
 /// The factors and limits behind the checks and where they come from.
 std::string requirements_text(const MachineResult& result, const Style& style);
 

@@ -85,6 +85,28 @@ Json checks_json(const MachineResult& result, const Design& design) {
   return checks;
 }
 
+Json outside_validity_of(const Design& design) {
+  Json lines = Json::array();
+  for (const evaluation::OutsideValidity& line : design.outside_validity) {
+    Json values = Json::array();
+    for (const evaluation::OutsideValidity::Value& value : line.values) {
+      Json numbers = Json::array();
+      for (const double x : value.numbers) numbers.push_back(number(x));
+      values.push_back({{"name", value.name}, {"values", numbers}, {"unit", value.unit}});
+    }
+    Json json{{"axis", line.axis},
+              {"element", line.element},
+              {"formula", line.formula},
+              {"title", line.title},
+              {"limit", line.sentence},
+              {"arguments", values},
+              {"source", line.source}};
+    if (!line.constraint.empty()) json["id"] = line.constraint;
+    lines.push_back(std::move(json));
+  }
+  return lines;
+}
+
 Json governing_of(const MachineResult& result, const Design& design) {
   Json governing = Json::array();
   for (const std::string& axis : checked_axes(result))
@@ -173,6 +195,8 @@ void add_design(const MachineResult& result, const Design& design, Json& json) {
   json["totals"] = totals_of(design);
   json["build"] = build_of(design);
   json["checks"] = checks_json(result, design);
+  json["outside_validity"] = outside_validity_of(design);
+  json["formulas_watched"] = design.formulas_watched;
   json["governing"] = governing_of(result, design);
   json["requirements"] = requirements_of(result);
 }

@@ -161,8 +161,9 @@ std::string solve_text(const MachineResult& result, const Style& style) {
                                objective_text(objective, result.lower_bound, design.currency),
                                100.0 * result.gap);
   return out + parts_text(result, design, style) + dimensions_text(design, style) +
-         governing_text(result, design, style) + checks_text(result, design, style) + requirements_text(result, style) +
-         assumptions_text(design, style) + certificate_text(result, style);
+         governing_text(result, design, style) + checks_text(result, design, style) +
+         outside_validity_text(design, style) + requirements_text(result, style) + assumptions_text(design, style) +
+         certificate_text(result, style);
 }
 
 std::string front_text(const MachineResult& result, const Style& style) {
@@ -225,7 +226,7 @@ std::string check_text(const MachineResult& result, const Style& style) {
   out += fmt::format("Totals: {:.2f} {}, {:.3f} kg\n\n", design.cost, design.currency, design.mass);
   return out + failures_text(result, design, style) + governing_text(result, design, style) +
          parts_text(result, design, style) + dimensions_text(design, style) + checks_text(result, design, style) +
-         requirements_text(result, style) + assumptions_text(design, style);
+         outside_validity_text(design, style) + requirements_text(result, style) + assumptions_text(design, style);
 }
 
 }  // namespace millwright::report

@@ -138,6 +138,30 @@ TEST_CASE("Outside the stated validity there is a warning, outside the formula's
   CHECK(negative.prints("outside the stated validity: force = -1500 N is below 0 N"));
 }
 
+TEST_CASE("A relation between arguments that does not hold is warned of, in text and JSON") {
+  const Workshop shop;
+  // tan λ = 31.4 / (π · 10): 45 degrees.
+  const std::vector<std::string> steep{
+      "calc", "power_screw.raising_torque", "force=100 N", "mean_diameter=10 mm", "lead=31.4 mm", "friction=0.1"};
+  const Outcome text = shop.run(steep);
+  CHECK(text.exit_code == 0);
+  CHECK(text.prints("outside the stated validity: it does not hold that lead angle < 40 degrees"));
+  CHECK(json_of(steep).at("warnings") == Json{"it does not hold that lead angle < 40 degrees"});
+  // A square bar of 10 mm, 1 m long: slenderness 346, where Johnson's parabola ends at 129.
+  const auto column = [](const char* length) {
+    return std::vector<std::string>{"calc",
+                                    "column.johnson_load",
+                                    "end_fixity=1",
+                                    "elastic_modulus=210 GPa",
+                                    "yield_strength=250 MPa",
+                                    "area=100 mm^2",
+                                    "second_moment_of_area=833 mm^4",
+                                    length};
+  };
+  CHECK(json_of(column("length=1 m")).at("warnings").size() == 1);
+  CHECK(json_of(column("length=100 mm")).at("warnings").empty());
+}
+
 TEST_CASE("Formulas are found by words, and told with all that calc needs") {
   const Workshop shop;
   const Outcome text = shop.run({"formulas", "critical speed"});

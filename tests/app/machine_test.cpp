@@ -88,6 +88,35 @@ TEST_CASE("A what-if changes the problem without editing it") {
   CHECK(shop.read("m.toml") == one_slide);
 }
 
+// The sander's bill has a UPN 120 over 500 mm: 500/120 = 4.2 instead of 8, and shear counts. Nothing of the torch table
+// leaves its range: its screws are square threads of 2 mm lead on 8 mm, and self-locking, which is no fault.
+TEST_CASE("What leaves the range of a formula is listed, and changes no verdict") {
+  const Workshop shop;
+  const std::string problems = MILLWRIGHT_SOURCE_DIR "/problems/";
+  const Outcome sander =
+      shop.run({"check", problems + "sander.toml", problems + "sander-bom.csv", "--json", "sander.json"});
+  CHECK(sander.exit_code == 1);
+  CHECK(sander.prints("Outside the range a formula is stated for"));
+  const Json stubby = Json::parse(shop.read("sander.json"));
+  REQUIRE(stubby.at("outside_validity").size() == 1);
+  const Json& line = stubby.at("outside_validity")[0];
+  CHECK(line.at("axis") == "x");
+  CHECK(line.at("element") == "beam");
+  CHECK(line.at("formula") == "beam.span_to_height");
+  CHECK(line.at("limit") == "it does not hold that length >= 8·height");
+  CHECK(line.at("arguments")[1] == Json{{"name", "height"}, {"values", {0.12}}, {"unit", "m"}});
+  for (const Json& check : stubby.at("checks"))
+    if (check.at("element") == "beam" && check.at("kind") == "hard") CHECK(check.at("verdict") == "satisfied");
+
+  const Outcome torch =
+      shop.run({"check", problems + "torch-table.toml", problems + "torch-table-bom.csv", "--json", "torch.json"});
+  CHECK(torch.exit_code == 0);
+  CHECK_FALSE(torch.prints("Outside the range"));
+  const Json inside = Json::parse(shop.read("torch.json"));
+  CHECK(inside.at("outside_validity") == Json::array());
+  CHECK(inside.at("formulas_watched").get<int>() > 20);
+}
+
 TEST_CASE("Without any candidate, and without any compliant build, the exit code is 1 and the answer says why") {
   const Workshop shop;
   shop.write("frame.toml", one_slide_with("NEMA17", "NEMA8"));

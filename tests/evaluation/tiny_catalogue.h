@@ -34,6 +34,7 @@ class TinyCatalogue {
     parts_ = catalogue_of({folder_.path()});
   }
   [[nodiscard]] const catalogue::Catalogue& parts() const { return parts_; }
+  [[nodiscard]] const std::filesystem::path& path() const { return folder_.path(); }
 
  private:
   static constexpr const char* tail = ",currency,price_basis,evidence,source,confidence\n";

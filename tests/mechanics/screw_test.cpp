@@ -55,6 +55,9 @@ TEST_CASE("torque, efficiency and self-locking tell the same story") {
     // The form with the friction angle, W d/2 tan(λ ± φ).
     CHECK(raising == Approx(force * diameter / 2.0 * std::tan(angle + std::atan(friction))).epsilon(1e-9));
     CHECK(lowering == Approx(-force * diameter / 2.0 * std::tan(angle - std::atan(friction))).epsilon(1e-9));
+    // Self-locking or not: what drives the nut back is what lowering asks for, turned round.
+    CHECK(ball_screw::backdriving_torque(force, lead, power_screw::reverse_efficiency(angle, friction)) ==
+          Approx(-lowering).epsilon(1e-9).margin(1e-12 * force * lead));
     CHECK(power_screw::efficiency(force, lead, raising) ==
           Approx(power_screw::thread_efficiency(angle, friction)).epsilon(1e-9));
     CHECK(power_screw::thread_efficiency(angle, friction) <= power_screw::greatest_thread_efficiency(friction) + 1e-12);

@@ -148,6 +148,43 @@ TEST_CASE("JSON has neither infinity nor NaN, and the stable names") {
   CHECK(Json::parse(front_json(result_of_three_checks())).at("front").size() == 1);
 }
 
+TEST_CASE("Formulas used outside their stated range have a section of their own, and fail nothing") {
+  MachineResult result = result_of_three_checks();
+  const char* const heading = "Outside the range a formula is stated for";
+  CHECK(check_text(result, {}).find(heading) == std::string::npos);
+  CHECK(Json::parse(check_json(result)).at("outside_validity") == Json::array());
+  result.designs[0].outside_validity.push_back({.axis = "x",
+                                                .element = "drive",
+                                                .constraint = "C-LOW",
+                                                .formula = "rack.velocity_factor",
+                                                .title = "Velocity factor",
+                                                .sentence = "speed = 13 m/s is above 12.5 m/s",
+                                                .source = "book, p. 2",
+                                                .values = {{"speed", "m/s", {13.0}}}});
+  result.designs[0].formulas_watched = 7;
+  for (const std::string& text : {check_text(result, {}), solve_text(result, {})}) {
+    const std::size_t begin = text.find(heading);
+    REQUIRE(begin != std::string::npos);
+    CHECK(text.find("rack.velocity_factor  speed = 13 m/s is above 12.5 m/s", begin) != std::string::npos);
+    CHECK(text.find("Requirements", 0) > begin);
+  }
+  CHECK(check_text(result, {}).find("It fails 2 of 5 checks.") != std::string::npos);
+  for (const std::string& text : {check_json(result), solve_json(result)}) {
+    const Json json = Json::parse(text);
+    CHECK(json.at("formulas_watched") == 7);
+    REQUIRE(json.at("outside_validity").size() == 1);
+    CHECK(json.at("outside_validity")[0] ==
+          Json{{"axis", "x"},
+               {"element", "drive"},
+               {"id", "C-LOW"},
+               {"formula", "rack.velocity_factor"},
+               {"title", "Velocity factor"},
+               {"limit", "speed = 13 m/s is above 12.5 m/s"},
+               {"arguments", {{{"name", "speed"}, {"values", {13.0}}, {"unit", "m/s"}}}},
+               {"source", "book, p. 2"}});
+  }
+}
+
 TEST_CASE("No build: said with the reason, in text and JSON") {
   MachineResult result = result_of_three_checks();
   result.designs.clear();
