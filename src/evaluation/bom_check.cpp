@@ -2,12 +2,13 @@
 //
 // `check`: holds what the bill of materials gives and completes the rest. First by the solver, on the machine
 // restricted to what is held: that gives the cheapest compliant completion. If there is none, by the cheapest parts
-// that fit and the variables that make the largest utilisation smallest, so that the report can say by how much each
+// that fit and the variables with which the fewest checks fail, so that the report can say by how much each
 // check fails.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <numeric>
 
@@ -50,12 +51,16 @@ void take_ramp_times(machine::Problem& problem, const machine::BillOfMaterials& 
           axis.acceleration_time = {*line.value, *line.value};
 }
 
-double worst(const std::vector<double>& utilisations) {
-  return utilisations.empty() ? 0.0 : *std::max_element(utilisations.begin(), utilisations.end());
+/// How bad a design is: how many checks it fails, then the largest utilisation, the next largest, and so on. The
+/// largest alone would not do: where a part that is held fails by more, nothing would keep the rest from failing too.
+std::vector<double> badness(std::vector<double> utilisations) {
+  std::sort(utilisations.begin(), utilisations.end(), std::greater<>());
+  const auto failing = std::count_if(utilisations.begin(), utilisations.end(), [](double u) { return u > 1.0; });
+  utilisations.insert(utilisations.begin(), static_cast<double>(failing));
+  return utilisations;
 }
 
-/// Variables that make the largest utilisation of a stage smallest: coordinate search on a shrinking grid, exact enough
-/// to judge by.
+/// Variables that make a stage least bad: coordinate search on a shrinking grid, exact enough to judge by.
 std::vector<double> least_bad_variables(const solver::Stage& stage, const solver::Point& at) {
   const auto variables = stage.variables();
   std::vector<double> best;
@@ -63,10 +68,10 @@ std::vector<double> least_bad_variables(const solver::Stage& stage, const solver
   solver::Answer<double> answer;
   const auto value = [&](const std::vector<double>& x) {
     stage.evaluate({at.shared, at.inherited, at.rows, x}, answer);
-    return worst(answer.utilisation);
+    return badness(answer.utilisation);
   };
   if (variables.empty()) return best;
-  double least = value(best);
+  std::vector<double> least = value(best);
   double reach = 0.5;
   for (int round = 0; round < 40; ++round) {
     for (std::size_t i = 0; i < variables.size(); ++i) {
@@ -75,8 +80,8 @@ std::vector<double> least_bad_variables(const solver::Stage& stage, const solver
       for (int k = -10; k <= 10; ++k) {
         std::vector<double> x = best;
         x[i] = std::clamp(centre + reach * width * k / 10.0, variables[i].lower, variables[i].upper);
-        if (const double u = value(x); u < least) {
-          least = u;
+        if (std::vector<double> u = value(x); u < least) {
+          least = std::move(u);
           best = x;
         }
       }
@@ -216,14 +221,14 @@ BomCheck check(const machine::Problem& problem,
     result.complete_is_optimal = summary.status == solver::Status::optimal;
   } else {
     Design best;
-    double least = std::numeric_limits<double>::infinity();
+    std::vector<double> least{std::numeric_limits<double>::infinity()};
     for (Row v = 0; v < at_voltage.supply_voltages.size(); ++v) {
       Design design = model.design(cheapest_build(model, held, restricted, v));
-      double u = 0.0;
+      std::vector<double> utilisations;
       for (const Check& c : design.checks)
-        if (c.kind != machine::ConstraintKind::soft) u = std::max(u, c.utilisation);
-      if (u < least) {
-        least = u;
+        if (c.kind != machine::ConstraintKind::soft) utilisations.push_back(c.utilisation);
+      if (std::vector<double> u = badness(std::move(utilisations)); u < least) {
+        least = std::move(u);
         best = std::move(design);
       }
     }
