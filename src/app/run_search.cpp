@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
 #include "app/commands.h"
 #include "app/machine_input.h"
 #include "app/machine_result.h"
@@ -45,6 +47,7 @@ report::MachineResult search(const Options& options, const MachineInput& input) 
   if (result.status == report::Status::infeasible && result.missing.empty()) {
     result.unmet = evaluation::unmet_checks(model);
     how.progress = nullptr;
+    how.time_limit_seconds = std::max(0.0, how.time_limit_seconds - watch.seconds());
     result.ways_out = evaluation::ways_out(model, result.unmet, how);
   }
   result.lower_bound = synthesis.lower_bound;

@@ -47,15 +47,17 @@ void add_compliance(const AxisPlace& place, const Element& element, solver::Answ
   }
 }
 
-/// Adds what a drive gives way under the tool, and its own position error.
+/// Adds what a drive gives way under the tool, and its own position error: less what the process force of its moves
+/// does where the tool's takes its place. Wind-up and lag of the motor under that force stay in, on the safe side.
 template <class T, class Drive>
 void add_to_tool(const AxisPlace& place, const Drive& drive, solver::Answer<T>& out) {
   add_compliance(place, drive, out);
   if (!place.tool || !place.states.error[place.tool->travel]) return;
-  T& sum = out.handed_on[*place.states.error[place.tool->travel]];
-  sum = sum + machine::whole_steps(error_budget(drive, machine::UnderForce::no).total(),
-                                   place.tool->error_step,
-                                   scalar::dimension::length);
+  const std::size_t travel = place.tool->travel;
+  const bool pressed = place.tool->tool_force[travel] > 0.0;
+  const auto budget = error_budget(drive, pressed ? machine::UnderForce::no : machine::UnderForce::yes);
+  T& sum = out.handed_on[*place.states.error[travel]];
+  sum = sum + machine::whole_steps(budget.total(), place.tool->error_step, scalar::dimension::length);
 }
 
 }  // namespace millwright::evaluation

@@ -226,7 +226,10 @@ BomCheck check(const machine::Problem& problem,
       Design design = model.design(cheapest_build(model, held, restricted, v));
       std::vector<double> utilisations;
       for (const Check& c : design.checks)
-        if (c.kind != machine::ConstraintKind::soft) utilisations.push_back(c.utilisation);
+        if (c.kind != machine::ConstraintKind::soft)
+          utilisations.push_back(!std::isnan(c.utilisation)       ? c.utilisation
+                                 : c.verdict == Verdict::violated ? machine::useless_utilisation
+                                                                  : 0.0);
       if (std::vector<double> u = badness(std::move(utilisations)); u < least) {
         least = std::move(u);
         best = std::move(design);

@@ -56,8 +56,8 @@ struct BomCheck {
 };
 
 /// Evaluates a bill of materials. What it holds is held; an acceleration time or free dimension it leaves open is
-/// chosen so that the fewest checks fail, and those by least. With `complete`, missing slots are filled with the cheapest
-/// compliant choice, or where there is none with the cheapest parts that fit; without it they are problems.
+/// chosen so that the fewest checks fail, and those by least. With `complete`, missing slots are filled with the
+/// cheapest compliant choice, or where there is none with the cheapest parts that fit; without it they are problems.
 /// `only_origin`: hold only the lines of that origin (empty = all).
 BomCheck check(const machine::Problem& problem,
                const catalogue::Catalogue& catalogue,

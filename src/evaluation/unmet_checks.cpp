@@ -2,7 +2,9 @@
 #include "evaluation/unmet_checks.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <optional>
 
@@ -53,14 +55,15 @@ class StageBounds {
   /// Below which no utilisation comes: of all rows together, or of every row of the slot that says most.
   [[nodiscard]] std::vector<double> least() {
     std::vector<double> result;
-    for (const Interval& u : whole_.utilisation) result.push_back(u.lower);
+    for (const Interval& u : whole_.utilisation) result.push_back(known(u.lower));
     solver::Answer<Interval> answer;
     for (std::size_t slot = 0; slot < all_.size(); ++slot) {
       std::vector<double> of_slot(result.size(), scalar::rounding::infinity);
       for (const Row& row : all_[slot]) {
         alive_[slot] = std::span<const Row>(&row, 1);
         stage_.bound(box(), answer);
-        for (std::size_t i = 0; i < of_slot.size(); ++i) of_slot[i] = std::min(of_slot[i], answer.utilisation[i].lower);
+        for (std::size_t i = 0; i < of_slot.size(); ++i)
+          of_slot[i] = std::min(of_slot[i], known(answer.utilisation[i].lower));
       }
       alive_[slot] = all_[slot];
       for (std::size_t i = 0; i < result.size(); ++i) result[i] = std::max(result[i], of_slot[i]);
@@ -69,6 +72,8 @@ class StageBounds {
   }
 
  private:
+  /// What is not a number proves nothing.
+  static double known(double lower) { return std::isnan(lower) ? 0.0 : lower; }
   [[nodiscard]] solver::Box box() const { return {shared_, inherited_, alive_, variables_}; }
 
   const solver::Stage& stage_;
@@ -123,34 +128,44 @@ namespace {
 
 using machine::Requirement;
 
-bool is_position_error(const UnmetCheck& check) { return check.id == "C-ACC-TOTAL" || check.id == "C-BS-LEAD"; }
+/// Whether a check eases with the required position error of its axis.
+bool is_position_error(const UnmetCheck& check) {
+  constexpr std::string_view ids[] = {"C-ACC-TOTAL", "C-ACC-RES", "C-BS-LEAD", "C-BT-STIFF"};
+  return std::find(std::begin(ids), std::end(ids), check.id) != std::end(ids);
+}
 
-/// One attempt: the required position errors of some axes times a factor.
+class Watch {
+ public:
+  [[nodiscard]] double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// One attempt after the other: the required position errors of some axes times a factor.
 class Relaxation {
  public:
-  Relaxation(const MachineModel& model, const SearchOptions& options, bool mapped)
+  Relaxation(const MachineModel& model, const std::vector<UnmetCheck>& unmet, const SearchOptions& options, bool mapped)
       : model_(model), options_(options), problem_(model.machine()), mapped_(mapped) {
     options_.objectives = {"cost"};
+    for (const UnmetCheck& check : unmet) relax(check.axis);
   }
 
-  /// Starts from what was proved to be the least.
-  void relax(const std::string& axis) {
-    for (std::size_t i = 0; i < problem_.axes.size(); ++i) {
-      if (problem_.axes[i].name != axis || std::count(axes_.begin(), axes_.end(), i) > 0) continue;
-      axes_.push_back(i);
-      if (mapped_ && !problem_.axes[i].require.known(Requirement::mapped_lead_error))
-        problem_.axes[i].require.set(Requirement::mapped_lead_error, machine::usual_mapped_lead_error);
-    }
-  }
+  /// Not where everything is mapped already and the question is what can be had as made.
+  [[nodiscard]] bool makes_sense() const { return mapped_ || !all_mapped_; }
 
-  /// The cheapest build with errors of `factor` times those required; nothing if there is none.
+  /// The cheapest build with errors of `factor` times those required; nothing if there is none, or time is up.
   std::optional<Design> solve(double factor) {
     machine::Problem changed = problem_;
     for (const std::size_t i : axes_)
       changed.axes[i].require.set(Requirement::position_error,
                                   factor * problem_.axes[i].require(Requirement::position_error));
     const MachineModel model(changed, model_.catalogue());
-    Synthesis synthesis = synthesise(model, options_);
+    SearchOptions options = options_;
+    options.time_limit_seconds = std::max(0.0, options_.time_limit_seconds - watch_.seconds());
+    Synthesis synthesis = synthesise(model, options);
     if (synthesis.status == solver::Status::limit) timed_out_ = true;
     if (synthesis.designs.empty() || timed_out_) return std::nullopt;
     return std::move(synthesis.designs.front());
@@ -159,7 +174,12 @@ class Relaxation {
   [[nodiscard]] bool timed_out() const { return timed_out_; }
 
   [[nodiscard]] WayOut way_out(double factor, const Design& design) const {
-    WayOut way{.mapped = mapped_, .changes = {}, .cost = design.cost, .mass = design.mass, .currency = design.currency};
+    WayOut way;
+    way.mapped = mapped_;
+    way.least = !timed_out_;
+    way.cost = design.cost;
+    way.mass = design.mass;
+    way.currency = design.currency;
     for (const std::size_t i : axes_) {
       const machine::Axis& axis = problem_.axes[i];
       const double from = axis.require(Requirement::position_error);
@@ -169,15 +189,29 @@ class Relaxation {
   }
 
  private:
+  void relax(const std::string& axis) {
+    for (std::size_t i = 0; i < problem_.axes.size(); ++i) {
+      if (problem_.axes[i].name != axis || std::count(axes_.begin(), axes_.end(), i) > 0) continue;
+      axes_.push_back(i);
+      machine::Requirements& require = problem_.axes[i].require;
+      if (require.known(Requirement::mapped_lead_error)) continue;
+      all_mapped_ = false;
+      if (mapped_) require.set(Requirement::mapped_lead_error, machine::usual_mapped_lead_error);
+    }
+  }
+
   const MachineModel& model_;
   SearchOptions options_;
   machine::Problem problem_;
   bool mapped_;
+  bool all_mapped_ = true;
   bool timed_out_ = false;
   std::vector<std::size_t> axes_;
+  Watch watch_;
 };
 
-/// The least factor, to 1 %, at which something is compliant, and the cheapest build then.
+/// The least factor, to 1 %, at which something is compliant, and the cheapest build then. When time is up, the least
+/// found so far.
 std::optional<WayOut> least_relaxation(Relaxation& relaxation) {
   constexpr double precision = 1.01, hopeless = 1e3;
   double refused = 1.0, accepted = 1.0;
@@ -191,9 +225,9 @@ std::optional<WayOut> least_relaxation(Relaxation& relaxation) {
   while (accepted / refused > precision) {
     const double middle = std::sqrt(accepted * refused);
     std::optional<Design> found = relaxation.solve(middle);
-    if (relaxation.timed_out()) return std::nullopt;
-    if (found) design = std::move(found);
+    if (relaxation.timed_out()) break;
     (found ? accepted : refused) = middle;
+    if (found) design = std::move(found);
   }
   return relaxation.way_out(accepted, *design);
 }
@@ -205,9 +239,12 @@ std::vector<WayOut> ways_out(const MachineModel& model,
                              const SearchOptions& options) {
   std::vector<WayOut> result;
   if (unmet.empty() || !std::all_of(unmet.begin(), unmet.end(), is_position_error)) return result;
+  const Watch watch;
   for (const bool mapped : {false, true}) {
-    Relaxation relaxation(model, options, mapped);
-    for (const UnmetCheck& check : unmet) relaxation.relax(check.axis);
+    SearchOptions left = options;
+    left.time_limit_seconds = std::max(0.0, options.time_limit_seconds - watch.seconds());
+    Relaxation relaxation(model, unmet, left, mapped);
+    if (!relaxation.makes_sense()) continue;
     if (auto way = least_relaxation(relaxation)) result.push_back(std::move(*way));
   }
   return result;

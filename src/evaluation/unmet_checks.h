@@ -28,6 +28,7 @@ struct WayOut {
     double over = 0.0;            ///< m, the travel it is stated for
   };
   bool mapped = false;          ///< with lead_error = "mapped" on these axes
+  bool least = true;            ///< to 1 %; else time was up, and less may do
   std::vector<Change> changes;  ///< where `to` is `from`, mapping is enough
   double cost = 0.0;            ///< of the cheapest build then
   double mass = 0.0;            ///< kg, of that build
@@ -36,9 +37,8 @@ struct WayOut {
 
 struct SearchOptions;
 
-/// Ways out where unmet checks are about position errors: the least errors that can be had, found to 1 % by solving,
-/// with lead errors as made and as mapped by the controller. Empty where that is not the (only) obstacle or the
-/// options' time is up.
+/// Ways out where all unmet checks ease with a required position error: the least errors that can be had, found to 1 %
+/// by solving, with lead errors as made and as mapped by the controller. Within the options' time limit.
 std::vector<WayOut> ways_out(const MachineModel& model,
                              const std::vector<UnmetCheck>& unmet,
                              const SearchOptions& options);

@@ -50,38 +50,36 @@ template <class Visit>
 void whole_constraints(Visit&& visit) {
   using machine::Applies;
   using machine::Declaration;
-  const auto deflection = [&visit]<std::size_t direction>(Declaration declaration,
-                                                          std::integral_constant<std::size_t, direction>) {
+  const auto at_tool =
+      [&visit](Declaration declaration, auto applies, auto demand, std::optional<double> machine::Tool::*limit) {
+        declaration.unit = "um";
+        declaration.source = "slocum1992, chapter 2";
+        declaration.place = machine::WorstPlace::travel_ends;
+        visit(declaration, applies, demand, [limit](const auto& d) {
+          using T = std::remove_cvref_t<decltype(d.cost)>;
+          return scalar::in_unit<T>((*d.data->tool.*limit).value(), scalar::dimension::length);
+        });
+      };
+  const auto deflection = [&]<std::size_t direction>(Declaration declaration,
+                                                     std::integral_constant<std::size_t, direction>) {
     declaration.symbol = "\u03b4";
-    declaration.unit = "um";
-    declaration.source = "slocum1992, chapter 2";
-    declaration.place = machine::WorstPlace::travel_ends;
-    visit(
+    at_tool(
         declaration,
         [](const auto& d) {
-          return d.data->tool && d.data->tool->deflection && d.data->tool->force[direction] > 0.0 ? Applies::yes
-                                                                                                  : Applies::no;
+          const auto& tool = d.data->tool;
+          return tool && tool->deflection && tool->force[direction] > 0.0 ? Applies::yes : Applies::no;
         },
         [](const auto& d) { return tool_deflection(d, direction); },
-        [](const auto& d) {
-          using T = std::remove_cvref_t<decltype(d.cost)>;
-          return scalar::in_unit<T>(*d.data->tool->deflection, scalar::dimension::length);
-        });
+        &machine::Tool::deflection);
   };
-  const auto error = [&visit]<std::size_t direction>(Declaration declaration,
-                                                     std::integral_constant<std::size_t, direction>) {
+  const auto error = [&]<std::size_t direction>(Declaration declaration,
+                                                std::integral_constant<std::size_t, direction>) {
     declaration.symbol = "e";
-    declaration.unit = "um";
-    declaration.source = "slocum1992, chapter 2";
-    declaration.place = machine::WorstPlace::travel_ends;
-    visit(
+    at_tool(
         declaration,
         [](const auto& d) { return d.data->error_counts[direction] ? Applies::yes : Applies::no; },
         [](const auto& d) { return tool_error(d, direction); },
-        [](const auto& d) {
-          using T = std::remove_cvref_t<decltype(d.cost)>;
-          return scalar::in_unit<T>(*d.data->tool->position_error, scalar::dimension::length);
-        });
+        &machine::Tool::position_error);
   };
   using std::integral_constant;
   deflection(Declaration{.id = "C-TOOL-DEFL-X", .title = "Tool gives way along x"},

@@ -65,11 +65,9 @@ void read_material(TableReader& table, QuantityReader& q, CuttingProcess& proces
   if (q.required("material", "material = \"aluminium\", or specific_force = \"700 N/mm^2\" at a chip of 1 mm") ==
       nullptr)
     return;
-  process.material =
-      table
-          .word("material",
-                {"unalloyed steel", "alloy steel", "stainless steel", "grey iron", "aluminium", "brass", "plastic"})
-          .value_or("");
+  std::vector<std::string> names;
+  for (const CutMaterial& material : materials) names.emplace_back(material.name);
+  process.material = table.word("material", names).value_or("");
   for (const CutMaterial& material : materials) {
     if (material.name != process.material) continue;
     process.unit_specific_force = material.unit_specific_force;

@@ -288,7 +288,7 @@ inline constexpr auto drive_requirements = [] {
        "mapped_lead_error",
        "1",
        no_default,
-       "share of the lead error in 300 mm that is left where the controller maps it",
+       "the controller maps the lead error: share of that in 300 mm that is left",
        ""},
       {Requirement::axial_stiffness,
        "axial_stiffness",

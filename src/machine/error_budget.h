@@ -3,8 +3,9 @@
 // What an axis may be wrong by, contribution by contribution: systematic errors add up, random ones by root of sum of
 // squares (C-ACC-TOTAL, C-ROT-TOTAL, C-TOOL-ERROR). Each drive has its `error_budget(drive, force)`.
 //
-// Not counted: straightness and angular errors of the guides, whose figures no catalogue here states, and what the
-// weight does, which does not change along the travel.
+// Not counted: straightness and angular errors of the guides, whose figures no catalogue here states; thermal growth of
+// racks and belts, which lie on the frame or have a tension of their own; what the drive stretches under the weight,
+// which does not change along the travel (its wind-up and the motor's lag under it do count, on the safe side).
 #pragma once
 
 #include <array>
@@ -28,11 +29,11 @@ class ErrorBudget {
 
   /// `what` is a literal; `error` in m or rad, not negative.
   void add_systematic(std::string_view what, const T& error) {
-    systematic_names_[systematic_count_] = what;
+    systematic_names_.at(systematic_count_) = what;
     systematic_[systematic_count_++] = error;
   }
   void add_random(std::string_view what, const T& error) {
-    random_names_[random_count_] = what;
+    random_names_.at(random_count_) = what;
     random_[random_count_++] = error;
   }
   [[nodiscard]] T total() const {
@@ -70,11 +71,13 @@ inline constexpr double rated_travel = 0.3;
 
 /// Length of screw, rack or belt whose error of lead or pitch counts [m]: the stated travel, at least 300 mm where
 /// `at_least_rated`, because a short piece may be off by as much. Where the controller maps the error, what is left of
-/// that of 300 mm, whatever the travel.
+/// that of 300 mm, and no more than there was.
 inline double counted_travel(const Requirements& require, double stroke, bool at_least_rated) {
-  if (require.known(Requirement::mapped_lead_error)) return require(Requirement::mapped_lead_error) * rated_travel;
   const double over = accuracy_travel(require, stroke);
-  return at_least_rated && over < rated_travel ? rated_travel : over;
+  const double made = at_least_rated && over < rated_travel ? rated_travel : over;
+  if (!require.known(Requirement::mapped_lead_error)) return made;
+  const double left = require(Requirement::mapped_lead_error) * rated_travel;
+  return left < made ? left : made;
 }
 
 }  // namespace millwright::machine

@@ -69,7 +69,7 @@ struct GuideSystem {
 
   T moved_mass{};
   Cycle<T> cycle;
-  std::vector<T> carriage_loads;  ///< N, on the most loaded carriage, phase by phase
+  std::vector<T> carriage_loads;  ///< N, on the most loaded carriage, phase by phase; empty if it is the same in all
   T largest_load{}, static_load{}, life_load{}, shaft_force{};
 
   [[nodiscard]] T require(Requirement requirement, const scalar::Dimension& dimension = scalar::dimension::none) const {
@@ -98,8 +98,10 @@ void GuideSystem<T>::derive() {
       named("M_y", weight * length(std::abs(c.load_offset_x)) + cycle.process_force * length(std::abs(c.force_height)));
   const T roll = named("M_x", pressing * length(std::abs(c.load_offset_y)));
   const T steady_yaw = named("M_z", pulling * length(std::abs(c.load_offset_y)));
+  // On a steep axis the mass stands off the rails by its offset along x; there that is the lever of its inertia too.
+  const double height = std::max(std::abs(c.load_height), steep < 1e-9 ? 0.0 : std::abs(c.load_offset_x));
   const auto load = [&](const T& inertia) {
-    const T pitch = steady_pitch + inertia * length(std::abs(c.load_height));
+    const T pitch = steady_pitch + inertia * length(height);
     const T yaw = steady_yaw + inertia * length(std::abs(c.load_offset_y));
     if (c.carriages > 1.0)
       return gd::largest_carriage_load(
@@ -111,10 +113,9 @@ void GuideSystem<T>::derive() {
   };
   // A carriage that carries nothing lives for ever: one newton keeps the life finite and harmless.
   const T one = in_unit<T>(1.0, dimension::force);
-  if (c.load_height == 0.0 && c.load_offset_y == 0.0) {  // accelerating loads the carriages no more than resting
+  if (height == 0.0 && c.load_offset_y == 0.0) {  // accelerating loads the carriages no more than resting
     largest_load = named("P", load(none));
     life_load = larger(largest_load, one);
-    if constexpr (shows_everything<T>) carriage_loads.assign(cycle.phases.size(), largest_load);
   } else {
     T damage = in_unit<T>(0.0, dimension::length);
     for (const Phase<T>& phase : cycle.phases) {
@@ -126,10 +127,10 @@ void GuideSystem<T>::derive() {
   }
   static_load = larger(largest_load, one);
   T pitch = steady_pitch;
-  if (c.load_height != 0.0) {
+  if (height != 0.0) {
     std::vector<T> inertias;
     for (const Phase<T>& phase : cycle.phases) inertias.push_back(moved_mass * absolute(phase.acceleration));
-    pitch = pitch + largest(inertias) * length(std::abs(c.load_height));
+    pitch = pitch + largest(inertias) * length(height);
   }
   // Beside what presses on the shafts, the pitching moment loads them with the couple of its two bushings; one force at
   // midspan is safe.

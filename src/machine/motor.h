@@ -25,7 +25,7 @@ struct MotorFigures {
   T current_factor{};  ///< k
 };
 
-inline constexpr double voltage_fraction = 0.9;   ///< k_V: k_V: usable share of the bus, less drops
+inline constexpr double voltage_fraction = 0.9;   ///< k_V: usable share of the bus, less drops
 inline constexpr double constant_loss = 0.03;     ///< c_0 of STEP-LOSS-TORQUE
 inline constexpr double speed_loss = 0.0005;      ///< c_1 of STEP-LOSS-TORQUE, s/rad
 inline constexpr double driver_efficiency = 0.9;  ///< lower end of the usual 0.9 to 0.95

@@ -182,6 +182,12 @@ Requirements::Requirements() {
   for (std::size_t i = 0; i < table.size(); ++i) values_[i] = table[i].default_value;
 }
 
+void Requirements::forget(Requirement requirement) {
+  const auto index = static_cast<std::size_t>(requirement);
+  values_[index] = requirements()[index].default_value;
+  given_[index] = false;
+}
+
 void Requirements::set(Requirement requirement, double value) {
   values_[static_cast<std::size_t>(requirement)] = value;
   given_[static_cast<std::size_t>(requirement)] = true;

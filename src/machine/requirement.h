@@ -134,6 +134,8 @@ class Requirements {
  public:
   Requirements();
   void set(Requirement requirement, double value);
+  /// Back to the default, as if nothing had been given.
+  void forget(Requirement requirement);
   [[nodiscard]] double operator()(Requirement requirement) const {
     return values_[static_cast<std::size_t>(requirement)];
   }

@@ -41,7 +41,6 @@ Side side_of(Requirement requirement) {
     case Requirement::nut_wear_fraction:
     case Requirement::largest_preload_fraction:
     case Requirement::lead_error_share:
-    case Requirement::mapped_lead_error:
     case Requirement::windup_share:
     case Requirement::thermal_growth_share:
     case Requirement::belt_stretch_share:
@@ -105,7 +104,9 @@ void read_position_error(const Node& value, Requirements& require, Diagnostics& 
   if (const auto limit = q.quantity("limit", "mm", Sign::positive, Presence::required))
     require.set(Requirement::position_error, *limit);
   if (const auto over = q.quantity("over", "mm", Sign::positive)) require.set(Requirement::position_error_over, *over);
-  if (inner.word("lead_error", {"as made", "mapped"}) == "mapped" && !require.known(Requirement::mapped_lead_error))
+  const auto lead_error = inner.word("lead_error", {"as made", "mapped"});
+  if (lead_error == "as made") require.forget(Requirement::mapped_lead_error);
+  if (lead_error == "mapped" && !require.known(Requirement::mapped_lead_error))
     require.set(Requirement::mapped_lead_error, usual_mapped_lead_error);
   inner.finish();
 }
@@ -147,6 +148,10 @@ void read_requirements(const Node& node, const std::string& title, Requirements&
       continue;  // reported with position_error
     const auto number = q.of_node(*value, declaration.key, declaration.unit, Sign::positive);
     if (!number) continue;
+    if (declaration.requirement == Requirement::mapped_lead_error && *number > 1.0)
+      diagnostics.error(value->span(),
+                        fmt::format("mapped_lead_error: {:.6g} of the lead error cannot be left of it", *number),
+                        "a share of at most 1; usually 0.35 to 0.7");
     require.set(declaration.requirement, *number);
     warn_of_side(*value, declaration, *number, diagnostics);
   }

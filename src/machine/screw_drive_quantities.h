@@ -13,7 +13,7 @@
 
 namespace millwright::machine {
 
-/// Thermal expansion of steel [1/K], 12 um per metre and kelvin.
+/// Thermal expansion of steel [1/K], as the carbon steels of the materials table.
 inline constexpr double steel_expansion = 12e-6;
 
 /// Pressure on the engaged thread flanks [Pa].

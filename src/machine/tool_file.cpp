@@ -123,6 +123,16 @@ void read_tool(const Node& node, const Node* axes, Problem& problem, Diagnostics
   } else {
     tool.axis = static_cast<std::size_t>(found - problem.axes.begin());
   }
+  for (std::size_t i = 0; i < direction_names.size(); ++i) {
+    const bool travels = std::any_of(problem.axes.begin(), problem.axes.end(), [&](const Axis& axis) {
+      return axis.along == i && !is_rotary(axis);
+    });
+    if (tool.force[i] > 0.0 && !tool.deflection && !travels)
+      diagnostics.error(
+          node.find("force")->span(),
+          fmt::format("force: no axis travels along {}, so there is no position error", direction_names[i]),
+          "add deflection = \"0.05 mm\", or leave this force out");
+  }
   if (axes != nullptr && axes->size() == problem.axes.size())
     for (std::size_t i = 0; i < problem.axes.size(); ++i)
       check_axis(axes->items()[i], problem.axes[i], tool, diagnostics);

@@ -168,6 +168,7 @@ void add_unmet(const MachineResult& result, Json& json) {
                          {"unit", "m"},
                          {"over", number(change.over)}});
     json["ways_out"].push_back({{"lead_error", way.mapped ? "mapped" : "as made"},
+                                {"least", way.least},
                                 {"changes", changes},
                                 {"cost", {{"value", number(way.cost)}, {"unit", way.currency}}},
                                 {"mass", {{"value", number(way.mass)}, {"unit", "kg"}}}});
@@ -245,7 +246,6 @@ std::string check_json(const MachineResult& result) {
   json["completed"] = result.completed;
   if (!result.designs.empty()) add_design(result, result.designs.front(), json);
   add_missing(result, json);
-  add_unmet(result, json);
   json["timing_s"] = timing_of(result);
   return text_of(json);
 }

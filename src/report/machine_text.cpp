@@ -40,13 +40,13 @@ std::string unmet_text(const MachineResult& result) {
                check.id,
                check.title,
                check.least_utilisation < machine::useless_utilisation
-                   ? fmt::format("{:.1f} %", 100.0 * check.least_utilisation)
+                   ? fmt::format("{:.1f} %", std::floor(1e3 * check.least_utilisation) / 10.0)
                    : "no part",
                check.requirement});
   return "\nProved: these checks fail whatever is chosen\n" + table.str(2);
 }
 
-/// "x position_error 10 um -> 64.1 um over 700 mm: 412.10 USD, 12.3 kg"
+/// "x: position_error 10 -> 163 um over 700 mm", and what the cheapest build costs then.
 std::string ways_out_text(const MachineResult& result) {
   if (result.ways_out.empty()) return {};
   std::string out = "\nWays out, found by solving (to 1 %)\n";
@@ -61,6 +61,7 @@ std::string ways_out_text(const MachineResult& result) {
                          um(change.from),
                          um(change.to),
                          1e3 * change.over);
+    if (!way.least) out += "    (time was up: less may do)\n";
     out += fmt::format("    cheapest build then: {:.2f} {}, {:.3f} kg\n", way.cost, way.currency, way.mass);
   }
   return out;

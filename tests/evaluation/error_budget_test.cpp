@@ -114,6 +114,21 @@ TEST_CASE("What the controller maps counts with what is left in 300 mm, whatever
   }
 }
 
+TEST_CASE("A map leaves no more of a pitch error than there was") {
+  std::string text =
+      axis_text("horizontal",
+                "",
+                "[axis.require]\nposition_error = { limit = \"1 mm\", over = \"50 mm\", lead_error = \"mapped\" }");
+  // A belt is off by 0.2 mm in a metre: 10 um in 50 mm, and half of that in 300 mm would be 30 um.
+  CHECK(budget(design_of(MachineModel(problem_of_text(text), parts()), {})).at("pitch") == Approx(10.0));
+  text.replace(text.find("50 mm\", lead"), 5, "900 mm");
+  CHECK(budget(design_of(MachineModel(problem_of_text(text), parts()), {})).at("pitch") == Approx(30.0));
+  // What the machine says is taken back for an axis.
+  const std::string made = ball_screw_axis("limit = \"0.3 mm\", over = \"600 mm\", lead_error = \"as made\"", "50 N");
+  CHECK(budget(design_with("[require]\nmapped_lead_error = 0.5\n" + made)).at("lead") == Approx(100.0));
+  CHECK_THROWS(design_with(ball_screw_axis("limit = \"0.3 mm\"", "50 N", "mapped_lead_error = 1.5")));
+}
+
 TEST_CASE("The position error at the tool: what the axes are wrong by, and what gives way") {
   const auto machine = [](const std::string& error) {
     return problem_of_text(ball_screw_axis("limit = \"0.3 mm\", over = \"300 mm\"",
@@ -190,6 +205,16 @@ TEST_CASE("Checks said to fail whatever is chosen do so in every build, and the 
     CHECK(Exhaustive(less).builds.empty());
   }
   CHECK(ways[1].changes[0].to < ways[0].changes[0].to);
+  CHECK(ways[0].least);
+  // Where all is mapped already there is one way, and without time there is none.
+  const MachineModel mapped(machine(20.0, "mapped"), parts());
+  const auto one_way = evaluation::ways_out(mapped, evaluation::unmet_checks(mapped), {});
+  REQUIRE(one_way.size() == 1);
+  CHECK(one_way[0].mapped);
+  CHECK(one_way[0].changes[0].to == Approx(ways[1].changes[0].to).epsilon(0.01));
+  evaluation::SearchOptions hurried;
+  hurried.time_limit_seconds = 0.0;
+  CHECK(evaluation::ways_out(strict, unmet, hurried).empty());
   // Where something is compliant no check can fail always.
   CHECK(evaluation::unmet_checks(MachineModel(machine(300.0, "as made"), parts())).empty());
 }
