@@ -3,23 +3,14 @@
 // The search against exhaustive enumeration (enumeration.h) on seeded random stacks: optimum by cost, optimum by mass
 // and the (cost, mass) front.
 #include "catch.h"
+#include "sanitized.h"
 #include "solver/enumeration.h"
 
 namespace {
 
 using namespace zoo;
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr unsigned instances = 300;
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-constexpr unsigned instances = 300;
-#else
-constexpr unsigned instances = 2000;
-#endif
-#else
-constexpr unsigned instances = 2000;  // 300 under the sanitizers, which are many times slower
-#endif
+constexpr unsigned instances = millwright::sanitized ? 300 : 2000;
 
 bool same(double a, double b, double tolerance) { return std::fabs(a - b) <= tolerance * std::fabs(b); }
 
