@@ -33,10 +33,10 @@ struct Synthesis {
   double seconds = 0.0;
 };
 
-/// The cheapest (or lightest) compliant build, or the exact front.
 /// The solver's options for these.
 solver::Options solver_options(const SearchOptions& options);
 
+/// The cheapest (or lightest) compliant build, or the exact front.
 Synthesis synthesise(const MachineModel& model, const SearchOptions& options);
 
 /// A part or setting of a bill of materials that cannot be used as it stands.

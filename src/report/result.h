@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "evaluation/ledger.h"
-#include "evaluation/unmet_checks.h"
+#include "evaluation/ways_out.h"
 #include "machine/problem.h"
 
 namespace millwright::report {

@@ -7,7 +7,7 @@
 #include "evaluation/exhaustive.h"
 #include "evaluation/hand_worked.h"
 #include "evaluation/synthesis.h"
-#include "evaluation/unmet_checks.h"
+#include "evaluation/ways_out.h"
 
 using namespace millwright;
 using namespace millwright::hand_worked;

@@ -185,6 +185,49 @@ TEST_CASE("Formulas used outside their stated range have a section of their own,
   }
 }
 
+TEST_CASE("Nothing compliant: the checks that always fail and the ways out are said, in text and JSON") {
+  MachineResult result = result_of_three_checks();
+  result.designs.clear();
+  result.status = Status::infeasible;
+  CHECK(solve_text(result, {}).find("'check' with a bill of materials") != std::string::npos);
+  CHECK(Json::parse(solve_json(result)).at("unmet") == Json::array());
+  result.unmet = {{"x", "drive", "C-ACC-TOTAL", "Position error budget", "position_error", 1.23456},
+                  {"x", "drive", "C-NEVER", "Never", "", 1e9}};
+  evaluation::WayOut way;
+  way.mapped = true;
+  way.least = false;
+  way.changes = {{"x", 10e-6, 70.5e-6, 0.7}};
+  way.cost = 380.294;
+  way.mass = 13.5;
+  way.currency = "USD";
+  result.ways_out = {way};
+  const std::string text = solve_text(result, {});
+  for (const char* said : {"C-ACC-TOTAL  Position error budget   123.4 %  position_error",  // never more than proved
+                           "C-NEVER      Never                   no part",
+                           "with lead_error = \"mapped\"",
+                           "x: position_error 10 -> 70.5 um over 700 mm",
+                           "time was up: less may do",
+                           "cheapest build then: 380.29 USD, 13.500 kg"}) {
+    INFO(said << " in\n" << text);
+    CHECK(text.find(said) != std::string::npos);
+  }
+  for (const std::string& answer : {solve_json(result), front_json(result)}) {
+    const Json json = Json::parse(answer);
+    CHECK(json.at("unmet")[0] == Json{{"axis", "x"},
+                                      {"element", "drive"},
+                                      {"id", "C-ACC-TOTAL"},
+                                      {"title", "Position error budget"},
+                                      {"requirement", "position_error"},
+                                      {"least_utilisation", 1.23456}});
+    const Json& said = json.at("ways_out")[0];
+    CHECK(said.at("lead_error") == "mapped");
+    CHECK(said.at("least") == false);
+    CHECK(said.at("changes")[0].at("to") == 70.5e-6);
+    CHECK(said.at("cost") == Json{{"value", 380.294}, {"unit", "USD"}});
+  }
+  CHECK_FALSE(Json::parse(check_json(result_of_three_checks())).contains("unmet"));
+}
+
 TEST_CASE("No build: said with the reason, in text and JSON") {
   MachineResult result = result_of_three_checks();
   result.designs.clear();
