@@ -2,8 +2,8 @@
 //
 // `check`: holds what the bill of materials gives and completes the rest. First by the solver, on the machine
 // restricted to what is held: that gives the cheapest compliant completion. If there is none, by the cheapest parts
-// that fit and the variables with which the fewest checks fail, so that the report can say by how much each
-// check fails.
+// that fit and the variables with which the fewest checks fail, so that the report can say by how much each check
+// fails.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,8 +17,6 @@
 #include "evaluation/synthesis.h"
 
 namespace millwright::evaluation {
-
-solver::Options solver_options(const SearchOptions& options);
 
 namespace {
 
@@ -42,13 +40,18 @@ Restricted restrict(const MachineModel& model, const HeldParts& held) {
   return r;
 }
 
-/// A ramp time that the problem fixes is no variable: there the bill of materials says what it is.
-void take_ramp_times(machine::Problem& problem, const machine::BillOfMaterials& bom, const std::string& only_origin) {
-  for (const machine::BomLine& line : bom.lines)
-    if (line.slot == "acceleration_time" && line.value && (only_origin.empty() || line.origin == only_origin))
-      for (machine::Axis& axis : problem.axes)
-        if (axis.name == line.axis && axis.acceleration_time.fixed())
-          axis.acceleration_time = {*line.value, *line.value};
+/// Settings for which the model leaves no choice open: there the bill of materials says what they are. A ramp time that
+/// the problem fixes is no variable. The current that is set is what it is, whether or not the problem would set it.
+void take_settings(machine::Problem& problem, const machine::BillOfMaterials& bom, const std::string& only_origin) {
+  for (const machine::BomLine& line : bom.lines) {
+    if (!line.value || (!only_origin.empty() && line.origin != only_origin)) continue;
+    for (machine::Axis& axis : problem.axes) {
+      if (axis.name != line.axis) continue;
+      if (line.slot == "acceleration_time" && axis.acceleration_time.fixed())
+        axis.acceleration_time = {*line.value, *line.value};
+      if (line.slot == "motor_current") axis.motor.currents = {*line.value};
+    }
+  }
 }
 
 /// How bad a design is: how many checks it fails, then the largest utilisation, the next largest, and so on. The
@@ -190,7 +193,7 @@ BomCheck check(const machine::Problem& problem,
                const std::string& only_origin) {
   BomCheck result;
   machine::Problem at_voltage = problem;
-  take_ramp_times(at_voltage, bom, only_origin);
+  take_settings(at_voltage, bom, only_origin);
   GivenSlots given;
   for (const machine::BomLine& line : bom.lines)
     if (!line.is_dimension() && (only_origin.empty() || line.origin == only_origin))

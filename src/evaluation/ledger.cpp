@@ -201,6 +201,8 @@ void add_parts(const MachineModel& model,
   for (std::size_t slot = 0; slot < tables.size(); ++slot) {
     const Candidate& candidate = tables[slot].candidate(rows[slot]);
     for (const PartUse& use : candidate.parts) design.parts.push_back(part_line(model, use, entry.axis, design));
+    for (const Setting& setting : candidate.settings)
+      design.dimensions.push_back({entry.axis, setting.name, setting.value, setting.unit});
     design.cost += candidate.price;
     design.mass += candidate.mass;
   }

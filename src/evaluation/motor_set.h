@@ -29,7 +29,7 @@ T available_torque(const MotorPair& pair, std::size_t voltage, const T& angular_
     f.inductance = in_unit<T>(figures.inductance, dimension::inductance);
     f.rotor_teeth = T(figures.rotor_teeth);
     f.voltage = in_unit<T>(figures.voltage, dimension::voltage);
-    const double current = std::min(figures.driver_peak_current, figures.current_factor * figures.rated_current);
+    const double current = std::min(figures.driver_peak_current, figures.asked_current);
     return machine::modelled_torque(f, in_unit<T>(current, dimension::current), angular_speed);
   };
   const mechanics::PullOutCurve* curve = pair.curve[voltage].get();

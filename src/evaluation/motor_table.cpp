@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Motors with the drivers that can run them. Drivers that give a motor the same current differ only in price, mass and
-// the voltages they bear: for one motor those that are dearer or heavier than another that bears at least the same
-// voltages are left out.
+// Motors with the drivers that can run them and the currents that may be set there. Drivers that give a motor the same
+// current differ only in price, mass and the voltages they bear: for one motor those that are dearer or heavier than
+// another that bears at least the same voltages are left out.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -108,11 +108,19 @@ bool runs_at(const Driver& d, double voltage, double voltage_factor) {
   return d.least_voltage <= voltage && voltage <= voltage_factor * d.largest_voltage;
 }
 
-/// b is never better than a for this motor: same current, and at least as dear, as heavy and as fussy about the
-/// voltage.
+/// The currents that may be set for a motor, the largest first.
+std::vector<double> settable_currents(const machine::Axis& axis, double rated_current) {
+  if (axis.motor.currents.empty()) return {axis.require(machine::Requirement::current_factor) * rated_current};
+  std::vector<double> currents = axis.motor.currents;
+  std::sort(currents.begin(), currents.end(), std::greater<>());
+  return currents;
+}
+
+/// b is never better than a at this current: it gives the same, and is at least as dear, as heavy and as fussy about
+/// the voltage.
 bool covers(
-    const Driver& a, const Driver& b, double rated, const std::vector<double>& voltages, double voltage_factor) {
-  if (std::min(a.peak_current, rated) != std::min(b.peak_current, rated)) return false;
+    const Driver& a, const Driver& b, double current, const std::vector<double>& voltages, double voltage_factor) {
+  if (std::min(a.peak_current, current) != std::min(b.peak_current, current)) return false;
   if (a.price > b.price || a.mass > b.mass) return false;
   for (const double v : voltages)
     if (runs_at(b, v, voltage_factor) && !runs_at(a, v, voltage_factor)) return false;
@@ -129,7 +137,14 @@ MotorTable motor_table(const catalogue::Catalogue& catalogue,
   const std::vector<Driver> drivers = eligible_drivers(catalogue.table(Family::drivers), axis, prices);
   const Curves curves = read_curves(catalogue.table(Family::stepper_curves));
   const double voltage_factor = axis.require(machine::Requirement::driver_voltage_factor);
-  const double current_factor = axis.require(machine::Requirement::current_factor);
+  // A driver that a bill names is judged, not passed over (C-DR-VOLT, F-DRIVER-VOLTAGE-MIN, C-DR-CURRENT).
+  const auto worth_keeping = [&](const Driver& d, double current) {
+    if (!axis.motor.currents.empty() && d.peak_current < current) return false;  // it cannot be set there
+    return std::any_of(voltages.begin(), voltages.end(), [&](double v) { return runs_at(d, v, voltage_factor); }) &&
+           std::none_of(drivers.begin(), drivers.end(), [&](const Driver& a) {
+             return a.row != d.row && covers(a, d, current, voltages, voltage_factor);
+           });
+  };
   MotorTable result{SlotTable("motor", 0), {}};
   for (int row = 0; row < motors.rows(); ++row) {
     const auto number = [&](catalogue::Column c) { return motors.number(c, row); };
@@ -146,42 +161,40 @@ MotorTable motor_table(const catalogue::Catalogue& catalogue,
     f.inductance = number(column(Family::steppers, "phase_inductance"));
     f.rotor_inertia = number(column(Family::steppers, "rotor_inertia"));
     f.rotor_teeth = std::round(2.0 * 3.14159265358979323846 / number(column(Family::steppers, "step_angle")) / 4.0);
-    f.current_factor = current_factor;
     const double shaft = number(column(Family::steppers, "shaft_diameter"));
     const double mass = number(column(Family::steppers, "mass"));
     const double price = prices.line(motors, row, 1.0, 0.0);
     if (std::isnan(f.holding_torque + f.rated_current + f.resistance + f.inductance + f.rotor_inertia + f.rotor_teeth +
                    shaft + mass + price))
       continue;
-    for (const Driver& d : drivers) {
-      // A driver that a bill names is judged, not passed over (C-DR-VOLT, F-DRIVER-VOLTAGE-MIN).
-      if (!axis.keep_every_candidate &&
-          std::none_of(voltages.begin(), voltages.end(), [&](double v) { return runs_at(d, v, voltage_factor); }))
-        continue;
-      if (!axis.keep_every_candidate && std::any_of(drivers.begin(), drivers.end(), [&](const Driver& a) {
-            return a.row != d.row && covers(a, d, current_factor * f.rated_current, voltages, voltage_factor);
-          }))
-        continue;
-      MotorPair pair;
-      pair.shaft = shaft;
-      f.driver_peak_current = d.peak_current;
-      f.driver_largest_voltage = d.largest_voltage;
-      f.driver_least_voltage = d.least_voltage;
-      const double current = std::min(d.peak_current, current_factor * f.rated_current);
-      for (const double v : voltages) {
-        f.voltage = v;
-        pair.at_voltage.push_back(f);
-        pair.fits_voltage.push_back(runs_at(d, v, voltage_factor));
-        pair.curve.push_back(governing_curve(
-            curves, std::string(motors.manufacturer(row)), std::string(motors.part_number(row)), v, current));
-        if (pair.curve.back() != nullptr) pair.torque_is_estimate = false;
+    for (const double current : settable_currents(axis, f.rated_current)) {
+      f.asked_current = current;
+      for (const Driver& d : drivers) {
+        if (!axis.keep_every_candidate && !worth_keeping(d, current)) continue;
+        MotorPair pair;
+        pair.shaft = shaft;
+        f.driver_peak_current = d.peak_current;
+        f.driver_largest_voltage = d.largest_voltage;
+        f.driver_least_voltage = d.least_voltage;
+        for (const double v : voltages) {
+          f.voltage = v;
+          pair.at_voltage.push_back(f);
+          pair.fits_voltage.push_back(runs_at(d, v, voltage_factor));
+          pair.curve.push_back(governing_curve(curves,
+                                               std::string(motors.manufacturer(row)),
+                                               std::string(motors.part_number(row)),
+                                               v,
+                                               std::min(d.peak_current, current)));
+          if (pair.curve.back() != nullptr) pair.torque_is_estimate = false;
+        }
+        Candidate candidate = candidate_of({{"motor", Family::steppers, row, 1.0, 0.0, price, mass},
+                                            {"driver", Family::drivers, d.row, 1.0, 0.0, d.price, d.mass}},
+                                           0.0,
+                                           d.mass);
+        if (!axis.motor.currents.empty()) candidate.settings.push_back({"motor_current", current, "A"});
+        result.table.add(std::move(candidate), {});
+        result.pairs.push_back(std::move(pair));
       }
-      result.table.add(candidate_of({{"motor", Family::steppers, row, 1.0, 0.0, price, mass},
-                                     {"driver", Family::drivers, d.row, 1.0, 0.0, d.price, d.mass}},
-                                    0.0,
-                                    d.mass),
-                       {});
-      result.pairs.push_back(std::move(pair));
     }
   }
   return result;

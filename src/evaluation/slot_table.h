@@ -33,8 +33,16 @@ struct PartUse {
   static constexpr const char* unnamed = "as the problem states it";
 };
 
+/// What is set at a part and neither bought nor weighed: the current of a driver.
+struct Setting {
+  std::string name;
+  double value = 0.0;  ///< SI
+  std::string unit;    ///< SI unit
+};
+
 struct Candidate {
   std::vector<PartUse> parts;
+  std::vector<Setting> settings;
   double price = 0.0;
   double mass = 0.0;           ///< kg, of all its parts
   double riding_mass = 0.0;    ///< kg that moves with the axis

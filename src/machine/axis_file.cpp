@@ -127,6 +127,24 @@ void read_members(const Node& members, Axis& axis, Diagnostics& diagnostics) {
   }
 }
 
+/// What is set at the driver is said once: as currents, or as a share of each motor's rated one.
+void check_current_keys(const Node& axis, Diagnostics& diagnostics) {
+  const auto key = [&](const char* table, const char* name) -> const Node* {
+    const Node* inner = axis.find(table);
+    return inner == nullptr || !inner->is_table() ? nullptr : inner->find(name);
+  };
+  const Node* factor = key("require", "current_factor");
+  const Node* current = key("motor", "current");
+  if (factor == nullptr || current == nullptr) return;
+  text::Diagnostic both;
+  both.where = factor->span();
+  both.message = "current_factor: the motor's current is given, so that there is nothing to multiply";
+  both.hint = "leave one of the two out";
+  both.related = current->span();
+  both.related_message = "given here";
+  diagnostics.add(std::move(both));
+}
+
 void read_parts(TableReader& table, QuantityReader& q, Axis& axis, Diagnostics& diagnostics) {
   const std::string of = fmt::format(" of axis '{}'", axis.name);
   if (q.required("mechanism", "mechanism = { kind = \"screw\", screw = [\"lead_screws\"] }") != nullptr)
@@ -141,6 +159,7 @@ void read_parts(TableReader& table, QuantityReader& q, Axis& axis, Diagnostics& 
     read_requirements(*require, "[axis.require]" + of, axis.require, diagnostics);
   if (const Node* require = table.find("require"); require != nullptr)
     check_accuracy_keys(*require, is_rotary(axis), diagnostics);
+  check_current_keys(table.node(), diagnostics);
 }
 
 void check_stroke(TableReader& table, const Axis& axis, Diagnostics& diagnostics) {

@@ -29,6 +29,7 @@ constexpr double most_pieces = 10000.0;
 std::string_view unit_of_setting(const std::string& name) {
   if (name == "acceleration_time") return "s";
   if (name == "supply_voltage") return "V";
+  if (name == "motor_current") return "A";
   return "mm";
 }
 
@@ -287,7 +288,7 @@ std::vector<std::string> slot_names(const Axis& axis) {
 }
 
 std::vector<std::string> setting_names(const Axis& axis) {
-  std::vector<std::string> names{"acceleration_time"};
+  std::vector<std::string> names{"acceleration_time", "motor_current"};
   for (const Member& member : axis.members) {
     if (member.kind == MemberKind::round_shaft) names.push_back(member.name + ".diameter");
     if (member.kind == MemberKind::rectangular_bar) {

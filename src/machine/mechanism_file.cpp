@@ -184,6 +184,7 @@ MotorChoice read_motor(const Node& node, const std::string& title, Diagnostics& 
                       fmt::format("frame: {} is no motor frame", text::quoted(word)),
                       fmt::format("write \"NEMA{}\", without blank", size.empty() ? "23" : size));
   }
+  motor.currents = q.choices("current", "A");
   motor.microsteps = q.count_or("microsteps", motor.microsteps, 1, 256);
   const auto steps = static_cast<unsigned>(motor.microsteps);
   if ((steps & (steps - 1)) != 0)

@@ -2,10 +2,11 @@
 //
 // A stepper with its driver at a supply voltage: what the drive's constraints read of the pair.
 //
-// Current: I_p = min(driver peak, k * rated), k = 1 unless the problem says otherwise (amplitude and direct current are
-// taken as equal, as drivers are set). Torque at speed: a published pull-out curve governs when supply and current are
-// at or above its own; below its speed range its first value is held, above its range the smaller of model and last
-// point counts. Otherwise the winding model, marked as an estimate.
+// Current: I_p = min(driver peak, asked for), which is k * rated, k = 1 unless the problem says otherwise, or one of
+// the currents that the problem lets set (amplitude and direct current are taken as equal, as drivers are set). Torque
+// at speed: a published pull-out curve governs when supply and current are at or above its own; below its speed range
+// its first value is held, above its range the smaller of model and last point counts. Otherwise the winding model,
+// marked as an estimate.
 #pragma once
 
 #include "machine/constraint.h"
@@ -21,8 +22,8 @@ template <class T>
 struct MotorFigures {
   T holding_torque{}, detent_torque{}, rated_current{}, resistance{}, inductance{}, rotor_inertia{}, rotor_teeth{};
   T driver_peak_current{}, driver_largest_voltage{}, driver_least_voltage{};
-  T voltage{};         ///< of the supply
-  T current_factor{};  ///< k
+  T voltage{};        ///< of the supply
+  T asked_current{};  ///< peak amplitude: k * rated, or what the problem lets set
 };
 
 inline constexpr double voltage_fraction = 0.9;   ///< k_V: usable share of the bus, less drops
@@ -40,7 +41,7 @@ struct MotorReading {
   T torque_margin{};  ///< permitted share of the available torque: lower where the torque is an estimate
   // What only soft checks read, and the search therefore does not fill in.
   T current{};        ///< I_p
-  T asked_current{};  ///< k * rated, more than a weak driver gives
+  T asked_current{};  ///< more than a weak driver gives
   T driver_peak_current{}, rated_current{}, resistance{};
 };
 
@@ -77,7 +78,7 @@ MotorReading<T> motor_reading(const MotorFigures<T>& f, const T& torque_margin) 
   r.holding_torque = f.holding_torque;
   r.detent_torque = f.detent_torque;
   r.rotor_teeth = f.rotor_teeth;
-  r.asked_current = f.current_factor * f.rated_current;
+  r.asked_current = f.asked_current;
   r.current = named("I_p", smaller(f.driver_peak_current, r.asked_current));
   r.current_ratio = named("I_p/I_r", r.current / f.rated_current);
   r.driver_peak_current = f.driver_peak_current;

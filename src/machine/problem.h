@@ -105,6 +105,7 @@ struct Mechanism {
 
 struct MotorChoice {
   std::vector<std::string> frames;  ///< NEMA frames that may be mounted; empty = all
+  std::vector<double> currents;     ///< A, that may be set at the driver; empty = current_factor times the rated one
   double microsteps = 16.0;
   double brake_torque = 0.0;  ///< N.m; 0 = no brake
   SourceSpan where;

@@ -27,29 +27,8 @@ namespace {
 void read_supply(const Node& node, Problem& problem, Diagnostics& diagnostics) {
   TableReader table(node, "[supply]", diagnostics);
   QuantityReader q(table, diagnostics);
-  const Node* given = q.required("voltage", "voltage = [\"24 V\", \"36 V\"]");
-  if (given != nullptr && given->is_array() && given->size() == 0)
-    diagnostics.error(given->span(), "voltage: the list is empty", "write voltage = [\"24 V\", \"36 V\"]");
-  std::vector<const Node*> nodes;
-  for (const Node* node_of_value : table.list("voltage")) {
-    const auto volts = q.of_node(*node_of_value, "voltage", "V", Sign::positive);
-    if (!volts) continue;
-    const auto same = std::find_if(problem.supply_voltages.begin(), problem.supply_voltages.end(), [&](double other) {
-      return std::abs(other - *volts) < 1e-6;
-    });
-    if (same == problem.supply_voltages.end()) {
-      problem.supply_voltages.push_back(*volts);
-      nodes.push_back(node_of_value);
-      continue;
-    }
-    text::Diagnostic twice;
-    twice.where = node_of_value->span();
-    twice.message = fmt::format("voltage: {} V is there twice", *volts);
-    twice.hint = "leave one out";
-    twice.related = nodes[static_cast<std::size_t>(same - problem.supply_voltages.begin())]->span();
-    twice.related_message = "first here";
-    diagnostics.add(std::move(twice));
-  }
+  if (q.required("voltage", "voltage = [\"24 V\", \"36 V\"]") != nullptr)
+    problem.supply_voltages = q.choices("voltage", "V");
   table.finish();
 }
 

@@ -30,6 +30,7 @@ constexpr UsualValues usual[] = {
     {"m/s^3", "50 m/s^3", 1e-6, 1e9},
     {"rad/s^3", "500 rad/s^3", 1e-6, 1e9},
     {"V", "24 V", 1e-3, 1e3},
+    {"A", "2 A", 1e-3, 1e3},
     {"deg", "30 deg", 1e-9, 10.0},
     {"rad", "90 deg", 1e-9, 1e5},
     {"rpm", "30 rpm", 1e-9, 1e4},
@@ -250,6 +251,35 @@ std::optional<Range> QuantityReader::range(std::string_view key, std::string_vie
     return std::nullopt;
   }
   return Range{*lower, *upper};
+}
+
+std::vector<double> QuantityReader::choices(std::string_view key, std::string_view unit) {
+  const Node* given = table_.find(key);
+  if (given != nullptr && given->is_array() && given->size() == 0)
+    diagnostics_.error(given->span(),
+                       fmt::format("{}: the list is empty", key),
+                       fmt::format("write for example {} = [\"{}\"]", key, usual_values(unit).example));
+  std::vector<double> values;
+  std::vector<const Node*> nodes;
+  for (const Node* node : table_.list(key)) {
+    const auto value = of_node(*node, key, unit, Sign::positive);
+    if (!value) continue;
+    const auto same = std::find_if(
+        values.begin(), values.end(), [&](double other) { return std::abs(other - *value) <= 1e-9 * *value; });
+    if (same == values.end()) {
+      values.push_back(*value);
+      nodes.push_back(node);
+      continue;
+    }
+    text::Diagnostic twice;
+    twice.where = node->span();
+    twice.message = fmt::format("{}: {:.6g} {} is there twice", key, *value, unit);
+    twice.hint = "leave one out";
+    twice.related = nodes[static_cast<std::size_t>(same - values.begin())]->span();
+    twice.related_message = "first here";
+    diagnostics_.add(std::move(twice));
+  }
+  return values;
 }
 
 }  // namespace millwright::machine

@@ -61,6 +61,8 @@ class QuantityReader {
   std::optional<Range> range(std::string_view key,
                              std::string_view unit,
                              text::Presence presence = text::Presence::optional);
+  /// The quantities of a list (or a single one) to choose from, none of them there twice.
+  std::vector<double> choices(std::string_view key, std::string_view unit);
   /// A quantity from a node, reported at the node.
   std::optional<double> of_node(const text::Node& node, std::string_view what, std::string_view unit, Sign sign);
 

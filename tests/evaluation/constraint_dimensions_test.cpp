@@ -136,7 +136,7 @@ machine::MotorReading<Dimensioned> motor() {
   f.driver_largest_voltage = volt(50.0);
   f.driver_least_voltage = volt(18.0);
   f.voltage = volt(36.0);
-  f.current_factor = Dimensioned(1.0);
+  f.asked_current = ampere(3.0);
   CHECK(machine::modelled_torque(f, ampere(3.0), rate(60.0)).dimension == dimension::torque);
   return machine::motor_reading(f, Dimensioned(0.5));
 }

@@ -256,7 +256,7 @@ TEST_CASE("The slots and settings of an axis") {
         Words{"guide", "beam", "screw", "nut", "motor", "driver", "coupling", "support_fixed"});
   CHECK(machine::slot_names(of.axes[1]) == Words{"belt", "pulley_drive", "pulley_idle", "motor", "driver"});
   CHECK(machine::setting_names(of.axes[0]) ==
-        Words{"acceleration_time", "rod.diameter", "bar.width", "bar.height", "joint.leg"});
+        Words{"acceleration_time", "motor_current", "rod.diameter", "bar.width", "bar.height", "joint.leg"});
   machine::Axis supported = of.axes[0];
   supported.mechanism.ends = machine::Ends::fixed_supported;
   CHECK(machine::slot_names(supported).back() == "support_free");

@@ -388,6 +388,33 @@ TEST_CASE("Currencies: one of rate 1, rates that are rates, dates that are dates
   }
 }
 
+TEST_CASE("Currents of a motor") {
+  const std::string steps = "microsteps = 16";
+  check_all({
+      {steps, "current = [\"2 A\", «\"2000 mA\"»]", "current: 2 A is there twice", "leave one out"},
+      {steps, "current = «[]»", "current: the list is empty", "current = [\"2 A\"]"},
+      {steps, "current = «1.5»", "current: a bare number", "write \"1.5 A\""},
+      {steps, "current = \"«0» A\"", "current: must be greater than zero", "\"2 A\""},
+      {steps, "current = [\"1 A\", \"«-2» A\"]", "current: must not be negative", "\"2 A\""},
+      {steps, "current = \"«5000» A\"", "current: more than any machine has", "at most 1000 A"},
+      {steps, "current = \"2 «V»\"", "current: 'V'", ""},
+  });
+  const std::string twice = replaced(
+      replaced(sound, steps, "current = \"2 A\""), "[axis.require]\n", "[axis.require]\ncurrent_factor = 1.2\n");
+  const Outcome outcome = read(twice);
+  REQUIRE(outcome.diagnostics.error_count() == 1);
+  CHECK(text::format(outcome.diagnostics).find("current_factor: the motor's current is given") != std::string::npos);
+  for (const char* good : {"current = \"2 A\"", "current = [\"1.5 A\", \"2 A\", \"2500 mA\"]"}) {
+    const Outcome fine = read(replaced(sound, steps, good));
+    INFO(good << text::format(fine.diagnostics));
+    REQUIRE(fine.problem.has_value());
+    CHECK(fine.problem->axes.front().motor.currents.size() ==
+          (std::string(good).find('[') == std::string::npos ? 1U : 3U));
+    CHECK(fine.problem->axes.front().motor.currents.back() ==
+          (std::string(good).find('[') == std::string::npos ? 2.0 : 2.5));
+  }
+}
+
 TEST_CASE("Supply voltages") {
   const std::string list = "[\"24 V\", \"48 V\"]";
   check_all({

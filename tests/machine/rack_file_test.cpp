@@ -86,7 +86,7 @@ TEST_CASE("A rack with a reduction and a rotary table are read into SI") {
   using Words = std::vector<std::string>;
   CHECK(machine::slot_names(x) == Words{"rack", "pinion", "motor", "driver"});
   CHECK(machine::slot_names(a) == Words{"motor", "driver"});
-  CHECK(machine::setting_names(a) == Words{"acceleration_time"});
+  CHECK(machine::setting_names(a) == Words{"acceleration_time", "motor_current"});
 }
 
 TEST_CASE("Defaults of a rack: the motor rides, 0.1 mm of play, no reduction") {
