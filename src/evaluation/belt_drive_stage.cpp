@@ -58,7 +58,7 @@ BeltDrive<T> BeltDriveStage::design(const Selection<T>& s) const {
   d.data = &data_;
   std::size_t field = 0;
   visit_belt_reading(d.belt, [&](T& x) {
-    x = hull_of<T>(s.rows[belt_slot], [&](solver::Row row) { return tables_[belt_slot].reading(row, field); });
+    x = tables_[belt_slot].template read<T>(s.rows[belt_slot], field);
     ++field;
   });
   const std::size_t voltage = s.shared.empty() ? 0 : s.shared.front();
@@ -79,15 +79,14 @@ template <class T>
 void BeltDriveStage::answer(const Selection<T>& s, solver::Answer<T>& out) const {
   const BeltDrive<T> d = design(s);
   machine::belt_drive_constraints(UtilisationVisitor<T, BeltDrive<T>>(d, out.utilisation));
-  out.resources[cost_resource] = total<T>(s, [](const Candidate& c) { return c.price; });
-  out.resources[mass_resource] = total<T>(s, [](const Candidate& c) { return c.mass; });
+  out.resources[cost_resource] = total<T>(s, Total::price);
+  out.resources[mass_resource] = total<T>(s, Total::mass);
   add_to_tool(place_, d, out);
   out.handed_on[power_state] = s.inherited[power_state] + (drives_ == 1.0 ? d.input_power : drives_ * d.input_power);
   out.handed_on[place_.load_state] = T(0.0);
   if (place_.parent_load_state)
     out.handed_on[*place_.parent_load_state] =
-        s.inherited[*place_.parent_load_state] + s.inherited[place_.load_state] +
-        total<T>(s, [](const Candidate& c) { return c.riding_mass + c.standing_mass; });
+        s.inherited[*place_.parent_load_state] + s.inherited[place_.load_state] + total<T>(s, Total::burden);
 }
 
 bool BeltDriveStage::fits(
@@ -102,5 +101,7 @@ bool BeltDriveStage::fits(
 }
 
 template BeltDrive<double> BeltDriveStage::design(const Selection<double>&) const;
+
+template class ElementStage<BeltDriveStage>;
 
 }  // namespace millwright::evaluation

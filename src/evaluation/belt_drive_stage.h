@@ -21,6 +21,14 @@ class BeltDriveStage final : public ElementStage<BeltDriveStage> {
 
   template <class T>
   [[nodiscard]] machine::BeltDrive<T> design(const Selection<T>& selection) const;
+  /// What motor and reduction read of their rows.
+  void read_more(std::span<const solver::Row> shared,
+                 std::size_t slot,
+                 std::span<const solver::Row> rows,
+                 std::vector<scalar::Interval>& readings) const {
+    if (slot == motor_slot) motors_->read(shared.empty() ? 0 : shared.front(), rows, readings);
+    if (reduction_.is(slot)) reduction_.read(rows, readings);
+  }
   template <class T>
   void answer(const Selection<T>& selection, solver::Answer<T>& out) const;
 
@@ -45,5 +53,7 @@ class BeltDriveStage final : public ElementStage<BeltDriveStage> {
 };
 
 extern template machine::BeltDrive<double> BeltDriveStage::design(const Selection<double>&) const;
+
+extern template class ElementStage<BeltDriveStage>;
 
 }  // namespace millwright::evaluation

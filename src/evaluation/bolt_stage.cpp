@@ -76,7 +76,7 @@ BoltedJoint<T> BoltStage::design(const Selection<T>& s) const {
   d.data = &data_;
   std::size_t field = 0;
   visit_bolt_reading(d.bolt, [&](T& x) {
-    x = hull_of<T>(s.rows[0], [&](solver::Row row) { return tables_[0].reading(row, field); });
+    x = tables_[0].template read<T>(s.rows[0], field);
     ++field;
   });
   d.carried_mass = s.inherited[place_.load_state];
@@ -88,8 +88,8 @@ template <class T>
 void BoltStage::answer(const Selection<T>& s, solver::Answer<T>& out) const {
   const BoltedJoint<T> d = design(s);
   machine::bolted_joint_constraints(UtilisationVisitor<T, BoltedJoint<T>>(d, out.utilisation));
-  const T mass = total<T>(s, [](const Candidate& c) { return c.mass; });
-  out.resources[cost_resource] = total<T>(s, [](const Candidate& c) { return c.price; });
+  const T mass = total<T>(s, Total::mass);
+  out.resources[cost_resource] = total<T>(s, Total::price);
   out.resources[mass_resource] = mass;
   if (data_.member.rides)
     out.handed_on[place_.load_state] = d.carried_mass + mass;
@@ -98,5 +98,7 @@ void BoltStage::answer(const Selection<T>& s, solver::Answer<T>& out) const {
 }
 
 template BoltedJoint<double> BoltStage::design(const Selection<double>&) const;
+
+template class ElementStage<BoltStage>;
 
 }  // namespace millwright::evaluation

@@ -29,4 +29,6 @@ class BoltStage final : public ElementStage<BoltStage> {
 
 extern template machine::BoltedJoint<double> BoltStage::design(const Selection<double>&) const;
 
+extern template class ElementStage<BoltStage>;
+
 }  // namespace millwright::evaluation

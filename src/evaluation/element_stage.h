@@ -105,8 +105,25 @@ class ElementStage : public solver::Stage {
   [[nodiscard]] std::size_t constraints() const final { return constraint_count_; }
   [[nodiscard]] const std::vector<SlotTable>& tables() const { return tables_; }
 
+  /// The table's fields, the totals, then what `read_more` of the derived stage adds.
+  void read(std::span<const solver::Row> shared,
+            std::size_t slot,
+            std::span<const solver::Row> rows,
+            std::vector<scalar::Interval>& readings) const final {
+    const SlotTable& table = tables_[slot];
+    readings.clear();
+    for (std::size_t field = 0; field < table.fields(); ++field)
+      readings.push_back(range_of(rows, [&](solver::Row row) { return table.reading(row, field); }));
+    for (std::size_t i = 0; i < total_count; ++i)
+      readings.push_back(
+          range_of(rows, [&](solver::Row row) { return total_of(table.candidate(row), static_cast<Total>(i)); }));
+    const auto& derived = static_cast<const Derived&>(*this);
+    if constexpr (requires { derived.read_more(shared, slot, rows, readings); })
+      derived.read_more(shared, slot, rows, readings);
+  }
+
   void evaluate(const solver::Point& point, solver::Answer<double>& answer) const final {
-    std::vector<std::span<const solver::Row>> rows;
+    std::vector<RowsAlive> rows;
     const auto selection = point_selection<double>(point, rows);
     ask(selection, answer);
     for (double& u : answer.utilisation)
@@ -128,7 +145,7 @@ class ElementStage : public solver::Stage {
 
   void gradient(const solver::Point& point, solver::Input input, solver::Answer<double>& answer) const final {
     using T = scalar::Dual<double, 1>;
-    std::vector<std::span<const solver::Row>> rows;
+    std::vector<RowsAlive> rows;
     Selection<T> selection = point_selection<T>(point, rows);
     seed(selection, input);
     solver::Answer<T> duals;
@@ -148,13 +165,16 @@ class ElementStage : public solver::Stage {
     for (const SlotTable& table : tables_) slots_.push_back({table.name(), static_cast<solver::Row>(table.rows())});
   }
 
-  /// Price and mass of the candidates chosen.
-  template <class T, class Value>
-  T total(const Selection<T>& selection, Value&& value) const {
+  /// Of the candidates chosen.
+  template <class T>
+  T total(const Selection<T>& selection, Total what) const {
     T sum = T(0.0);
-    for (std::size_t slot = 0; slot < tables_.size(); ++slot)
-      sum =
-          sum + hull_of<T>(selection.rows[slot], [&](solver::Row row) { return value(tables_[slot].candidate(row)); });
+    for (std::size_t slot = 0; slot < tables_.size(); ++slot) {
+      const SlotTable& table = tables_[slot];
+      sum = sum + hull_of<T>(selection.rows[slot],
+                             table.fields() + static_cast<std::size_t>(what),
+                             [&](solver::Row row) { return total_of(table.candidate(row), what); });
+    }
     return sum;
   }
 
@@ -168,9 +188,9 @@ class ElementStage : public solver::Stage {
   }
 
   template <class T>
-  static Selection<T> point_selection(const solver::Point& point, std::vector<std::span<const solver::Row>>& rows) {
+  static Selection<T> point_selection(const solver::Point& point, std::vector<RowsAlive>& rows) {
     rows.reserve(point.rows.size());
-    for (const solver::Row& row : point.rows) rows.emplace_back(&row, 1);
+    for (const solver::Row& row : point.rows) rows.emplace_back(std::span(&row, 1));
     Selection<T> selection{.shared = point.shared, .rows = rows, .inherited = {}, .variables = {}};
     selection.inherited.assign(point.inherited.begin(), point.inherited.end());
     selection.variables.assign(point.variables.begin(), point.variables.end());

@@ -91,7 +91,7 @@ GuideSystem<T> GuideStage::design(const Selection<T>& s) const {
   d.data = &data_;
   std::size_t field = 0;
   visit_guide_reading(d.guide, [&](T& x) {
-    x = hull_of<T>(s.rows[0], [&](solver::Row row) { return tables_[0].reading(row, field); });
+    x = tables_[0].template read<T>(s.rows[0], field);
     ++field;
   });
   d.unsupported_shaft = applies_to(s.rows[0], unsupported_);
@@ -108,15 +108,17 @@ template <class T>
 void GuideStage::answer(const Selection<T>& s, solver::Answer<T>& out) const {
   const GuideSystem<T> d = design(s);
   machine::guide_constraints(UtilisationVisitor<T, GuideSystem<T>>(d, out.utilisation));
-  out.resources[cost_resource] = total<T>(s, [](const Candidate& c) { return c.price; });
-  out.resources[mass_resource] = total<T>(s, [](const Candidate& c) { return c.mass; });
+  out.resources[cost_resource] = total<T>(s, Total::price);
+  out.resources[mass_resource] = total<T>(s, Total::mass);
   add_compliance(place_, d, out);
-  out.handed_on[place_.load_state] = d.carried_mass + total<T>(s, [](const Candidate& c) { return c.riding_mass; });
+  out.handed_on[place_.load_state] = d.carried_mass + total<T>(s, Total::riding_mass);
   if (place_.parent_load_state)
     out.handed_on[*place_.parent_load_state] =
-        s.inherited[*place_.parent_load_state] + total<T>(s, [](const Candidate& c) { return c.standing_mass; });
+        s.inherited[*place_.parent_load_state] + total<T>(s, Total::standing_mass);
 }
 
 template GuideSystem<double> GuideStage::design(const Selection<double>&) const;
+
+template class ElementStage<GuideStage>;
 
 }  // namespace millwright::evaluation

@@ -31,4 +31,6 @@ class GuideStage final : public ElementStage<GuideStage> {
 
 extern template machine::GuideSystem<double> GuideStage::design(const Selection<double>&) const;
 
+extern template class ElementStage<GuideStage>;
+
 }  // namespace millwright::evaluation

@@ -283,8 +283,8 @@ Design MachineModel::design(const solver::Build& build) const {
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     const StageEntry& entry = entries_[i];
     const solver::StageChoice& choice = build.stages[i];
-    std::vector<std::span<const solver::Row>> rows;
-    for (const solver::Row& row : choice.rows) rows.emplace_back(&row, 1);
+    std::vector<RowsAlive> rows;
+    for (const solver::Row& row : choice.rows) rows.emplace_back(std::span(&row, 1));
     const Selection<double> selection{
         .shared = build.shared, .rows = rows, .inherited = state, .variables = choice.variables};
     std::visit(

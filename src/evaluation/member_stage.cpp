@@ -149,7 +149,7 @@ StructureMember<T> MemberStage::design(const Selection<T>& s) const {
   if (!tables_.empty()) {
     std::size_t field = 0;
     visit_section_reading(d.section, [&](T& x) {
-      x = hull_of<T>(s.rows[0], [&](solver::Row row) { return tables_[0].reading(row, field); });
+      x = tables_[0].template read<T>(s.rows[0], field);
       ++field;
     });
   } else if (data_.member.kind == MemberKind::round_shaft) {
@@ -173,8 +173,8 @@ void MemberStage::answer(const Selection<T>& s, solver::Answer<T>& out) const {
   machine::member_constraints(UtilisationVisitor<T, StructureMember<T>>(d, out.utilisation));
   T mass = d.mass;
   if (!tables_.empty()) {
-    out.resources[cost_resource] = total<T>(s, [](const Candidate& c) { return c.price; });
-    mass = total<T>(s, [](const Candidate& c) { return c.mass; });
+    out.resources[cost_resource] = total<T>(s, Total::price);
+    mass = total<T>(s, Total::mass);
   } else {
     out.resources[cost_resource] = d.mass * data_.price_per_mass;
   }
@@ -187,5 +187,7 @@ void MemberStage::answer(const Selection<T>& s, solver::Answer<T>& out) const {
 }
 
 template StructureMember<double> MemberStage::design(const Selection<double>&) const;
+
+template class ElementStage<MemberStage>;
 
 }  // namespace millwright::evaluation

@@ -38,4 +38,6 @@ class MemberStage final : public ElementStage<MemberStage> {
 
 extern template machine::StructureMember<double> MemberStage::design(const Selection<double>&) const;
 
+extern template class ElementStage<MemberStage>;
+
 }  // namespace millwright::evaluation

@@ -34,11 +34,24 @@ MotorSet::MotorSet(MotorTable motors,
   }
 }
 
-Interval MotorSet::torque_bounds(std::span<const solver::Row> alive, std::size_t voltage, const Interval& speed) const {
+void MotorSet::read(std::size_t voltage, std::span<const solver::Row> rows, std::vector<Interval>& readings) const {
+  for (std::size_t field = 0; field < fields; ++field)
+    readings.push_back(range_of(rows, [&](solver::Row row) { return readings_[voltage][row * fields + field]; }));
+  readings.push_back(range_of(rows, [&](solver::Row row) { return motors_.pairs[row].shaft; }));
+  readings.push_back(range_of(rows, [&](solver::Row row) { return motors_.table.candidate(row).standing_mass; }));
+  const std::size_t ranges = speeds_.size() - 1;
+  for (std::size_t range = 0; range < ranges; ++range) {
+    Interval torque = torque_table_[voltage][rows.front() * ranges + range];
+    for (const solver::Row row : rows) torque = hull(torque, torque_table_[voltage][row * ranges + range]);
+    readings.push_back(torque);
+  }
+}
+
+Interval MotorSet::torque_bounds(const RowsAlive& alive, std::size_t voltage, const Interval& speed) const {
   const std::size_t ranges = speeds_.size() - 1;
   if (speed.lower < speeds_.front() || speed.upper > speeds_.back()) {
     Interval hull_all = available_torque<Interval>(motors_.pairs[alive.front()], voltage, speed);
-    for (const solver::Row row : alive.subspan(1))
+    for (const solver::Row row : alive)
       hull_all = hull(hull_all, available_torque<Interval>(motors_.pairs[row], voltage, speed));
     return hull_all;
   }
@@ -48,13 +61,14 @@ Interval MotorSet::torque_bounds(std::span<const solver::Row> alive, std::size_t
   };
   const std::size_t first = range_of(speed.lower);
   const std::size_t last = range_of(speed.upper);
-  Interval result = torque_table_[voltage][alive.front() * ranges + first];
-  for (const solver::Row row : alive)
-    for (std::size_t r = first; r <= last; ++r) {
-      const Interval& x = torque_table_[voltage][row * ranges + r];
-      result.lower = std::min(result.lower, x.lower);
-      result.upper = std::max(result.upper, x.upper);
-    }
+  const auto of_range = [&](std::size_t range) {
+    if (torque_reading + range < alive.readings.size()) return alive.readings[torque_reading + range];
+    Interval torque = torque_table_[voltage][alive.front() * ranges + range];
+    for (const solver::Row row : alive) torque = hull(torque, torque_table_[voltage][row * ranges + range]);
+    return torque;
+  };
+  Interval result = of_range(first);
+  for (std::size_t range = first + 1; range <= last; ++range) result = hull(result, of_range(range));
   return result;
 }
 

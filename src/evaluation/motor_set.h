@@ -52,13 +52,17 @@ class MotorSet {
   [[nodiscard]] const MotorTable& motors() const { return motors_; }
   [[nodiscard]] std::size_t voltages() const { return readings_.size(); }
 
+  /// Adds to the readings of a set of motors what is read of it here: fields, shaft, mass, torque in each range of
+  /// speed.
+  void read(std::size_t voltage, std::span<const solver::Row> rows, std::vector<scalar::Interval>& readings) const;
+
   template <class T>
-  [[nodiscard]] machine::MotorReading<T> reading(std::span<const solver::Row> alive, std::size_t voltage) const {
+  [[nodiscard]] machine::MotorReading<T> reading(const RowsAlive& alive, std::size_t voltage) const {
     machine::MotorReading<T> result;
-    constexpr std::size_t fields = machine::motor_reading_fields + machine::shown_motor_reading_fields;
     std::size_t field = 0;
     const auto read = [&](T& x) {
-      x = hull_of<T>(alive, [&](solver::Row row) { return readings_[voltage][row * fields + field]; });
+      x = hull_of<T>(
+          alive, first_reading + field, [&](solver::Row row) { return readings_[voltage][row * fields + field]; });
       ++field;
     };
     visit_motor_reading(result, read);
@@ -67,17 +71,17 @@ class MotorSet {
   }
 
   template <class T>
-  [[nodiscard]] T shaft(std::span<const solver::Row> alive) const {
-    return hull_of<T>(alive, [&](solver::Row row) { return motors_.pairs[row].shaft; });
+  [[nodiscard]] T shaft(const RowsAlive& alive) const {
+    return hull_of<T>(alive, shaft_reading, [&](solver::Row row) { return motors_.pairs[row].shaft; });
   }
   /// Of one motor [kg]; what stands of a pair of motor and driver is the motor: the driver is in its cabinet.
   template <class T>
-  [[nodiscard]] T mass(std::span<const solver::Row> alive) const {
-    return hull_of<T>(alive, [&](solver::Row row) { return motors_.table.candidate(row).standing_mass; });
+  [[nodiscard]] T mass(const RowsAlive& alive) const {
+    return hull_of<T>(alive, mass_reading, [&](solver::Row row) { return motors_.table.candidate(row).standing_mass; });
   }
 
   template <class T>
-  [[nodiscard]] T torque(std::span<const solver::Row> alive, std::size_t voltage, const T& angular_speed) const {
+  [[nodiscard]] T torque(const RowsAlive& alive, std::size_t voltage, const T& angular_speed) const {
     if (alive.size() == 1) return available_torque<T>(motors_.pairs[alive.front()], voltage, angular_speed);
     if constexpr (std::is_same_v<T, scalar::Interval>) {
       return torque_bounds(alive, voltage, angular_speed);
@@ -93,7 +97,13 @@ class MotorSet {
   }
 
  private:
-  [[nodiscard]] scalar::Interval torque_bounds(std::span<const solver::Row> alive,
+  static constexpr std::size_t fields = machine::motor_reading_fields + machine::shown_motor_reading_fields;
+  static constexpr std::size_t first_reading = total_count;  // the motors' own table has no fields
+  static constexpr std::size_t shaft_reading = first_reading + fields;
+  static constexpr std::size_t mass_reading = shaft_reading + 1;
+  static constexpr std::size_t torque_reading = mass_reading + 1;  // of the first range of speed
+
+  [[nodiscard]] scalar::Interval torque_bounds(const RowsAlive& alive,
                                                std::size_t voltage,
                                                const scalar::Interval& speed) const;
 

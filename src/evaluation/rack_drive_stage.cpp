@@ -64,7 +64,7 @@ RackDrive<T> RackDriveStage::design(const Selection<T>& s) const {
   RackDrive<T> d;
   d.data = &data_;
   const auto read = [&](std::size_t slot, std::size_t field) {
-    return hull_of<T>(s.rows[slot], [&](solver::Row row) { return tables_[slot].reading(row, field); });
+    return tables_[slot].template read<T>(s.rows[slot], field);
   };
   std::size_t field = 0;
   visit_rack_reading(d.rack, [&](T& x) { x = read(rack_slot, field++); });
@@ -89,15 +89,14 @@ template <class T>
 void RackDriveStage::answer(const Selection<T>& s, solver::Answer<T>& out) const {
   const RackDrive<T> d = design(s);
   machine::rack_drive_constraints(UtilisationVisitor<T, RackDrive<T>>(d, out.utilisation));
-  out.resources[cost_resource] = total<T>(s, [](const Candidate& c) { return c.price; });
-  out.resources[mass_resource] = total<T>(s, [](const Candidate& c) { return c.mass; });
+  out.resources[cost_resource] = total<T>(s, Total::price);
+  out.resources[mass_resource] = total<T>(s, Total::mass);
   add_to_tool(place_, d, out);
   out.handed_on[power_state] = s.inherited[power_state] + (drives_ == 1.0 ? d.input_power : drives_ * d.input_power);
   out.handed_on[place_.load_state] = T(0.0);
   if (place_.parent_load_state)
     out.handed_on[*place_.parent_load_state] =
-        s.inherited[*place_.parent_load_state] + s.inherited[place_.load_state] +
-        total<T>(s, [](const Candidate& c) { return c.riding_mass + c.standing_mass; });
+        s.inherited[*place_.parent_load_state] + s.inherited[place_.load_state] + total<T>(s, Total::burden);
 }
 
 bool RackDriveStage::fits(
@@ -115,5 +114,7 @@ bool RackDriveStage::fits(
 }
 
 template RackDrive<double> RackDriveStage::design(const Selection<double>&) const;
+
+template class ElementStage<RackDriveStage>;
 
 }  // namespace millwright::evaluation

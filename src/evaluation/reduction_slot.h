@@ -28,15 +28,21 @@ class ReductionSlot {
   [[nodiscard]] double least_ratio() const { return least_ratio_; }
   [[nodiscard]] double largest_ratio() const { return largest_ratio_; }
 
+  /// Adds to the readings of a set of reductions what is read of it here.
+  void read(std::span<const solver::Row> rows, std::vector<scalar::Interval>& readings) const {
+    for (std::size_t field = 0; field < readings_.front().size(); ++field)
+      readings.push_back(range_of(rows, [&](solver::Row row) { return readings_[row][field]; }));
+  }
+
   template <class T>
   [[nodiscard]] machine::DriveReduction<T> reading(Alive rows) const {
     machine::DriveReduction<T> result;
     if (!slot_) return result;
-    const std::span<const solver::Row> alive = rows[*slot_];
+    const RowsAlive& alive = rows[*slot_];
     result.present = true;
     std::size_t field = 0;
     const auto read = [&](T& x) {
-      x = hull_of<T>(alive, [&](solver::Row row) { return readings_[row][field]; });
+      x = hull_of<T>(alive, total_count + field, [&](solver::Row row) { return readings_[row][field]; });
       ++field;
     };
     visit_reduction_reading(result, read);

@@ -33,20 +33,34 @@ std::vector<double> RestrictedStage::inner_variables(std::span<const double> var
   return result;
 }
 
+std::vector<Row> RestrictedStage::inner_rows_of(std::size_t slot, std::span<const Row> rows) const {
+  std::vector<Row> result;
+  result.reserve(rows.size());
+  for (const Row row : rows) result.push_back(allowed_[slot][row]);
+  return result;
+}
+
+void RestrictedStage::read(std::span<const Row> shared,
+                           std::size_t slot,
+                           std::span<const Row> rows,
+                           std::vector<Interval>& readings) const {
+  inner_.read(shared, slot, inner_rows_of(slot, rows), readings);
+}
+
 /// A box in the inner stage's rows and variables, with the storage its spans point into.
 struct RestrictedStage::InnerBox {
   InnerBox(const RestrictedStage& stage, const solver::Box& box) {
     rows.resize(box.rows.size());
     for (std::size_t i = 0; i < box.rows.size(); ++i) {
-      for (const Row row : box.rows[i]) rows[i].push_back(stage.allowed_[i][row]);
-      spans.emplace_back(rows[i]);
+      rows[i] = stage.inner_rows_of(i, box.rows[i]);
+      alive.emplace_back(rows[i], box.rows[i].readings);
     }
     for (std::size_t i = 0, next = 0; i < stage.held_.size(); ++i)
       variables.push_back(stage.held_[i] ? Interval(*stage.held_[i]) : box.variables[next++]);
-    inner = {box.shared, box.inherited, spans, variables};
+    inner = {box.shared, box.inherited, alive, variables};
   }
   std::vector<std::vector<Row>> rows;
-  std::vector<std::span<const Row>> spans;
+  std::vector<solver::RowsAlive> alive;
   std::vector<Interval> variables;
   solver::Box inner;
 };

@@ -23,6 +23,10 @@ class RestrictedStage final : public solver::Stage {
   [[nodiscard]] std::span<const solver::Slot> slots() const override { return slots_; }
   [[nodiscard]] std::span<const solver::Variable> variables() const override { return variables_; }
   [[nodiscard]] std::size_t constraints() const override { return inner_.constraints(); }
+  void read(std::span<const solver::Row> shared,
+            std::size_t slot,
+            std::span<const solver::Row> rows,
+            std::vector<scalar::Interval>& readings) const override;
   void evaluate(const solver::Point& point, solver::Answer<double>& answer) const override;
   void bound(const solver::Box& box, solver::Answer<scalar::Interval>& answer) const override;
   void slopes(const solver::Box& box, solver::Input input, solver::Answer<scalar::Interval>& answer) const override;
@@ -39,6 +43,7 @@ class RestrictedStage final : public solver::Stage {
 
  private:
   struct InnerBox;
+  [[nodiscard]] std::vector<solver::Row> inner_rows_of(std::size_t slot, std::span<const solver::Row> rows) const;
   [[nodiscard]] solver::Input inner_input(solver::Input input) const;
 
   const solver::Stage& inner_;

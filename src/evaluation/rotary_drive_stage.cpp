@@ -52,16 +52,17 @@ template <class T>
 void RotaryDriveStage::answer(const Selection<T>& s, solver::Answer<T>& out) const {
   const RotaryDrive<T> d = design(s);
   machine::rotary_drive_constraints(UtilisationVisitor<T, RotaryDrive<T>>(d, out.utilisation));
-  out.resources[cost_resource] = total<T>(s, [](const Candidate& c) { return c.price; });
-  out.resources[mass_resource] = total<T>(s, [](const Candidate& c) { return c.mass; });
+  out.resources[cost_resource] = total<T>(s, Total::price);
+  out.resources[mass_resource] = total<T>(s, Total::mass);
   out.handed_on[power_state] = s.inherited[power_state] + d.input_power;
   out.handed_on[place_.load_state] = T(0.0);
   if (place_.parent_load_state)
     out.handed_on[*place_.parent_load_state] =
-        s.inherited[*place_.parent_load_state] + s.inherited[place_.load_state] +
-        total<T>(s, [](const Candidate& c) { return c.riding_mass + c.standing_mass; });
+        s.inherited[*place_.parent_load_state] + s.inherited[place_.load_state] + total<T>(s, Total::burden);
 }
 
 template RotaryDrive<double> RotaryDriveStage::design(const Selection<double>&) const;
+
+template class ElementStage<RotaryDriveStage>;
 
 }  // namespace millwright::evaluation

@@ -22,6 +22,14 @@ class RotaryDriveStage final : public ElementStage<RotaryDriveStage> {
 
   template <class T>
   [[nodiscard]] machine::RotaryDrive<T> design(const Selection<T>& selection) const;
+  /// What motor and reduction read of their rows.
+  void read_more(std::span<const solver::Row> shared,
+                 std::size_t slot,
+                 std::span<const solver::Row> rows,
+                 std::vector<scalar::Interval>& readings) const {
+    if (slot == motor_slot) motors_->read(shared.empty() ? 0 : shared.front(), rows, readings);
+    if (reduction_.is(slot)) reduction_.read(rows, readings);
+  }
   template <class T>
   void answer(const Selection<T>& selection, solver::Answer<T>& out) const;
 
@@ -40,5 +48,7 @@ class RotaryDriveStage final : public ElementStage<RotaryDriveStage> {
 };
 
 extern template machine::RotaryDrive<double> RotaryDriveStage::design(const Selection<double>&) const;
+
+extern template class ElementStage<RotaryDriveStage>;
 
 }  // namespace millwright::evaluation

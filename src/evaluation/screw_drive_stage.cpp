@@ -145,16 +145,20 @@ ScrewDriveStage::ScrewDriveStage(const machine::Axis& axis,
   });
 }
 
+/// The kind of all these screws, if they are of one kind.
+ScrewKind ScrewDriveStage::kind_of(const RowsAlive& screws) const {
+  const std::size_t reading = tables_[screw_slot].fields() + total_count;
+  const scalar::Interval kinds = reading < screws.readings.size() ? screws.readings[reading] : kinds_of(screws);
+  return kinds.lower == kinds.upper ? screws_.kinds[screws.front()] : ScrewKind::mixed;
+}
+
 template <class T>
 ScrewDrive<T> ScrewDriveStage::design(const Selection<T>& s) const {
   ScrewDrive<T> d;
   d.data = &data_;
-  const auto kind_of = [&](solver::Row row) { return screws_.kinds[row]; };
-  d.kind = kind_of(s.rows[screw_slot].front());
-  for (const solver::Row row : s.rows[screw_slot])
-    if (kind_of(row) != d.kind) d.kind = ScrewKind::mixed;
+  d.kind = kind_of(s.rows[screw_slot]);
   const auto read = [&](std::size_t slot, std::size_t field) {
-    return hull_of<T>(s.rows[slot], [&](solver::Row row) { return tables_[slot].reading(row, field); });
+    return tables_[slot].template read<T>(s.rows[slot], field);
   };
   std::size_t field = 0;
   visit_screw_reading(d.screw, [&](T& x) { x = read(screw_slot, field++); });
@@ -195,15 +199,14 @@ template <class T>
 void ScrewDriveStage::answer(const Selection<T>& s, solver::Answer<T>& out) const {
   const ScrewDrive<T> d = design(s);
   machine::screw_drive_constraints(UtilisationVisitor<T, ScrewDrive<T>>(d, out.utilisation));
-  out.resources[cost_resource] = total<T>(s, [](const Candidate& c) { return c.price; });
-  out.resources[mass_resource] = total<T>(s, [](const Candidate& c) { return c.mass; });
+  out.resources[cost_resource] = total<T>(s, Total::price);
+  out.resources[mass_resource] = total<T>(s, Total::mass);
   add_to_tool(place_, d, out);
   out.handed_on[power_state] = s.inherited[power_state] + (drives_ == 1.0 ? d.input_power : drives_ * d.input_power);
   out.handed_on[place_.load_state] = T(0.0);
   if (place_.parent_load_state)
     out.handed_on[*place_.parent_load_state] =
-        s.inherited[*place_.parent_load_state] + s.inherited[place_.load_state] +
-        total<T>(s, [](const Candidate& c) { return c.riding_mass + c.standing_mass; });
+        s.inherited[*place_.parent_load_state] + s.inherited[place_.load_state] + total<T>(s, Total::burden);
 }
 
 namespace {
@@ -238,5 +241,7 @@ bool ScrewDriveStage::fits(
 }
 
 template ScrewDrive<double> ScrewDriveStage::design(const Selection<double>&) const;
+
+template class ElementStage<ScrewDriveStage>;
 
 }  // namespace millwright::evaluation

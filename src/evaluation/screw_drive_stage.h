@@ -38,6 +38,15 @@ class ScrewDriveStage final : public ElementStage<ScrewDriveStage> {
 
   template <class T>
   [[nodiscard]] machine::ScrewDrive<T> design(const Selection<T>& selection) const;
+  /// What motor and reduction read of their rows; of screws their kind as a number.
+  void read_more(std::span<const solver::Row> shared,
+                 std::size_t slot,
+                 std::span<const solver::Row> rows,
+                 std::vector<scalar::Interval>& readings) const {
+    if (slot == screw_slot) readings.push_back(kinds_of(rows));
+    if (slot == motor_slot) motors_->read(shared.empty() ? 0 : shared.front(), rows, readings);
+    if (reduction_.is(slot)) reduction_.read(rows, readings);
+  }
   template <class T>
   void answer(const Selection<T>& selection, solver::Answer<T>& out) const;
 
@@ -56,6 +65,10 @@ class ScrewDriveStage final : public ElementStage<ScrewDriveStage> {
   enum SlotIndex : std::size_t { screw_slot, motor_slot };
 
  private:
+  [[nodiscard]] scalar::Interval kinds_of(std::span<const solver::Row> screws) const {
+    return range_of(screws, [&](solver::Row row) { return static_cast<double>(screws_.kinds[row]); });
+  }
+  [[nodiscard]] machine::ScrewKind kind_of(const RowsAlive& screws) const;
   [[nodiscard]] bool coupling_fits(double shaft, solver::Row coupling) const;
   [[nodiscard]] bool free_support_fits(solver::Row screw, solver::Row support) const;
 
@@ -72,5 +85,7 @@ class ScrewDriveStage final : public ElementStage<ScrewDriveStage> {
 };
 
 extern template machine::ScrewDrive<double> ScrewDriveStage::design(const Selection<double>&) const;
+
+extern template class ElementStage<ScrewDriveStage>;
 
 }  // namespace millwright::evaluation

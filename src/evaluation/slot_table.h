@@ -49,6 +49,26 @@ struct Candidate {
   double standing_mass = 0.0;  ///< kg on the axis's parent; the rest (a driver in its cabinet) burdens nobody
 };
 
+/// What is added up over the slots of a stage.
+enum class Total : std::size_t { price, mass, riding_mass, standing_mass, burden };
+/// The readings of every slot are its table's fields, then these, then what the stage adds.
+inline constexpr std::size_t total_count = 5;
+inline double total_of(const Candidate& candidate, Total what) {
+  switch (what) {
+    case Total::price:
+      return candidate.price;
+    case Total::mass:
+      return candidate.mass;
+    case Total::riding_mass:
+      return candidate.riding_mass;
+    case Total::standing_mass:
+      return candidate.standing_mass;
+    case Total::burden:  // on the axis's parent
+      return candidate.riding_mass + candidate.standing_mass;
+  }
+  return 0.0;
+}
+
 /// So many of a candidate.
 inline Candidate times(double count, Candidate candidate) {
   for (PartUse& part : candidate.parts) {
@@ -77,6 +97,9 @@ class SlotTable {
   [[nodiscard]] const Candidate& candidate(std::size_t row) const { return candidates_[row]; }
   [[nodiscard]] double reading(std::size_t row, std::size_t field) const { return readings_[row * fields_ + field]; }
   [[nodiscard]] std::size_t fields() const { return fields_; }
+  /// Of a reading over rows alive.
+  template <class T>
+  [[nodiscard]] T read(const solver::RowsAlive& alive, std::size_t field) const;
 
   /// Takes so many of every candidate; the readings stay those of one.
   void multiply(double count) {
@@ -109,36 +132,36 @@ class SlotTable {
 };
 
 /// Rows alive of every slot; a single design has one each.
-using Alive = std::span<const std::span<const solver::Row>>;
+using Alive = std::span<const solver::RowsAlive>;
+using solver::RowsAlive;
 
-namespace detail {
-template <class T>
-struct FromBounds {
-  static T make(double lower, double upper) { return T(scalar::Interval(lower, upper)); }
-};
-template <>
-struct FromBounds<double> {
-  static double make(double lower, double) { return lower; }
-};
-template <int N>
-struct FromBounds<scalar::Dual<double, N>> {
-  static scalar::Dual<double, N> make(double lower, double) { return scalar::Dual<double, N>(lower); }
-};
-}  // namespace detail
-
-/// The hull of one quantity over the rows alive; for point scalars the only row's value.
-template <class T, class Value>
-T hull_of(std::span<const solver::Row> alive, Value&& value) {
-  double lower = value(alive.front());
+/// The smallest and the largest of what `value` says of these rows.
+template <class Value>
+scalar::Interval range_of(std::span<const solver::Row> rows, Value&& value) {
+  double lower = value(rows.front());
   double upper = lower;
-  if constexpr (!std::is_same_v<T, double>) {
-    for (const solver::Row row : alive.subspan(1)) {
-      const double x = value(row);
-      lower = std::min(lower, x);
-      upper = std::max(upper, x);
-    }
+  for (const solver::Row row : rows.subspan(1)) {
+    const double x = value(row);
+    lower = std::min(lower, x);
+    upper = std::max(upper, x);
   }
-  return detail::FromBounds<T>::make(lower, upper);
+  return {lower, upper};
+}
+
+/// The hull of one quantity over the rows alive: what was read of them as number `reading`, if they were read. For
+/// point scalars the only row's value.
+template <class T, class Value>
+T hull_of(const RowsAlive& alive, std::size_t reading, Value&& value) {
+  if constexpr (std::is_same_v<T, double> || std::is_same_v<T, scalar::Dual<double, 1>>) {
+    return T(value(alive.front()));
+  } else {
+    return T(reading < alive.readings.size() ? alive.readings[reading] : range_of(alive.rows, value));
+  }
+}
+
+template <class T>
+T SlotTable::read(const RowsAlive& alive, std::size_t field) const {
+  return hull_of<T>(alive, field, [&](solver::Row row) { return reading(row, field); });
 }
 
 }  // namespace millwright::evaluation

@@ -38,9 +38,7 @@ SupplyStage::SupplyStage(const std::vector<double>& voltages,
 
 template <class T>
 Supply<T> SupplyStage::design(const Selection<T>& s) const {
-  const auto read = [&](std::size_t field) {
-    return hull_of<T>(s.rows[0], [&](solver::Row row) { return tables_[0].reading(row, field); });
-  };
+  const auto read = [&](std::size_t field) { return tables_[0].template read<T>(s.rows[0], field); };
   Supply<T> d;
   d.data = &data_;
   d.demanded_power = T(data_.reserve) * s.inherited[power_state];
@@ -55,10 +53,12 @@ template <class T>
 void SupplyStage::answer(const Selection<T>& s, solver::Answer<T>& out) const {
   const Supply<T> d = design(s);
   supply_constraints(UtilisationVisitor<T, Supply<T>>(d, out.utilisation));
-  out.resources[cost_resource] = total<T>(s, [](const Candidate& c) { return c.price; });
-  out.resources[mass_resource] = total<T>(s, [](const Candidate& c) { return c.mass; });
+  out.resources[cost_resource] = total<T>(s, Total::price);
+  out.resources[mass_resource] = total<T>(s, Total::mass);
 }
 
 template Supply<double> SupplyStage::design(const Selection<double>&) const;
+
+template class ElementStage<SupplyStage>;
 
 }  // namespace millwright::evaluation

@@ -91,4 +91,6 @@ class SupplyStage final : public ElementStage<SupplyStage> {
 
 extern template Supply<double> SupplyStage::design(const Selection<double>&) const;
 
+extern template class ElementStage<SupplyStage>;
+
 }  // namespace millwright::evaluation

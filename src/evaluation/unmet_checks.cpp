@@ -76,7 +76,7 @@ class StageBounds {
   std::vector<Row> shared_;
   std::vector<Interval> inherited_;
   std::vector<std::vector<Row>> all_;
-  std::vector<std::span<const Row>> alive_;
+  std::vector<solver::RowsAlive> alive_;
   std::vector<Interval> variables_;
   solver::Answer<Interval> whole_;
 };

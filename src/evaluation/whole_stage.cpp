@@ -59,4 +59,6 @@ template void WholeStage::answer(const Selection<scalar::Dual<double, 1>>&,
 template void WholeStage::answer(const Selection<scalar::Dual<scalar::Interval, 1>>&,
                                  solver::Answer<scalar::Dual<scalar::Interval, 1>>&) const;
 
+template class ElementStage<WholeStage>;
+
 }  // namespace millwright::evaluation

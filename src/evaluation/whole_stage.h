@@ -135,4 +135,6 @@ class WholeStage final : public ElementStage<WholeStage> {
 
 extern template WholeMachine<double> WholeStage::design(const Selection<double>&) const;
 
+extern template class ElementStage<WholeStage>;
+
 }  // namespace millwright::evaluation

@@ -2,13 +2,14 @@
 //
 // A set of designs of one stage as the search keeps it: the rows alive of each slot and an interval for each continuous
 // variable. Row sets are immutable and shared: a child of a split differs from its parent in a few slots only and keeps
-// the others by reference.
+// the others by reference, with what the stage reads of them.
 //
 // `Desk` is the working place of one thread: the spans and answers that asking a stage needs, allocated once.
 #pragma once
 
 #include <cstdint>
 #include <memory>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -16,7 +17,32 @@
 
 namespace millwright::solver {
 
-using RowSet = std::shared_ptr<const std::vector<Row>>;  ///< ascending, never empty
+/// Rows of one slot, ascending, never empty, and what the stage reads of them.
+class Rows {
+ public:
+  Rows(const Stage& stage, std::span<const Row> shared, std::size_t slot, std::vector<Row> rows)
+      : rows_(std::move(rows)) {
+    stage.read(shared, slot, rows_, readings_);
+  }
+  [[nodiscard]] const std::vector<Row>& all() const { return rows_; }
+  [[nodiscard]] RowsAlive alive() const { return {rows_, readings_}; }
+  [[nodiscard]] std::size_t size() const { return rows_.size(); }
+  [[nodiscard]] Row front() const { return rows_.front(); }
+  [[nodiscard]] auto begin() const { return rows_.begin(); }
+  [[nodiscard]] auto end() const { return rows_.end(); }
+
+ private:
+  std::vector<Row> rows_;
+  std::vector<Interval> readings_;
+};
+using RowSet = std::shared_ptr<const Rows>;
+
+inline RowSet make_rows(const Stage& stage, std::span<const Row> shared, std::size_t slot, std::vector<Row> rows) {
+  return std::make_shared<const Rows>(stage, shared, slot, std::move(rows));
+}
+inline RowSet only(const Stage& stage, std::span<const Row> shared, std::size_t slot, Row row) {
+  return make_rows(stage, shared, slot, std::vector<Row>(1, row));
+}
 
 struct Region {
   std::vector<RowSet> rows;
@@ -35,19 +61,28 @@ struct Region {
   }
 };
 
-/// Every row of every slot and the whole range of every variable.
-inline Region whole_region(const Stage& stage) {
+/// One row of each slot, with these intervals for the variables.
+inline Region region_of(const Stage& stage,
+                        std::span<const Row> shared,
+                        std::span<const Row> rows,
+                        const std::vector<Interval>& variables) {
   Region region;
-  for (const Slot& slot : stage.slots()) {
-    std::vector<Row> rows(slot.rows);
-    for (Row row = 0; row < slot.rows; ++row) rows[row] = row;
-    region.rows.push_back(std::make_shared<const std::vector<Row>>(std::move(rows)));
+  for (std::size_t slot = 0; slot < rows.size(); ++slot) region.rows.push_back(only(stage, shared, slot, rows[slot]));
+  region.variables = variables;
+  return region;
+}
+
+/// Every row of every slot and the whole range of every variable.
+inline Region whole_region(const Stage& stage, std::span<const Row> shared) {
+  Region region;
+  for (std::size_t slot = 0; slot < stage.slots().size(); ++slot) {
+    std::vector<Row> rows(stage.slots()[slot].rows);
+    std::iota(rows.begin(), rows.end(), Row{0});
+    region.rows.push_back(make_rows(stage, shared, slot, std::move(rows)));
   }
   for (const Variable& variable : stage.variables()) region.variables.emplace_back(variable.lower, variable.upper);
   return region;
 }
-
-inline RowSet only(Row row) { return std::make_shared<const std::vector<Row>>(1, row); }
 
 class Desk {
  public:
@@ -99,11 +134,11 @@ class Desk {
           const Region& region,
           std::span<const Interval> variables) {
     spans_.clear();
-    for (const RowSet& set : region.rows) spans_.emplace_back(*set);
+    for (const RowSet& set : region.rows) spans_.push_back(set->alive());
     return Box{shared, inherited, spans_, variables};
   }
 
-  std::vector<std::span<const Row>> spans_;
+  std::vector<RowsAlive> spans_;
 };
 
 /// The largest entry, 0 for none; NaN counts as infinite.

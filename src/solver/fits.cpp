@@ -12,7 +12,8 @@ void set_bit(std::vector<std::uint64_t>& bits, std::size_t offset, std::size_t i
 
 }  // namespace
 
-Fits::Fits(const Stage& stage, std::span<const Row> shared) : slots_(stage.slots().size()), pairs_(slots_ * slots_) {
+Fits::Fits(const Stage& stage, std::span<const Row> shared)
+    : stage_(&stage), shared_(shared), slots_(stage.slots().size()), pairs_(slots_ * slots_) {
   for (std::size_t a = 0; a < slots_; ++a) {
     for (std::size_t b = a + 1; b < slots_; ++b) ask(stage, shared, a, b);
   }
@@ -54,7 +55,7 @@ bool Fits::keep_partners(Region& region, std::size_t changed, std::size_t other,
     }
     return false;
   };
-  const std::vector<Row>& rows = *region.rows[other];
+  const std::vector<Row>& rows = region.rows[other]->all();
   std::size_t kept = 0;
   for (const Row row : rows) kept += has_partner(row) ? 1 : 0;
   if (kept == rows.size()) return true;
@@ -64,7 +65,7 @@ bool Fits::keep_partners(Region& region, std::size_t changed, std::size_t other,
   for (const Row row : rows) {
     if (has_partner(row)) rest.push_back(row);
   }
-  region.rows[other] = std::make_shared<const std::vector<Row>>(std::move(rest));
+  region.rows[other] = make_rows(*stage_, shared_, other, std::move(rest));
   smaller = true;
   return true;
 }

@@ -33,6 +33,8 @@ class Fits {
   void ask(const Stage& stage, std::span<const Row> shared, std::size_t a, std::size_t b);
   bool keep_partners(Region& region, std::size_t changed, std::size_t other, bool& smaller) const;
 
+  const Stage* stage_;
+  std::span<const Row> shared_;
   std::size_t slots_ = 0;
   bool everything_fits_ = true;
   std::vector<Pairs> pairs_;

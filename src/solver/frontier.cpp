@@ -291,11 +291,11 @@ const LeafAnswer& Frontier::leaf(std::size_t stage, Chunk& chunk, const Combinat
   const std::uint64_t name = (std::uint64_t{chunk.group[combination.label]} << 32U) | combination.candidate;
   const auto [place, first] = chunk.leaves.try_emplace(name);
   if (!first) return place->second;
-  Region region;
-  for (const Row row : chunk.set.candidates[combination.candidate].rows) region.rows.push_back(only(row));
-  region.variables = plans_[stage].region.variables;
+  const StagePlan& plan = plans_[stage];
+  const Region region =
+      region_of(*plan.stage, plan.shared, chunk.set.candidates[combination.candidate].rows, plan.region.variables);
   const Label& label = labels_[stage][chunk.labels[combination.label]];
-  place->second = solve_leaf({&plans_[stage], &label, &region, 0.0, false, {}}, control_.desk(0));
+  place->second = solve_leaf({&plan, &label, &region, 0.0, false, {}}, control_.desk(0));
   undecided_ = undecided_ || place->second.undecided;
   return place->second;
 }
@@ -370,10 +370,9 @@ Build Frontier::build_of(const Label& last) {
 }
 
 void Frontier::relieve(std::size_t stage, const Label& before, StageChoice& choice, double& utilisation) {
-  Region region;
-  for (const Row row : choice.rows) region.rows.push_back(only(row));
-  region.variables = plans_[stage].region.variables;
-  const LeafQuestion question{&plans_[stage], &before, &region, 0.0, true, {}};
+  const StagePlan& plan = plans_[stage];
+  const Region region = region_of(*plan.stage, plan.shared, choice.rows, plan.region.variables);
+  const LeafQuestion question{&plan, &before, &region, 0.0, true, {}};
   LeafDesign design(question, control_.desk(0));
   design.relieve(choice.variables, region.variables);
   utilisation = std::max(utilisation, design.worst_at(choice.variables));

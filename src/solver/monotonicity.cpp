@@ -101,16 +101,19 @@ void halve(const Interval& whole, Interval& left, Interval& right) {
 }
 
 /// One of the inputs of a part, cut in two.
-void halve(const Part& part, std::size_t index, Part& left, Part& right) {
+void halve(const MonotonicityQuestion& question, const Part& part, std::size_t index, Part& left, Part& right) {
   left = part;
   right = part;
   const std::size_t slots = part.region.rows.size();
   const std::size_t variables = part.region.variables.size();
   if (index < slots) {
-    const std::vector<Row>& rows = *part.region.rows[index];
+    const std::vector<Row>& rows = part.region.rows[index]->all();
     const auto cut = rows.begin() + static_cast<std::ptrdiff_t>(rows.size() / 2);
-    left.region.rows[index] = std::make_shared<const std::vector<Row>>(rows.begin(), cut);
-    right.region.rows[index] = std::make_shared<const std::vector<Row>>(cut, rows.end());
+    const auto set = [&](auto from, auto to) {
+      return make_rows(*question.stage, question.shared, index, std::vector<Row>(from, to));
+    };
+    left.region.rows[index] = set(rows.begin(), cut);
+    right.region.rows[index] = set(cut, rows.end());
   } else if (index < slots + variables) {
     const std::size_t v = index - slots;
     halve(part.region.variables[v], left.region.variables[v], right.region.variables[v]);
@@ -133,7 +136,7 @@ bool Claim::split(const Part& part, bool carefully, Part& left, Part& right, Des
     if (!(size > smallest)) return;
     double value = -size;
     if (carefully) {
-      halve(part, index, left, right);
+      halve(question_, part, index, left, right);
       value = doubt(left, desk) + doubt(right, desk) - 1e-6 * size;
     }
     if (found && !(value < best)) return;
@@ -151,7 +154,7 @@ bool Claim::split(const Part& part, bool carefully, Part& left, Part& right, Des
   for (std::size_t i = 0; i < part.inherited.size(); ++i) {
     offer(relative_width(part.inherited[i], question_.inherited[i]), slots + variables + i);
   }
-  if (found) halve(part, choice, left, right);
+  if (found) halve(question_, part, choice, left, right);
   return found;
 }
 

@@ -14,8 +14,12 @@ float finite(double x) { return static_cast<float>(std::clamp(x == x ? x : 0.0, 
 
 }  // namespace
 
-RowProfile::RowProfile(std::size_t slots, std::size_t scores, std::size_t constraints)
-    : scores_(scores), width_(scores + 2 * constraints), features_(slots) {}
+RowProfile::RowProfile(const Stage& stage, std::span<const Row> shared, std::size_t scores)
+    : stage_(&stage),
+      shared_(shared),
+      scores_(scores),
+      width_(scores + 2 * stage.constraints()),
+      features_(stage.slots().size()) {}
 
 void RowProfile::record(
     std::size_t slot, Row row, std::size_t rows, std::span<const double> score, const Answer<Interval>& answer) {
@@ -79,7 +83,7 @@ RowProfile::Split RowProfile::split(const Region& region, std::uint64_t open) co
       }
     }
   }
-  const std::vector<Row>& rows = *region.rows[chosen_slot];
+  const std::vector<Row>& rows = region.rows[chosen_slot]->all();
   std::vector<Row> left;
   std::vector<Row> right;
   for (const Row row : rows) {
@@ -91,8 +95,8 @@ RowProfile::Split RowProfile::split(const Region& region, std::uint64_t open) co
     right.assign(rows.begin() + static_cast<std::ptrdiff_t>(rows.size() / 2), rows.end());
   }
   return {chosen_slot,
-          std::make_shared<const std::vector<Row>>(std::move(left)),
-          std::make_shared<const std::vector<Row>>(std::move(right))};
+          make_rows(*stage_, shared_, chosen_slot, std::move(left)),
+          make_rows(*stage_, shared_, chosen_slot, std::move(right))};
 }
 
 }  // namespace millwright::solver

@@ -18,7 +18,7 @@ namespace millwright::solver {
 class RowProfile {
  public:
   RowProfile() = default;
-  RowProfile(std::size_t slots, std::size_t scores, std::size_t constraints);
+  RowProfile(const Stage& stage, std::span<const Row> shared, std::size_t scores);
 
   /// Records what `bound` answered with only this row alive in the slot.
   void record(
@@ -39,6 +39,8 @@ class RowProfile {
   }
   [[nodiscard]] double spread(const Region& region, std::size_t slot, std::size_t index, float& middle) const;
 
+  const Stage* stage_ = nullptr;
+  std::span<const Row> shared_;
   std::size_t scores_ = 0;
   std::size_t width_ = 0;
   std::vector<std::vector<float>> features_;          ///< [slot][row * width_ + index]

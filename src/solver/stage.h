@@ -53,11 +53,30 @@ struct Point {
   std::span<const double> variables;  ///< one per continuous variable
 };
 
+/// The rows alive of one slot, ascending, never empty, with what the stage reads of them (`Stage::read`; no readings:
+/// it was not asked).
+struct RowsAlive {
+  std::span<const Row> rows;
+  std::span<const Interval> readings = {};
+
+  RowsAlive() = default;
+  RowsAlive(std::span<const Row> alive, std::span<const Interval> read = {})  // NOLINT(google-explicit-constructor)
+      : rows(alive), readings(read) {}
+  RowsAlive(const std::vector<Row>& alive) : rows(alive) {}  // NOLINT(google-explicit-constructor)
+
+  operator std::span<const Row>() const { return rows; }  // NOLINT(google-explicit-constructor)
+  [[nodiscard]] std::size_t size() const { return rows.size(); }
+  [[nodiscard]] Row front() const { return rows.front(); }
+  [[nodiscard]] Row operator[](std::size_t i) const { return rows[i]; }
+  [[nodiscard]] auto begin() const { return rows.begin(); }
+  [[nodiscard]] auto end() const { return rows.end(); }
+};
+
 /// A set of designs of one stage: all combinations of the rows alive and all values in the intervals.
 struct Box {
   std::span<const Row> shared;  ///< shared choices are always fixed
   std::span<const Interval> inherited;
-  std::span<const std::span<const Row>> rows;  ///< rows alive of each slot, ascending, never empty
+  std::span<const RowsAlive> rows;  ///< of each slot
   std::span<const Interval> variables;
 };
 
@@ -87,6 +106,16 @@ class Stage {
 
   /// Exact answer for one design. A quantity that cannot be computed makes its utilisation 1e9 or more (never NaN).
   virtual void evaluate(const Point& point, Answer<double>& answer) const = 0;
+
+  /// Intervals that contain what this stage reads of every one of these rows (a column's smallest and largest number,
+  /// say). The search asks once for each set of rows that it makes and hands the answer back with every question about
+  /// it; how many intervals there are, and what they mean, is the stage's own affair. Default: none.
+  virtual void read(std::span<const Row> /*shared*/,
+                    std::size_t /*slot*/,
+                    std::span<const Row> /*rows*/,
+                    std::vector<Interval>& readings) const {
+    readings.clear();
+  }
 
   /// Intervals that contain the answers of every design in the box.
   virtual void bound(const Box& box, Answer<Interval>& answer) const = 0;

@@ -106,7 +106,7 @@ bool shave(StagePlan& plan, std::span<const Interval> inherited, Desk& desk) {
       std::vector<Row> kept;
       for (const Row row : *all) {
         Region trial = plan.region;
-        trial.rows[slot] = only(row);
+        trial.rows[slot] = only(*plan.stage, plan.shared, slot, row);
         if (hopeless(plan, inherited, trial, desk)) continue;
         if (!plan.fits.filter(trial, slot)) continue;
         kept.push_back(row);
@@ -114,7 +114,7 @@ bool shave(StagePlan& plan, std::span<const Interval> inherited, Desk& desk) {
       if (kept.empty()) return false;
       if (kept.size() == all->size()) continue;
       changed = true;
-      plan.region.rows[slot] = std::make_shared<const std::vector<Row>>(std::move(kept));
+      plan.region.rows[slot] = make_rows(*plan.stage, plan.shared, slot, std::move(kept));
       if (!plan.fits.filter(plan.region, slot)) return false;
     }
     if (!changed) break;
@@ -126,13 +126,13 @@ namespace {
 
 void record_profile(StagePlan& plan, Desk& desk) {
   const auto slots = plan.stage->slots();
-  plan.profile = RowProfile(slots.size(), plan.criteria->size(), plan.stage->constraints());
+  plan.profile = RowProfile(*plan.stage, plan.shared, plan.criteria->size());
   Bounds whole;
   read_bounds(plan, desk.bound(*plan.stage, plan.shared, plan.best_inherited, plan.region), whole);
   for (std::size_t slot = 0; slot < slots.size(); ++slot) {
     for (const Row row : *plan.region.rows[slot]) {
       Region trial = plan.region;
-      trial.rows[slot] = only(row);
+      trial.rows[slot] = only(*plan.stage, plan.shared, slot, row);
       Bounds bounds;
       read_bounds(plan, desk.bound(*plan.stage, plan.shared, plan.best_inherited, trial), bounds);
       plan.profile.record(slot, row, slots[slot].rows, bounds.score, desk.interval);

@@ -55,7 +55,7 @@ struct StagePlan {
   std::vector<OpenRegion> frontier;  ///< regions that cover all designs, ascending in the first score
 
   StagePlan(const Stage& s, std::span<const Row> shared_rows, const Criteria& c)
-      : stage(&s), shared(shared_rows), criteria(&c), fits(s, shared_rows), region(whole_region(s)) {}
+      : stage(&s), shared(shared_rows), criteria(&c), fits(s, shared_rows), region(whole_region(s, shared_rows)) {}
 };
 
 /// What an answer of `bound` says.

@@ -435,6 +435,9 @@ TEST_CASE("Bounds of random sets contain their members") {
       SampledBox box = sampler.box();
       Answer<Interval> bounds;
       stage.bound(box.box(), bounds);
+      Answer<Interval> unread;
+      stage.bound(box.box(false), unread);
+      if (flat(unread) != flat(bounds)) findings.add("what is read beforehand makes a difference");
       REQUIRE(bounds.utilisation.size() == stage.constraints());
       for (const Interval& u : bounds.utilisation) proved += u.upper <= 1.0 || u.lower > 1.0;
       const auto ranges = flat(bounds);

@@ -27,10 +27,17 @@ struct SampledBox {
   std::vector<Row> shared;
   std::vector<Interval> inherited, variables;
   std::vector<std::vector<Row>> rows;
-  std::vector<std::span<const Row>> spans;
-  [[nodiscard]] solver::Box box() {
-    spans.assign(rows.begin(), rows.end());
-    return {shared, inherited, spans, variables};
+  std::vector<solver::RowsAlive> alive;
+  std::vector<std::vector<scalar::Interval>> readings;
+  const solver::Stage* stage = nullptr;
+  [[nodiscard]] solver::Box box(bool with_readings = true) {
+    readings.assign(rows.size(), {});
+    alive.clear();
+    for (std::size_t slot = 0; slot < rows.size(); ++slot) {
+      if (with_readings) stage->read(shared, slot, rows[slot], readings[slot]);
+      alive.emplace_back(rows[slot], readings[slot]);
+    }
+    return {shared, inherited, alive, variables};
   }
 };
 
@@ -41,6 +48,7 @@ class BoxSampler {
 
   SampledBox box() {
     SampledBox b;
+    b.stage = &stage_;
     b.shared = {static_cast<Row>(below(voltages_))};
     for (std::size_t i = 0; i < states_; ++i) b.inherited.push_back(range(0.5, 80.0));
     for (const solver::Slot& slot : stage_.slots()) b.rows.push_back(subset(slot.rows));

@@ -249,7 +249,7 @@ TEST_CASE("The zoo's own bounds and slopes enclose what they claim") {
     std::mt19937 rng(seed);
     for (const auto& stage : stack.axes) {
       std::vector<std::vector<Row>> all;
-      std::vector<std::span<const Row>> spans;
+      std::vector<RowsAlive> spans;
       for (const Slot& slot : stage->slots()) {
         all.emplace_back();
         for (Row row = 0; row < slot.rows; ++row) all.back().push_back(row);

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// stack(k, S, M), a family of problems to measure the search with: k axes carry each other, the first one on top. Each
+// chooses one of S screws and one of M motors from the same two tables, and an acceleration time.
+//
+// With the moved mass m, the trapezoid a = X/(t (T - t)), v = X/(T - t), r = 2 pi/lead:
+//   force F = F0 + m g (mu + gravity); screw torque T_s = F/(r e) + (J_s + m/r^2) a r
+//   torque    T_s + J_m a r <= 0.7 T_h/(1 + (v r/w_c)^2)      inertia   J_s + m/r^2 <= 10 J_m
+//   whirl     v/lead <= 0.8 f                                 buckling  F + m a <= half of Euler's load,
+//   fixed-supported twist     T_s L/(G I_p) <= twist_max                      shear     16 T_s/(pi d_r^3) <= tau_max
+// The stages are plain models over rows (model_stage.h): nothing is tabulated, and no structure is hinted at.
+#pragma once
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "solver/model_stage.h"
+#include "solver/solver.h"
+
+namespace stack {
+
+using millwright::solver::Columns;
+using millwright::solver::Stage;
+
+struct Axis {
+  double stroke = 0.0, length = 0.0, move_time = 0.0, carriage = 0.0, force = 0.0, friction = 0.0, gravity = 0.0;
+  double largest_twist = 0.0, largest_shear = 0.0;
+  [[nodiscard]] double shortest_ramp() const { return 0.02; }
+  [[nodiscard]] double longest_ramp() const { return std::min(0.5, 0.5 * move_time); }
+};
+
+enum ScrewColumn { diameter, lead, root, efficiency, mass_per_length, price, price_per_length, screw_width };
+enum MotorColumn { holding_torque, corner_speed, rotor_inertia, motor_mass, motor_price, motor_width };
+enum Slot { screw_slot, motor_slot };
+
+struct Instance {
+  std::vector<Axis> axes;
+  Columns screws{"screw", screw_width, {}};
+  Columns motors{"motor", motor_width, {}};
+};
+
+/// Constraints, cost and mass of one axis; what it hands on is the mass on the next.
+struct AxisModel {
+  Axis axis;
+
+  template <class Input, class Answer>
+  void operator()(const Input& in, Answer& out) const {
+    using millwright::scalar::square;
+    constexpr double pi = std::numbers::pi, gravity = 9.81, young = 206e9, shear = 79e9, density = 7850.0;
+    const double length = axis.length;
+    const auto d = in.row(screw_slot, root);
+    const auto step = in.row(screw_slot, lead);
+    const auto t = in.variable(0);
+    const auto mass = in.state(0) + axis.carriage;
+    const auto rest = axis.move_time - t;
+    const auto speed = axis.stroke / rest;
+    const auto acceleration = speed / t;
+    const auto turns = 2.0 * pi / step;  // rad of the screw for a metre
+    const auto screw_mass = in.row(screw_slot, mass_per_length) * length;
+    const auto screw_inertia = screw_mass * square((in.row(screw_slot, diameter) + d) * 0.25) * 0.5;
+    const auto inertia = screw_inertia + mass / square(turns);
+    const auto force = axis.force + mass * (gravity * (axis.friction + axis.gravity));
+    const auto torque = force / (turns * in.row(screw_slot, efficiency)) + inertia * acceleration * turns;
+    const auto motor_torque = torque + in.row(motor_slot, rotor_inertia) * acceleration * turns;
+    const auto d2 = square(d), d4 = square(d2);
+    const double whirl = 3.927 * 3.927 / (2.0 * pi * length * length) * std::sqrt(young / density) / 4.0;
+    out.utilisation.push_back(motor_torque * (1.0 + square(speed * turns / in.row(motor_slot, corner_speed))) /
+                              (0.7 * in.row(motor_slot, holding_torque)));
+    out.utilisation.push_back(inertia / (10.0 * in.row(motor_slot, rotor_inertia)));
+    out.utilisation.push_back(speed / step / (0.8 * whirl * d));
+    out.utilisation.push_back((force + mass * acceleration) / (pi * pi * young * pi / 64.0 / (length * length) * d4));
+    out.utilisation.push_back(torque * length / (shear * pi / 32.0 * axis.largest_twist * d4));
+    out.utilisation.push_back(16.0 * torque / (pi * axis.largest_shear * (d * d2)));
+    const auto own = screw_mass + in.row(motor_slot, motor_mass);
+    out.resources.push_back(in.row(screw_slot, price) + in.row(screw_slot, price_per_length) * length +
+                            in.row(motor_slot, motor_price));
+    out.resources.push_back(own);
+    out.handed_on.push_back(mass + own);
+  }
+};
+inline constexpr std::size_t constraints = 6;
+
+/// The stages of an instance, which must outlive them, as the search takes them.
+struct Machine {
+  explicit Machine(const Instance& instance) {
+    for (std::size_t i = 0; i < instance.axes.size(); ++i) {
+      const Axis& axis = instance.axes[i];
+      stages.push_back(std::make_unique<millwright::solver::ModelStage<AxisModel>>(
+          "axis " + std::to_string(i + 1),
+          std::vector<const Columns*>{&instance.screws, &instance.motors},
+          std::vector<millwright::solver::Variable>{{"acceleration_time", axis.shortest_ramp(), axis.longest_ramp()}},
+          constraints,
+          AxisModel{axis}));
+      problem.stages.push_back(stages.back().get());
+    }
+    problem.first_state = {0.0};
+    problem.resources = {{"cost"}, {"mass"}};
+  }
+  std::vector<std::unique_ptr<Stage>> stages;
+  millwright::solver::Problem problem;
+};
+
+}  // namespace stack
