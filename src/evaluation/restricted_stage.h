@@ -37,6 +37,10 @@ class RestrictedStage final : public solver::Stage {
                           std::size_t slot_b,
                           solver::Row row_b) const override;
 
+  [[nodiscard]] bool may_misfit(std::size_t slot_a, std::size_t slot_b) const override {
+    return inner_.may_misfit(slot_a, slot_b);
+  }
+
   /// The choice of this stage in terms of the inner stage's rows and variables.
   [[nodiscard]] std::vector<solver::Row> inner_rows(std::span<const solver::Row> rows) const;
   [[nodiscard]] std::vector<double> inner_variables(std::span<const double> variables) const;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "solver/rest_curve.h"
+
 namespace millwright::solver {
 namespace {
 
@@ -27,7 +29,12 @@ BranchAndBound::BranchAndBound(const Problem& problem,
   for (const StagePlan& plan : plans_) {
     label_sets_.emplace_back(criteria_, plan.before, labels_);
     auto& tail = tail_.emplace_back();
-    for (const OpenRegion& part : plan.frontier) tail.push_back(part.bounds.score);
+    for (const OpenRegion& part : plan.frontier) {
+      auto& least = tail.emplace_back(criteria_.size());
+      for (std::size_t k = 0; k < least.size(); ++k) {
+        least[k] = below(std::max(part.bounds.score[k], plan.least[k]), rest_after(plan, k, part.bounds.handed_on));
+      }
+    }
     for (std::size_t i = tail.size(); i-- > 1;) {
       for (std::size_t k = 0; k < criteria_.size(); ++k) tail[i - 1][k] = std::min(tail[i - 1][k], tail[i][k]);
     }
@@ -61,10 +68,7 @@ bool BranchAndBound::useless(const Node& node) const {
   const Label& label = labels_[node.label];
   if (!label.alive || incumbents_.hopeless(node.score, node.utilisation)) return true;
   if (node.next_region != whole_stage || label.stage + 1 >= plans_.size()) return false;
-  thread_local std::vector<double> score;
-  score = node.score;
-  for (std::size_t k = 0; k < score.size(); ++k) score[k] = below(score[k], -plans_[label.stage].rest[k]);
-  return label_sets_[label.stage + 1].dominates({score, node.handed_on, node.utilisation});
+  return label_sets_[label.stage + 1].dominates({node.reached, node.handed_on, node.utilisation});
 }
 
 /// The same for a part of a leaf, by its own share of the scores.
@@ -73,7 +77,7 @@ bool BranchAndBound::useless(const Label& label, std::size_t stage, const Worth&
   for (std::size_t k = 0; k < score.size(); ++k) score[k] = below(score[k], label.score_lower[k]);
   const double utilisation = std::max(label.utilisation, own.utilisation);
   if (stage + 1 < plans_.size() && label_sets_[stage + 1].dominates({score, own.state, utilisation})) return true;
-  for (std::size_t k = 0; k < score.size(); ++k) score[k] = below(score[k], plans_[stage].rest[k]);
+  for (std::size_t k = 0; k < score.size(); ++k) score[k] = below(score[k], rest_after(plans_[stage], k, own.state));
   return incumbents_.hopeless(score, utilisation);
 }
 
@@ -88,8 +92,9 @@ bool BranchAndBound::make_stream(std::uint32_t index, std::size_t region, Node& 
   node.depth = static_cast<std::uint32_t>(label.stage * 1000);
   node.score.resize(criteria_.size());
   for (std::size_t k = 0; k < node.score.size(); ++k) {
-    const double own = std::max(tail_[label.stage][region][k], plan.least[k]);
-    node.score[k] = below(below(label.score_lower[k], own), plan.rest[k]);
+    double least = tail_[label.stage][region][k];
+    if (label.stage > 0) least = std::max(least, rest_after(plans_[label.stage - 1], k, label.enclosure));
+    node.score[k] = below(label.score_lower[k], least);
   }
   return true;
 }
@@ -101,9 +106,10 @@ bool BranchAndBound::bound_node(Node& node, Desk& desk) const {
   thread_local Bounds bounds;
   if (!assess(plan, label.enclosure, node.region, bounds, desk)) return false;
   node.score.resize(criteria_.size());
+  node.reached.resize(criteria_.size());
   for (std::size_t k = 0; k < node.score.size(); ++k) {
-    const double own = std::max(bounds.score[k], plan.least[k]);
-    node.score[k] = below(below(label.score_lower[k], own), plan.rest[k]);
+    node.reached[k] = below(label.score_lower[k], std::max(bounds.score[k], plan.least[k]));
+    node.score[k] = below(node.reached[k], rest_after(plan, k, bounds.handed_on));
   }
   node.handed_on = bounds.handed_on;
   node.utilisation = std::max(label.utilisation, bounds.utilisation);
@@ -121,7 +127,7 @@ void BranchAndBound::expand_stream(const Node& node, Outcome& outcome, Desk& des
     const Bounds& best = plan.frontier[region].bounds;
     for (std::size_t k = 0; k < score.size(); ++k) {
       const double own = std::max(best.score[k], plan.least[k]);
-      score[k] = below(below(label.score_lower[k], own), plan.rest[k]);
+      score[k] = below(below(label.score_lower[k], own), rest_after(plan, k, best.handed_on));
     }
     if (!incumbents_.hopeless(score, std::max(label.utilisation, best.utilisation))) break;
   }

@@ -3,7 +3,8 @@
 // The search for one combination of shared choices: one best-first branch and bound through the whole chain.
 //
 // A node is a label (what is chosen for the stages before) and a region of the next stage; its worth is
-//     scores of the label + least of the region + least of all stages after it      (lower bounds).
+//     scores of the label + least of the region + least of all stages after it      (lower bounds; the last one knows
+//                                                                     what the region hands on: rest_curve.h).
 // The node with the least first objective is taken next:
 //   - a label that arrives at a stage takes over the regions of the stage's relaxation one by one, cheapest first;
 //   - a region with several rows in some slot is split in two (row_profile.h), rows without a fitting partner drop out,
@@ -50,7 +51,8 @@ class BranchAndBound {
     std::uint32_t label = 0;
     std::size_t next_region = whole_stage;  ///< of the stage's frontier; whole_stage: `region` is meant
     Region region;
-    std::vector<double> score;  ///< totals, lower bounds
+    std::vector<double> score;    ///< totals, lower bounds
+    std::vector<double> reached;  ///< the same without the stages after this one
     std::vector<Interval> handed_on;
     double utilisation = 0.0;
     std::uint64_t open = 0;
@@ -90,8 +92,9 @@ class BranchAndBound {
   SearchControl& control_;
   double leaf_tolerance_;
   std::deque<Label> labels_;
-  std::vector<LabelSet> label_sets_;                    ///< [stage]: labels before it
-  std::vector<std::vector<std::vector<double>>> tail_;  ///< [stage][region][score]: least from this region on
+  std::vector<LabelSet> label_sets_;  ///< [stage]: labels before it
+  /// [stage][region][score]: least of the regions from this one on, with all stages after.
+  std::vector<std::vector<std::vector<double>>> tail_;
   std::vector<Node> heap_;
   std::uint64_t order_ = 0;
   bool undecided_ = false;

@@ -15,7 +15,9 @@ void set_bit(std::vector<std::uint64_t>& bits, std::size_t offset, std::size_t i
 Fits::Fits(const Stage& stage, std::span<const Row> shared)
     : stage_(&stage), shared_(shared), slots_(stage.slots().size()), pairs_(slots_ * slots_) {
   for (std::size_t a = 0; a < slots_; ++a) {
-    for (std::size_t b = a + 1; b < slots_; ++b) ask(stage, shared, a, b);
+    for (std::size_t b = a + 1; b < slots_; ++b) {
+      if (stage.may_misfit(a, b)) ask(stage, shared, a, b);
+    }
   }
 }
 

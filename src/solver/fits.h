@@ -17,6 +17,8 @@ class Fits {
  public:
   Fits(const Stage& stage, std::span<const Row> shared);
 
+  [[nodiscard]] bool everything_fits() const { return everything_fits_; }
+
   /// False when some slot has no row left. `changed` is the slot that became smaller, or any value >= the number of
   /// slots for all of them.
   bool filter(Region& region, std::size_t changed) const;

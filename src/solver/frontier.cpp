@@ -6,6 +6,7 @@
 
 #include "solver/archive.h"
 #include "solver/leaf_point.h"
+#include "solver/rest_curve.h"
 
 namespace millwright::solver {
 namespace {
@@ -226,6 +227,16 @@ std::vector<Frontier::Chunk> Frontier::make_chunks(std::size_t stage, const Comp
   return chunks;
 }
 
+/// Whether what the stages after this one must add to these scores, given what is handed to them, leaves a total that
+/// is below some corner of the known front.
+bool Frontier::may_matter(std::size_t stage, std::span<const double> score, std::span<const double> state) const {
+  const StagePlan& plan = plans_[stage];
+  if (plan.curves.empty()) return true;
+  const double first = score[0] + rest_after(plan, 0, state);
+  const double second = criteria_.second(score) + (criteria_.objectives > 1 ? rest_after(plan, 1, state) : 0.0);
+  return below_staircase(useful_.back(), first, second);
+}
+
 /// Every label of a chunk with every candidate, as sums.
 void Frontier::combine(std::size_t stage, std::uint32_t index, const Chunk& chunk, const Comparison& comparison) {
   const std::vector<Pair>& useful = useful_[stage + 1];
@@ -241,6 +252,7 @@ void Frontier::combine(std::size_t stage, std::uint32_t index, const Chunk& chun
       for (std::size_t k = 0; k < score.size(); ++k) score[k] = label.score[k] + candidate.score[k];
       if (!below_staircase(useful, score[0], criteria_.second(score))) continue;
       for (std::size_t c = 0; c < state.size(); ++c) state[c] = candidate.state[c] + change[c];
+      if (!may_matter(stage, score, state)) continue;
       combinations_.push_back({index, i, j, keys_.size()});
       keys_.resize(keys_.size() + comparison.dimensions());
       comparison.key(score, state, keys_.data() + combinations_.back().key);
@@ -338,7 +350,8 @@ bool Frontier::evaluate(std::size_t stage,
   label.state = answer.handed_on;
   label.utilisation = std::max(from.utilisation, worst);
   std::vector<double> total = label.score;
-  for (std::size_t k = 0; k < total.size(); ++k) total[k] += plans_[stage].rest[k];
+  for (std::size_t k = 0; k < total.size(); ++k)
+    total[k] += rest_after(plans_[stage], k, std::span<const double>(label.state));
   if (!incumbents_.within_limits(total)) return false;
   label.rows = rows;
   label.variables = std::move(variables);

@@ -76,6 +76,7 @@ class Frontier {
   void find_rest();
   void update_useful();
   std::vector<Chunk> make_chunks(std::size_t stage, const Comparison& comparison) const;
+  [[nodiscard]] bool may_matter(std::size_t stage, std::span<const double> score, std::span<const double> state) const;
   void combine(std::size_t stage, std::uint32_t index, const Chunk& chunk, const Comparison& comparison);
   void sort_combinations(const Comparison& comparison);
   void compact(const std::vector<Chunk>& chunks, const Comparison& comparison);

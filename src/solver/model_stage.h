@@ -87,6 +87,8 @@ class ModelStage final : public Stage {
   [[nodiscard]] std::span<const Variable> variables() const override { return variables_; }
   [[nodiscard]] std::size_t constraints() const override { return constraints_; }
 
+  [[nodiscard]] bool may_misfit(std::size_t, std::size_t) const override { return false; }
+
   /// The hull of each column.
   void read(std::span<const Row>,
             std::size_t slot,

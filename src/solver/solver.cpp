@@ -12,6 +12,7 @@
 #include "solver/criteria.h"
 #include "solver/frontier.h"
 #include "solver/incumbents.h"
+#include "solver/rest_curve.h"
 #include "solver/search_control.h"
 #include "solver/stage_plan.h"
 
@@ -159,6 +160,9 @@ class Solve {
     return std::make_unique<BranchAndBound>(problem_, criteria_, plans, incumbents_, control_, leaf_tolerance);
   }
 
+  /// A problem that is settled in so many nodes is not worth rest curves.
+  static constexpr std::uint64_t easy_nodes = 200;
+
   /// Empty when the combination is settled.
   std::optional<OpenSearch> start(const Combination& combination) {
     OpenSearch open{
@@ -172,11 +176,19 @@ class Solve {
       priced_ = priced_ || plans[i].any_priced;
       priced_stages_[i] = priced_stages_[i] || plans[i].any_priced;
     }
-    if (criteria_.objectives > 1 && stage_by_stage(plans, combination.score[0])) return std::nullopt;
+    if (criteria_.objectives > 1) {
+      find_rest_curves(plans, control_.desk(0));
+      if (stage_by_stage(plans, combination.score[0])) return std::nullopt;
+    }
     set_tolerance();
     open.search = label_by_label(plans, first_leaf_tolerance());
     if (criteria_.objectives > 1) return open;
-    const SearchResult result = open.search->run(control_.options().patience);
+    SearchResult result = open.search->run(std::min(control_.options().patience, easy_nodes));
+    if (!result.complete && !control_.time_is_up()) {
+      find_rest_curves(plans, control_.desk(0));
+      open.search = label_by_label(plans, first_leaf_tolerance());
+      result = open.search->run(control_.options().patience);
+    }
     if (result.complete) return std::nullopt;
     open.lower_bound = result.lower_bound;
     return open;

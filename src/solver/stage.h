@@ -135,6 +135,8 @@ class Stage {
                                   Row /*row_b*/) const {
     return true;
   }
+  /// Whether `fits` can say no about two slots at all; if not, the search need not ask about every pair of rows.
+  [[nodiscard]] virtual bool may_misfit(std::size_t /*slot_a*/, std::size_t /*slot_b*/) const { return true; }
 };
 
 /// Something additive over stages: cost, mass, power... Smaller is better.

@@ -96,49 +96,51 @@ bool cut_variables(
   return bounds.utilisation <= 1.0;
 }
 
-bool shave(StagePlan& plan, std::span<const Interval> inherited, Desk& desk) {
+bool shave(StagePlan& plan, std::span<const Interval> inherited, Desk& desk, const RowSeen& seen) {
   const std::size_t slots = plan.region.rows.size();
-  constexpr int passes = 2;
-  for (int pass = 0; pass < passes; ++pass) {
-    bool changed = false;
+  for (bool again = true; again;) {
+    again = false;
     for (std::size_t slot = 0; slot < slots; ++slot) {
       const RowSet all = plan.region.rows[slot];
+      Region trial = plan.region;
       std::vector<Row> kept;
       for (const Row row : *all) {
-        Region trial = plan.region;
         trial.rows[slot] = only(*plan.stage, plan.shared, slot, row);
         if (hopeless(plan, inherited, trial, desk)) continue;
-        if (!plan.fits.filter(trial, slot)) continue;
+        if (seen) seen(slot, row, desk.interval);
+        if (!plan.fits.everything_fits()) {
+          Region partners = trial;
+          if (!plan.fits.filter(partners, slot)) continue;
+        }
         kept.push_back(row);
       }
       if (kept.empty()) return false;
       if (kept.size() == all->size()) continue;
-      changed = true;
+      // Fewer rows here may leave others without hope; a few fewer are not worth asking about all others again.
+      again = again || 2 * kept.size() <= all->size();
       plan.region.rows[slot] = make_rows(*plan.stage, plan.shared, slot, std::move(kept));
       if (!plan.fits.filter(plan.region, slot)) return false;
     }
-    if (!changed) break;
   }
   return !hopeless(plan, inherited, plan.region, desk);
 }
 
 namespace {
 
-void record_profile(StagePlan& plan, Desk& desk) {
+/// Drops rows without hope at the best state that can arrive, and keeps what the others' bounds were.
+bool shave_and_profile(StagePlan& plan, Desk& desk) {
   const auto slots = plan.stage->slots();
   plan.profile = RowProfile(*plan.stage, plan.shared, plan.criteria->size());
-  Bounds whole;
-  read_bounds(plan, desk.bound(*plan.stage, plan.shared, plan.best_inherited, plan.region), whole);
-  for (std::size_t slot = 0; slot < slots.size(); ++slot) {
-    for (const Row row : *plan.region.rows[slot]) {
-      Region trial = plan.region;
-      trial.rows[slot] = only(*plan.stage, plan.shared, slot, row);
-      Bounds bounds;
-      read_bounds(plan, desk.bound(*plan.stage, plan.shared, plan.best_inherited, trial), bounds);
-      plan.profile.record(slot, row, slots[slot].rows, bounds.score, desk.interval);
-    }
-  }
-  plan.profile.finish(plan.region, whole.score);
+  Bounds bounds;
+  const bool feasible =
+      shave(plan, plan.best_inherited, desk, [&](std::size_t slot, Row row, const Answer<Interval>& answer) {
+        read_bounds(plan, answer, bounds);
+        plan.profile.record(slot, row, slots[slot].rows, bounds.score, answer);
+      });
+  if (!feasible) return false;
+  read_bounds(plan, desk.bound(*plan.stage, plan.shared, plan.best_inherited, plan.region), bounds);
+  plan.profile.finish(plan.region, bounds.score);
+  return true;
 }
 
 /// The states that can arrive, from the tool to the base; false when a stage has no feasible design.
@@ -147,7 +149,7 @@ bool find_states(const Problem& problem, std::vector<StagePlan>& plans, Desk& de
   for (StagePlan& plan : plans) {
     plan.inherited = state;
     if (!plan.fits.filter(plan.region, plan.region.rows.size())) return false;
-    if (!shave(plan, plan.inherited, desk)) return false;
+    if (!shave(plan, plan.inherited, desk, {})) return false;
     state = desk.bound(*plan.stage, plan.shared, plan.inherited, plan.region).handed_on;
   }
   return true;
@@ -172,6 +174,23 @@ double most_bearable(const StagePlan& plan, std::size_t component, Desk& desk) {
   return refused_at;
 }
 
+/// Whether some side of a range of states has become a good deal narrower.
+bool narrower(std::span<const Interval> now, std::span<const Interval> before) {
+  constexpr double good_deal = 0.9;
+  for (std::size_t c = 0; c < now.size(); ++c) {
+    if (now[c].upper - now[c].lower < good_deal * (before[c].upper - before[c].lower)) return true;
+  }
+  return false;
+}
+
+/// Whether later stages cannot bear everything that a stage may hand on.
+bool limits(const StagePlan& plan, std::span<const Interval> handed_on) {
+  for (std::size_t c = 0; c < handed_on.size(); ++c) {
+    if (plan.most_after[c] < handed_on[c].upper) return true;
+  }
+  return false;
+}
+
 /// What later stages can bear, from the base to the tool; then the states that can still arrive, and the rows that can
 /// still be chosen. False when nothing is left.
 bool find_limits(std::vector<StagePlan>& plans, Desk& desk) {
@@ -182,8 +201,10 @@ bool find_limits(std::vector<StagePlan>& plans, Desk& desk) {
   }
   std::vector<Interval> state = plans.empty() ? std::vector<Interval>{} : plans.front().inherited;
   for (StagePlan& plan : plans) {
+    const bool changed = narrower(state, plan.inherited);
     plan.inherited = state;
-    if (!shave(plan, plan.inherited, desk)) return false;
+    state = desk.bound(*plan.stage, plan.shared, plan.inherited, plan.region).handed_on;
+    if ((changed || limits(plan, state)) && !shave(plan, plan.inherited, desk, {})) return false;
     state = desk.bound(*plan.stage, plan.shared, plan.inherited, plan.region).handed_on;
     for (std::size_t c = 0; c < state.size(); ++c) {
       const double most_here = plan.most_after[c] + 1e-11 * std::fabs(plan.most_after[c]);
@@ -264,8 +285,7 @@ std::vector<StagePlan> make_plans(const Problem& problem,
   std::vector<Interval> best(problem.first_state.begin(), problem.first_state.end());
   for (StagePlan& plan : plans) {
     plan.best_inherited = best;
-    if (!shave(plan, plan.best_inherited, desk)) return {};
-    record_profile(plan, desk);
+    if (!shave_and_profile(plan, desk)) return {};
     best = best_after(plan, desk);
     if (!find_least(plan, desk)) return {};
   }

@@ -13,6 +13,7 @@
 // direction, the whole range of the others. What is infeasible or dear there is so for every label.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -37,6 +38,14 @@ struct OpenRegion {
   Bounds bounds;
 };
 
+/// What all stages after one add at least to a score, by a component of the state handed to them: a staircase that
+/// rises with what is handed on (a load that larger parts must bear, a compliance that stiffer ones must make up for).
+struct RestCurve {
+  std::size_t score = 0, component = 0;
+  std::vector<double> from;   ///< states, ascending
+  std::vector<double> least;  ///< [i]: from from[i] on; ascending
+};
+
 struct StagePlan {
   const Stage* stage = nullptr;
   std::span<const Row> shared;
@@ -52,6 +61,7 @@ struct StagePlan {
   RowProfile profile;
   std::vector<double> least;         ///< of this stage, per score
   std::vector<double> rest;          ///< of all later stages, per score
+  std::vector<RestCurve> curves;     ///< the same by what is handed on (rest_curve.h)
   std::vector<OpenRegion> frontier;  ///< regions that cover all designs, ascending in the first score
 
   StagePlan(const Stage& s, std::span<const Row> shared_rows, const Criteria& c)
@@ -69,8 +79,10 @@ bool cut_variables(
 /// Asks `bound`, then cuts the variables' intervals.
 bool assess(const StagePlan& plan, std::span<const Interval> inherited, Region& region, Bounds& bounds, Desk& desk);
 
+/// Told of every row that is kept: what `bound` said with only this row alive in its slot.
+using RowSeen = std::function<void(std::size_t slot, Row row, const Answer<Interval>& answer)>;
 /// Removes the rows that cannot be in a feasible design at any of the inherited states; false when a slot is empty.
-bool shave(StagePlan& plan, std::span<const Interval> inherited, Desk& desk);
+bool shave(StagePlan& plan, std::span<const Interval> inherited, Desk& desk, const RowSeen& seen);
 
 /// The plans of all stages; empty when it is proved that some stage has no feasible design at all.
 std::vector<StagePlan> make_plans(const Problem& problem,

@@ -42,6 +42,23 @@ struct Instance {
   Columns motors{"motor", motor_width, {}};
 };
 
+/// What an axis reads of a screw: as long as the axis needs it.
+enum CutScrewColumn { cut_lead, cut_root, cut_efficiency, cut_mass, cut_inertia, cut_price, cut_width };
+
+inline Columns cut_screws(const Columns& screws, double length) {
+  Columns cut{"screw", cut_width, {}};
+  cut.numbers.reserve(cut_width * screws.rows());
+  for (std::uint32_t i = 0; i < screws.rows(); ++i) {
+    const double* s = screws.row(i);
+    const double mass = s[mass_per_length] * length;
+    const double radius = 0.25 * (s[diameter] + s[root]);
+    cut.numbers.insert(
+        cut.numbers.end(),
+        {s[lead], s[root], s[efficiency], mass, 0.5 * mass * radius * radius, s[price] + s[price_per_length] * length});
+  }
+  return cut;
+}
+
 /// Constraints, cost and mass of one axis; what it hands on is the mass on the next.
 struct AxisModel {
   Axis axis;
@@ -51,19 +68,17 @@ struct AxisModel {
     using millwright::scalar::square;
     constexpr double pi = std::numbers::pi, gravity = 9.81, young = 206e9, shear = 79e9, density = 7850.0;
     const double length = axis.length;
-    const auto d = in.row(screw_slot, root);
-    const auto step = in.row(screw_slot, lead);
+    const auto d = in.row(screw_slot, cut_root);
+    const auto step = in.row(screw_slot, cut_lead);
     const auto t = in.variable(0);
     const auto mass = in.state(0) + axis.carriage;
     const auto rest = axis.move_time - t;
     const auto speed = axis.stroke / rest;
     const auto acceleration = speed / t;
     const auto turns = 2.0 * pi / step;  // rad of the screw for a metre
-    const auto screw_mass = in.row(screw_slot, mass_per_length) * length;
-    const auto screw_inertia = screw_mass * square((in.row(screw_slot, diameter) + d) * 0.25) * 0.5;
-    const auto inertia = screw_inertia + mass / square(turns);
+    const auto inertia = in.row(screw_slot, cut_inertia) + mass / square(turns);
     const auto force = axis.force + mass * (gravity * (axis.friction + axis.gravity));
-    const auto torque = force / (turns * in.row(screw_slot, efficiency)) + inertia * acceleration * turns;
+    const auto torque = force / (turns * in.row(screw_slot, cut_efficiency)) + inertia * acceleration * turns;
     const auto motor_torque = torque + in.row(motor_slot, rotor_inertia) * acceleration * turns;
     const auto d2 = square(d), d4 = square(d2);
     const double whirl = 3.927 * 3.927 / (2.0 * pi * length * length) * std::sqrt(young / density) / 4.0;
@@ -74,9 +89,8 @@ struct AxisModel {
     out.utilisation.push_back((force + mass * acceleration) / (pi * pi * young * pi / 64.0 / (length * length) * d4));
     out.utilisation.push_back(torque * length / (shear * pi / 32.0 * axis.largest_twist * d4));
     out.utilisation.push_back(16.0 * torque / (pi * axis.largest_shear * (d * d2)));
-    const auto own = screw_mass + in.row(motor_slot, motor_mass);
-    out.resources.push_back(in.row(screw_slot, price) + in.row(screw_slot, price_per_length) * length +
-                            in.row(motor_slot, motor_price));
+    const auto own = in.row(screw_slot, cut_mass) + in.row(motor_slot, motor_mass);
+    out.resources.push_back(in.row(screw_slot, cut_price) + in.row(motor_slot, motor_price));
     out.resources.push_back(own);
     out.handed_on.push_back(mass + own);
   }
@@ -86,11 +100,12 @@ inline constexpr std::size_t constraints = 6;
 /// The stages of an instance, which must outlive them, as the search takes them.
 struct Machine {
   explicit Machine(const Instance& instance) {
+    for (const Axis& axis : instance.axes) screws.push_back(cut_screws(instance.screws, axis.length));
     for (std::size_t i = 0; i < instance.axes.size(); ++i) {
       const Axis& axis = instance.axes[i];
       stages.push_back(std::make_unique<millwright::solver::ModelStage<AxisModel>>(
           "axis " + std::to_string(i + 1),
-          std::vector<const Columns*>{&instance.screws, &instance.motors},
+          std::vector<const Columns*>{&screws[i], &instance.motors},
           std::vector<millwright::solver::Variable>{{"acceleration_time", axis.shortest_ramp(), axis.longest_ramp()}},
           constraints,
           AxisModel{axis}));
@@ -99,6 +114,7 @@ struct Machine {
     problem.first_state = {0.0};
     problem.resources = {{"cost"}, {"mass"}};
   }
+  std::vector<Columns> screws;  ///< [axis]
   std::vector<std::unique_ptr<Stage>> stages;
   millwright::solver::Problem problem;
 };

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/rest_curve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "solver/relaxation.h"
+
+namespace millwright::solver {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t steps = 10;        // of a curve
+constexpr std::size_t node_limit = 300;  // looked at for one point of a curve
+constexpr std::size_t proof_boxes = 60;  // spent on a single design
+constexpr double worth_keeping = 1e-6;   // relative rise of a curve below which it says nothing
+
+/// R_i(s) for one stage, component and score, for rising s. What is infeasible or dear at one s is so at the next, so
+/// the search goes on from where it stood: regions are bounded again only when they come up.
+class LeastFrom {
+ public:
+  LeastFrom(const StagePlan& plan, std::size_t score, std::size_t component, Desk& desk)
+      : plan_(plan), score_(score), component_(component), desk_(desk), inherited_(plan.best_inherited) {
+    for (const OpenRegion& region : plan_.frontier) {
+      Node node;
+      node.value = value_of(region.bounds);
+      node.known = &region;
+      push(std::move(node));
+    }
+  }
+
+  double at(double state) {
+    inherited_[component_] = state;
+    ++step_;
+    while (!heap_.empty() && nodes_ < node_limit) {
+      if (heap_.front().settled && heap_.front().step == step_) break;
+      ++nodes_;
+      look_at(pop());
+    }
+    return heap_.empty() ? infinity : heap_.front().value;
+  }
+
+ private:
+  struct Node {
+    double value = 0.0;
+    const OpenRegion* known = nullptr;  ///< of the frontier, not yet bounded
+    OpenRegion part;
+    std::size_t step = 0;  ///< at which it was bounded
+    std::size_t order = 0;
+    bool settled = false;  ///< a single design that could not be proved infeasible
+  };
+  struct Later {
+    bool operator()(const Node& a, const Node& b) const {
+      return a.value != b.value ? a.value > b.value : a.order < b.order;
+    }
+  };
+
+  [[nodiscard]] double value_of(const Bounds& bounds) const {
+    return scalar::rounding::sum_down(bounds.score[score_], rest_after(plan_, score_, bounds.handed_on));
+  }
+  void push(Node node) {
+    node.order = ++order_;
+    heap_.push_back(std::move(node));
+    std::push_heap(heap_.begin(), heap_.end(), Later{});
+  }
+  Node pop() {
+    std::pop_heap(heap_.begin(), heap_.end(), Later{});
+    Node node = std::move(heap_.back());
+    heap_.pop_back();
+    return node;
+  }
+  void offer(Region region, double at_least) {
+    Node node;
+    node.part.region = std::move(region);
+    if (!assess(plan_, inherited_, node.part.region, node.part.bounds, desk_)) return;
+    node.value = std::max(at_least, value_of(node.part.bounds));
+    node.step = step_;
+    if (node.value < infinity) push(std::move(node));
+  }
+  void look_at(Node node) {
+    if (node.known != nullptr) return offer(node.known->region, node.value);
+    if (node.step != step_) return offer(std::move(node.part.region), node.value);
+    if (node.part.region.one_design_per_slot()) {
+      if (proves_infeasible(plan_, inherited_, node.part.region, proof_boxes, desk_)) return;
+      node.settled = true;
+      return push(std::move(node));
+    }
+    const RowProfile::Split split = plan_.profile.split(node.part.region, node.part.bounds.open);
+    for (const RowSet& half : {split.right, split.left}) {
+      Region region = node.part.region;
+      region.rows[split.slot] = half;
+      if (plan_.fits.filter(region, split.slot)) offer(std::move(region), node.value);
+    }
+  }
+
+  const StagePlan& plan_;
+  std::size_t score_, component_;
+  Desk& desk_;
+  std::vector<Interval> inherited_;
+  std::vector<Node> heap_;
+  std::size_t order_ = 0, step_ = 0, nodes_ = 0;
+};
+
+/// The curve before a stage; empty where the component tells nothing.
+RestCurve curve_before(const StagePlan& plan, std::size_t score, std::size_t component, double rest, Desk& desk) {
+  RestCurve curve{score, component, {}, {}};
+  const Interval& whole = plan.inherited[component];
+  const double best = plan.best_inherited[component].lower;
+  if (!(whole.upper > best) || !std::isfinite(whole.upper)) return curve;
+  LeastFrom least(plan, score, component, desk);
+  double known = rest;
+  for (std::size_t i = 0; i < steps && known < infinity; ++i) {
+    const double share = i == 0 ? 0.0 : std::exp2(static_cast<double>(i) - static_cast<double>(steps));
+    const double state = best + share * (whole.upper - best);
+    const double from_here = least.at(state);
+    if (!(from_here > known + worth_keeping * std::fabs(known))) continue;
+    known = from_here;
+    curve.from.push_back(state);
+    curve.least.push_back(known);
+  }
+  return curve;
+}
+
+}  // namespace
+
+void find_rest_curves(std::vector<StagePlan>& plans, Desk& desk) {
+  if (plans.empty()) return;
+  const Criteria& criteria = *plans.front().criteria;
+  for (std::size_t i = plans.size(); i-- > 1;) {
+    const StagePlan& plan = plans[i];
+    StagePlan& before = plans[i - 1];
+    before.curves.clear();
+    for (std::size_t score = 0; score < criteria.objectives; ++score) {
+      const double rest = scalar::rounding::sum_down(plan.least[score], plan.rest[score]);
+      before.rest[score] = std::max(before.rest[score], rest);
+      for (std::size_t component = 0; component < plan.before.size(); ++component) {
+        if (plan.before[component] != Direction::smaller_is_better) continue;
+        RestCurve curve = curve_before(plan, score, component, before.rest[score], desk);
+        if (!curve.from.empty()) before.curves.push_back(std::move(curve));
+      }
+    }
+  }
+}
+
+}  // namespace millwright::solver
