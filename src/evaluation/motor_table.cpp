@@ -137,13 +137,16 @@ MotorTable motor_table(const catalogue::Catalogue& catalogue,
   const std::vector<Driver> drivers = eligible_drivers(catalogue.table(Family::drivers), axis, prices);
   const Curves curves = read_curves(catalogue.table(Family::stepper_curves));
   const double voltage_factor = axis.require(machine::Requirement::driver_voltage_factor);
+  const auto possible = [&](const Driver& d, double current) {
+    if (!axis.motor.currents.empty() && d.peak_current < current) return false;  // it cannot be set there
+    return std::any_of(voltages.begin(), voltages.end(), [&](double v) { return runs_at(d, v, voltage_factor); });
+  };
   // A driver that a bill names is judged, not passed over (C-DR-VOLT, F-DRIVER-VOLTAGE-MIN, C-DR-CURRENT).
   const auto worth_keeping = [&](const Driver& d, double current) {
-    if (!axis.motor.currents.empty() && d.peak_current < current) return false;  // it cannot be set there
-    return std::any_of(voltages.begin(), voltages.end(), [&](double v) { return runs_at(d, v, voltage_factor); }) &&
-           std::none_of(drivers.begin(), drivers.end(), [&](const Driver& a) {
-             return a.row != d.row && covers(a, d, current, voltages, voltage_factor);
-           });
+    return possible(d, current) &&
+           (axis.keep_covered_candidates || std::none_of(drivers.begin(), drivers.end(), [&](const Driver& a) {
+              return a.row != d.row && covers(a, d, current, voltages, voltage_factor);
+            }));
   };
   MotorTable result{SlotTable("motor", 0), {}};
   for (int row = 0; row < motors.rows(); ++row) {

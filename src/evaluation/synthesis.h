@@ -39,12 +39,6 @@ solver::Options solver_options(const SearchOptions& options);
 /// The cheapest (or lightest) compliant build, or the exact front.
 Synthesis synthesise(const MachineModel& model, const SearchOptions& options);
 
-/// A part or setting of a bill of materials that cannot be used as it stands.
-struct BomProblem {
-  machine::SourceSpan where;
-  std::string message, hint;
-};
-
 /// What a bill of materials amounts to.
 struct BomCheck {
   std::vector<BomProblem>

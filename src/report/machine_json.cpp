@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/json.h"
 #include "report/json_value.h"
+#include "report/steering.h"
 
 namespace millwright::report {
 
@@ -207,6 +208,7 @@ void add_design(const MachineResult& result, const Design& design, Json& json) {
 std::string solve_json(const MachineResult& result) {
   Json json = result_of("solve");
   json["problem"] = problem_of(result);
+  add_steering(result, json);
   json["status"] = to_string(result.status);
   json["objective"] = objective_of(result);
   if (!result.designs.empty()) add_design(result, result.designs.front(), json);
@@ -220,6 +222,7 @@ std::string solve_json(const MachineResult& result) {
 std::string front_json(const MachineResult& result) {
   Json json = result_of("pareto");
   json["problem"] = problem_of(result);
+  add_steering(result, json);
   json["status"] = to_string(result.status);
   json["objectives"] = result.objectives;
   json["front"] = Json::array();
@@ -240,6 +243,7 @@ std::string front_json(const MachineResult& result) {
 std::string check_json(const MachineResult& result) {
   Json json = result_of("check");
   json["problem"] = problem_of(result);
+  add_steering(result, json);
   json["bill_of_materials"] = result.bom_file;
   const bool satisfied = !result.designs.empty() && result.designs.front().satisfied();
   json["satisfied"] = satisfied;

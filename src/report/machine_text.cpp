@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "report/design_text.h"
+#include "report/steering.h"
 #include "scalar/unit.h"
 
 namespace millwright::report {
@@ -19,7 +20,7 @@ namespace {
 
 std::string title_text(const MachineResult& result, const Style& style) {
   const std::string title = result.title.empty() ? result.file : result.title + " (" + result.file + ")";
-  return style.heading(title) + "\n\n";
+  return style.heading(title) + "\n\n" + steering_text(result, style);
 }
 
 std::string best_word(const std::string& objective) { return objective == "mass" ? "Lightest" : "Cheapest"; }

@@ -9,6 +9,7 @@
 #include "evaluation/ledger.h"
 #include "evaluation/ways_out.h"
 #include "machine/problem.h"
+#include "machine/steering.h"
 
 namespace millwright::report {
 
@@ -61,6 +62,8 @@ struct Timing {
 struct MachineResult {
   std::string title;
   std::string file;
+  std::string currency;                     ///< of the problem
+  machine::Steering steering;               ///< what was asked for beside the problem file
   std::vector<std::string> axes;            ///< in the order of the problem file
   std::vector<std::string> objectives;      ///< "cost", "mass"
   Status status = Status::infeasible;       ///< of solve and pareto
