@@ -143,6 +143,9 @@ class CommandLine {
     add_fix_option(solve, options_);
     add_objectives(solve, options_.objectives, "cost or mass (default: as the problem says)");
     solve.add_option("--bom", options_.bom, "write the build as a bill of materials")->type_name("FILE.csv");
+    solve.add_option("--alternatives", options_.builds, "the best K builds, not only the best one (1 to 100)")
+        ->type_name("K")
+        ->check(CLI::Range(1U, 100U));
     CLI::App& pareto = add(app_, "pareto", Verb::pareto, "all builds that no other build beats in cost and mass");
     add_machine_options(pareto, options_);
     add_fix_option(pareto, options_);

@@ -35,6 +35,7 @@ report::MachineResult search(const Options& options, const MachineInput& input, 
   evaluation::SearchOptions how = search_options(options, result.objectives);
   const StopSignal stop;
   how.stop = stop.stopped();
+  how.builds = options.builds;
   evaluation::Synthesis synthesis;
   {
     ProgressLine line(options.quiet, result.objectives.front() == "mass" ? "kg" : input.problem.currency);
@@ -51,6 +52,8 @@ report::MachineResult search(const Options& options, const MachineInput& input, 
   }
   result.lower_bound = synthesis.lower_bound;
   result.gap = synthesis.gap;
+  result.builds_asked = options.builds;
+  result.proved = synthesis.proved;
   result.certificate = {
       synthesis.combinations, synthesis.nodes, synthesis.evaluations, synthesis.method, synthesis.front_tolerance};
   set_designs(result, input.problem, std::move(synthesis.designs));
@@ -82,7 +85,7 @@ int run_search(const Options& options) {
     model.emplace(input->problem,
                   input->catalogue,
                   evaluation::GivenSlots{},
-                  evaluation::ModelOptions{.fixed = input->steering.fixed});
+                  evaluation::ModelOptions{.fixed = input->steering.fixed, .every_candidate = options.builds > 1});
     for (const evaluation::BomProblem& problem : model->problems())
       diagnostics.error(problem.where, problem.message, problem.hint);
   }

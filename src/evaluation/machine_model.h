@@ -74,6 +74,7 @@ using GivenSlots = std::set<std::pair<std::string, std::string>>;
 /// What is asked of a model beside its problem.
 struct ModelOptions {
   machine::BillOfMaterials fixed = {};  ///< parts and settings that every build has; the problem's wishes still count
+  bool every_candidate = false;  ///< also candidates that another one covers: no best build has one, the next best may
 };
 
 class MachineModel {
@@ -96,6 +97,8 @@ class MachineModel {
   [[nodiscard]] const std::vector<StageEntry>& entries() const { return entries_; }
   [[nodiscard]] std::vector<EmptySlot> empty_slots() const;
   [[nodiscard]] const ModelOptions& options() const { return options_; }
+  /// Rows of problem() that are never worse than this one (solver/alternatives.h); known with `every_candidate`.
+  [[nodiscard]] std::vector<solver::Row> covering_rows(std::size_t stage, std::size_t slot, solver::Row row) const;
   /// Why something cannot be fixed; then nothing is.
   [[nodiscard]] const std::vector<BomProblem>& problems() const { return problems_; }
 
@@ -113,6 +116,7 @@ class MachineModel {
   const catalogue::Catalogue& catalogue_;
   std::vector<StageEntry> entries_;
   solver::Problem solver_problem_;
+  solver::Restriction restriction_;  ///< with something fixed
   std::optional<solver::RestrictedProblem> restricted_;
 };
 

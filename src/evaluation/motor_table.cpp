@@ -2,7 +2,7 @@
 //
 // Motors with the drivers that can run them and the currents that may be set there. Drivers that give a motor the same
 // current differ only in price, mass and the voltages they bear: for one motor those that are dearer or heavier than
-// another that bears at least the same voltages are left out.
+// another that bears at least the same voltages are left out, or marked as covered by it.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -172,6 +172,8 @@ MotorTable motor_table(const catalogue::Catalogue& catalogue,
       continue;
     for (const double current : settable_currents(axis, f.rated_current)) {
       f.asked_current = current;
+      const std::size_t first = result.table.rows();
+      std::vector<const Driver*> kept;
       for (const Driver& d : drivers) {
         if (!axis.keep_every_candidate && !worth_keeping(d, current)) continue;
         MotorPair pair;
@@ -197,6 +199,15 @@ MotorTable motor_table(const catalogue::Catalogue& catalogue,
         if (!axis.motor.currents.empty()) candidate.settings.push_back({"motor_current", current, "A"});
         result.table.add(std::move(candidate), {});
         result.pairs.push_back(std::move(pair));
+        kept.push_back(&d);
+      }
+      if (!axis.keep_covered_candidates || axis.keep_every_candidate) continue;
+      for (std::size_t i = 0; i < kept.size(); ++i) {
+        std::vector<solver::Row> by;
+        for (std::size_t k = 0; k < kept.size(); ++k)
+          if (k != i && covers(*kept[k], *kept[i], current, voltages, voltage_factor))
+            by.push_back(static_cast<solver::Row>(first + k));
+        result.table.cover(first + i, std::move(by));
       }
     }
   }
