@@ -11,6 +11,7 @@
 #include "solver/criteria.h"
 #include "solver/neighbours.h"
 #include "solver/restricted_problem.h"
+#include "solver/row_worth.h"
 
 namespace millwright::solver {
 
@@ -140,17 +141,67 @@ class Search {
     return std::any_of(better.begin(), better.end(), is_left);
   }
 
-  [[nodiscard]] Restriction restriction_of(const Part& part) const {
+  /// What is left of a part, without what is too dear to be asked for; empty when some choice has no row left.
+  [[nodiscard]] std::optional<Restriction> restriction_of(const Part& part) const {
+    std::vector<std::vector<Row>> left;
+    for (std::size_t choice = 0; choice < rows_.size(); ++choice) left.push_back(allowed(part, choice));
+    drop_dear(left);
     Restriction restriction = unrestricted(problem_);
     for (std::size_t choice = 0; choice < rows_.size(); ++choice) {
+      if (left[choice].empty()) return std::nullopt;
       if (choice < problem_.shared.size()) {
-        restriction.shared[choice] = allowed(part, choice);
+        restriction.shared[choice] = std::move(left[choice]);
       } else {
         const auto [stage, slot] = place_[choice - problem_.shared.size()];
-        restriction.stages[stage].allowed[slot] = allowed(part, choice);
+        restriction.stages[stage].allowed[slot] = std::move(left[choice]);
       }
     }
     return restriction;
+  }
+
+  /// Rows with which no build is worth asking for, at any combination of shared choices that is left.
+  void drop_dear(std::vector<std::vector<Row>>& left) const {
+    const double most = ceiling();
+    if (!worth_known_ || !std::isfinite(most)) return;
+    const std::size_t shared = problem_.shared.size();
+    std::vector<const RowWorth*> possible;
+    for (const RowWorth& worth : worth_) {
+      bool there = worth.least <= most;
+      for (std::size_t i = 0; i < shared; ++i)
+        there = there && std::binary_search(left[i].begin(), left[i].end(), worth.shared[i]);
+      if (there) possible.push_back(&worth);
+    }
+    for (std::size_t choice = 0; choice < left.size(); ++choice)
+      std::erase_if(left[choice], [&](Row row) {
+        return std::none_of(possible.begin(), possible.end(), [&](const RowWorth* worth) {
+          if (choice < shared) return worth->shared[choice] == row;
+          const auto [stage, slot] = place_[choice - shared];
+          return worth->rows[stage][slot][row] <= most;
+        });
+      });
+  }
+
+  /// Lower bounds for every row, from those of the problem without covered rows: these are worth no less than the rows
+  /// that cover them.
+  void find_worths(const RestrictedProblem& whole, const Restriction& restriction) {
+    worth_ = row_worths(whole.problem(), options_, evaluations_);
+    worth_known_ = !worth_.empty();
+    for (RowWorth& worth : worth_) {
+      for (std::size_t i = 0; i < worth.shared.size(); ++i) worth.shared[i] = restriction.shared[i][worth.shared[i]];
+      for (std::size_t i = 0; i < place_.size(); ++i) {
+        const auto [stage, slot] = place_[i];
+        const std::vector<Row>& allowed = restriction.stages[stage].allowed[slot];
+        std::vector<double> all(rows_[problem_.shared.size() + i], -infinity);
+        for (std::size_t row = 0; row < allowed.size(); ++row) all[allowed[row]] = worth.rows[stage][slot][row];
+        if (covering_ && allowed.size() < all.size())
+          for (Row row = 0; row < all.size(); ++row) {
+            if (std::binary_search(allowed.begin(), allowed.end(), row)) continue;
+            for (const Row by : covering_(stage, slot, row))
+              if (std::binary_search(allowed.begin(), allowed.end(), by)) all[row] = std::max(all[row], all[by]);
+          }
+        worth.rows[stage][slot] = std::move(all);
+      }
+    }
   }
 
   /// Solves the part and puts it back with its best build, if it has one within the limit. False when time is up.
@@ -164,7 +215,9 @@ class Search {
       options.progress = [this, &part](const Progress& progress) {
         options_.progress({part.lower.front(), limit(), seconds(), nodes_ + progress.nodes});
       };
-    RestrictedProblem restricted(problem_, restriction_of(part));
+    const std::optional<Restriction> restriction = restriction_of(part);
+    if (!restriction) return true;
+    RestrictedProblem restricted(problem_, *restriction);
     double& most = restricted.problem().resources[objective_].limit;
     most = std::min(most, ceiling());
     Summary summary = solve(restricted.problem(), options);
@@ -183,6 +236,7 @@ class Search {
     if (summary.builds.empty()) return true;
     part.best = std::move(summary.builds.front());
     part.lower = key_of(part.best->resources);
+    if (whole && count_ > 1) find_worths(restricted, *restriction);
     if (neighbours_asked_ < count_) look_around(*part.best);
     push(std::move(part));
     return true;
@@ -267,6 +321,8 @@ class Search {
   std::set<std::vector<Row>> known_;  ///< choices of feasible builds
   std::vector<double> known_worth_;   ///< upper bounds of their objectives, ascending, no more than are asked for
   std::vector<Build> unproved_;       ///< found in a part that was not settled
+  std::vector<RowWorth> worth_;       ///< of the whole problem, in its rows
+  bool worth_known_ = false;
   std::size_t neighbours_asked_ = 0;
   std::uint64_t nodes_ = 0, evaluations_ = 0;
   Alternatives result_;

@@ -17,7 +17,7 @@
 // Each is solved exactly (solver.h). Nothing in a part is better than the best of the part it came from, so a part is
 // solved only when nothing else that is open can come before it; and it is solved under a limit, the worst of the best
 // builds known so far: what is dearer cannot be asked for. Builds next to those found, one row changed, make that limit
-// tight early.
+// tight early (neighbours.h), and rows with which every build is dearer are left out beforehand (row_worth.h).
 #pragma once
 
 #include <functional>
