@@ -21,15 +21,20 @@ constexpr std::pair<std::string_view, std::string_view> texts[] = {
      "Examples:\n"
      "  millwright solve problems/sander.toml --bom sander.csv\n"
      "  millwright solve problems/sander.toml --minimise mass --set axis.x.stroke='800 mm'\n"
-     "  millwright solve problems/sander.toml --catalogue my-parts --json -"},
+     "  millwright solve problems/sander.toml --catalogue my-parts --json -\n"
+     "  millwright solve problems/lifter.toml --alternatives 5\n"
+     "  millwright solve problems/sander.toml --limit mass='11.5 kg' --without A4988 --fix y.motor=17HS8401S\n"
+     "  millwright solve problems/sander.toml --fix machine.supply_voltage='36 V' --fix x.acceleration_time='0.2 s'"},
     {"pareto",
      "Examples:\n"
-     "  millwright pareto problems/sander.toml --minimise cost,mass --json front.json"},
+     "  millwright pareto problems/sander.toml --minimise cost,mass --json front.json\n"
+     "  millwright pareto problems/lifter.toml --without BK10 --limit cost='200 USD'"},
     {"check",
      "Exit code 1 if a check fails. A slot that the bill of materials leaves open is an error without --complete.\n"
      "Examples:\n"
      "  millwright check problems/sander.toml problems/sander-bom.csv\n"
-     "  millwright check problems/sander.toml problems/sander-bom.csv --hold-origin paper"},
+     "  millwright check problems/sander.toml problems/sander-bom.csv --hold-origin paper\n"
+     "  millwright check problems/sander.toml problems/sander-bom.csv --limit cost='450 USD'"},
     {"audit",
      "Exit code 0 whatever the verdicts are: a wrong figure in a paper is a finding, not a failure.\n"
      "Examples:\n"

@@ -42,10 +42,22 @@ std::optional<MachineInput> read_machine(const Options& options, text::Diagnosti
   }
   overlays.insert(overlays.end(), options.catalogues.begin(), options.catalogues.end());
   const auto places = catalogue_places(overlays, diagnostics);
+  const std::size_t errors = diagnostics.error_count();
   auto catalogue = catalogue::Catalogue::load(places, diagnostics);
-  if (diagnostics.has_errors() || !problem) return std::nullopt;
-  if (!machine::check_references(*problem, catalogue, diagnostics)) return std::nullopt;
-  return MachineInput{std::move(*problem), std::move(catalogue)};
+  if (!problem) return std::nullopt;
+  machine::Steering steering;
+  if (diagnostics.error_count() == errors) {  // else parts may seem unknown that only could not be read
+    machine::check_references(*problem, catalogue, diagnostics);
+    steering.without = machine::read_excluded(options.without, catalogue, diagnostics);
+    steering.fixed = machine::read_fixed(options.fixed, *problem, catalogue, steering.without, diagnostics);
+  }
+  steering.limits = machine::add_limits(options.limits, *problem, diagnostics);
+  if (diagnostics.has_errors()) return std::nullopt;
+  std::vector<catalogue::Part> dropped;
+  for (const machine::ExcludedPart& part : steering.without)
+    dropped.insert(dropped.end(), part.rows.begin(), part.rows.end());
+  catalogue.drop(dropped);
+  return MachineInput{std::move(*problem), std::move(catalogue), std::move(steering)};
 }
 
 void shorten_places(evaluation::Design& design) {

@@ -9,18 +9,21 @@
 #include "catalogue/catalogue.h"
 #include "evaluation/ledger.h"
 #include "machine/problem.h"
+#include "machine/steering.h"
 #include "text/diagnostic.h"
 
 namespace millwright::app {
 
 /// A problem with the catalogues its parts come from.
 struct MachineInput {
-  machine::Problem problem;
-  catalogue::Catalogue catalogue;
+  machine::Problem problem;        ///< with the budgets of `--limit`
+  catalogue::Catalogue catalogue;  ///< without the parts of `--without`
+  machine::Steering steering;
 };
 
 /// Reads the problem, after `--set`, and the catalogues: the shipped ones, those the problem names (relative to its
-/// file), those of `--catalogue`. Everything wrong in both is reported; nothing if there was an error.
+/// file), those of `--catalogue`; then what the other options ask of both. Everything wrong in all of them is reported;
+/// nothing if there was an error.
 std::optional<MachineInput> read_machine(const Options& options, text::Diagnostics& diagnostics);
 
 /// The shipped folder followed by `overlays`; reports if there is none.

@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <thread>
 
-#include "app/machine_input.h"
-
 namespace millwright::app {
 
-report::MachineResult result_for(const machine::Problem& problem) {
+report::MachineResult result_for(const MachineInput& input) {
+  const machine::Problem& problem = input.problem;
   report::MachineResult result;
+  result.steering = input.steering;
+  result.currency = problem.currency;
   result.title = problem.title;
   result.file = problem.file;
   for (const machine::Axis& axis : problem.axes) result.axes.push_back(axis.name);

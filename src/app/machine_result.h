@@ -3,6 +3,7 @@
 
 #include <chrono>
 
+#include "app/machine_input.h"
 #include "app/options.h"
 #include "evaluation/synthesis.h"
 #include "report/result.h"
@@ -18,8 +19,8 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// Title, file and axes of a result.
-report::MachineResult result_for(const machine::Problem& problem);
+/// Title, file and axes of a result, and what the command line asks for beside the problem.
+report::MachineResult result_for(const MachineInput& input);
 
 std::vector<report::MissingSlot> missing_slots(const std::vector<evaluation::EmptySlot>& slots);
 

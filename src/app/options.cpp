@@ -52,6 +52,12 @@ void add_machine_options(CLI::App& verb, Options& options) {
   add_catalogue_option(verb, options);
   add_list_option(
       verb, "--set", options.settings, "PATH=VALUE", "change the problem, e.g. axis.x.stroke='800 mm' (repeatable)");
+  add_list_option(verb,
+                  "--limit",
+                  options.limits,
+                  "NAME=VALUE",
+                  "a budget that the whole machine must keep, cost='400 USD' or mass='12 kg' (repeatable)");
+  add_list_option(verb, "--without", options.without, "PART", "a part that may not be used anywhere (repeatable)");
   verb.add_option("--threads", options.threads, "threads to search with; the answer does not depend on it")
       ->type_name("N")
       ->check(CLI::Range(1U, 1024U))
@@ -64,6 +70,15 @@ void add_machine_options(CLI::App& verb, Options& options) {
       ->type_name("G")
       ->check(CLI::Range(0.0, 1.0))
       ->group(shared_group);
+}
+
+void add_fix_option(CLI::App& verb, Options& options) {
+  add_list_option(verb,
+                  "--fix",
+                  options.fixed,
+                  "AXIS.SLOT=PART",
+                  "decide a part or setting beforehand, e.g. x.motor=17HS4401S, x.acceleration_time='0.2 s', "
+                  "machine.supply_voltage='24 V' (repeatable)");
 }
 
 /// `cost,mass` in one word.
@@ -125,10 +140,15 @@ class CommandLine {
   void add_machine_verbs() {
     CLI::App& solve = add(app_, "solve", Verb::solve, "the cheapest (or lightest) compliant build, with proof");
     add_machine_options(solve, options_);
+    add_fix_option(solve, options_);
     add_objectives(solve, options_.objectives, "cost or mass (default: as the problem says)");
     solve.add_option("--bom", options_.bom, "write the build as a bill of materials")->type_name("FILE.csv");
+    solve.add_option("--alternatives", options_.builds, "the best K builds, not only the best one (1 to 100)")
+        ->type_name("K")
+        ->check(CLI::Range(1U, 100U));
     CLI::App& pareto = add(app_, "pareto", Verb::pareto, "all builds that no other build beats in cost and mass");
     add_machine_options(pareto, options_);
+    add_fix_option(pareto, options_);
     add_objectives(pareto, options_.objectives, "the two objectives (default: cost,mass)");
     CLI::App& check = add(app_, "check", Verb::check, "does what I plan to buy work?");
     add_machine_options(check, options_);

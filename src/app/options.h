@@ -29,7 +29,11 @@ struct Options {
   // machines
   std::string problem;
   std::vector<std::string> settings;    ///< path=value
+  std::vector<std::string> limits;      ///< cost=value, mass=value
+  std::vector<std::string> without;     ///< parts that may not be used
+  std::vector<std::string> fixed;       ///< axis.slot=part or value
   std::vector<std::string> objectives;  ///< empty = the problem file's
+  unsigned builds = 1;                  ///< of solve: the best, the second best, ...
   double gap = 1e-6;
   double time_limit = std::numeric_limits<double>::infinity();  ///< s
   unsigned threads = 0;                                         ///< 0 = one per core

@@ -51,7 +51,7 @@ report::MachineResult check(const Options& options,
                             const MachineInput& input,
                             const BillOfMaterials& bom,
                             text::Diagnostics& diagnostics) {
-  report::MachineResult result = result_for(input.problem);
+  report::MachineResult result = result_for(input);
   result.bom_file = options.bom;
   result.objectives = {input.problem.objective};
   const Stopwatch watch;
@@ -88,7 +88,8 @@ int run_check(const Options& options) {
   const auto input = read_machine(options, diagnostics);
   const auto text = text::SourceText::load(options.bom, diagnostics);
   const auto bom = input && text ? read_bom(options, input->problem, text, diagnostics) : std::nullopt;
-  if (!bom || !writable) {
+  if (bom) machine::refuse_excluded(*bom, input->steering.without, diagnostics);
+  if (!bom || !writable || diagnostics.has_errors()) {
     print(diagnostics);
     return exit_bad_input;
   }

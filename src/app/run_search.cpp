@@ -27,15 +27,15 @@ report::Status status_of(solver::Status status) {
   return report::Status::infeasible;
 }
 
-report::MachineResult search(const Options& options, const MachineInput& input) {
-  report::MachineResult result = result_for(input.problem);
+report::MachineResult search(const Options& options, const MachineInput& input, const evaluation::MachineModel& model) {
+  report::MachineResult result = result_for(input);
   result.objectives = options.objectives;
   if (result.objectives.empty()) result.objectives = {input.problem.objective};
   const Stopwatch watch;
-  const evaluation::MachineModel model(input.problem, input.catalogue);
   evaluation::SearchOptions how = search_options(options, result.objectives);
   const StopSignal stop;
   how.stop = stop.stopped();
+  how.builds = options.builds;
   evaluation::Synthesis synthesis;
   {
     ProgressLine line(options.quiet, result.objectives.front() == "mass" ? "kg" : input.problem.currency);
@@ -52,6 +52,8 @@ report::MachineResult search(const Options& options, const MachineInput& input) 
   }
   result.lower_bound = synthesis.lower_bound;
   result.gap = synthesis.gap;
+  result.builds_asked = options.builds;
+  result.proved = synthesis.proved;
   result.certificate = {
       synthesis.combinations, synthesis.nodes, synthesis.evaluations, synthesis.method, synthesis.front_tolerance};
   set_designs(result, input.problem, std::move(synthesis.designs));
@@ -78,10 +80,19 @@ int run_search(const Options& options) {
   text::Diagnostics diagnostics;
   const bool writable = outputs_are_writable(options, diagnostics);
   const auto input = read_machine(options, diagnostics);
+  std::optional<evaluation::MachineModel> model;
+  if (input) {
+    model.emplace(input->problem,
+                  input->catalogue,
+                  evaluation::GivenSlots{},
+                  evaluation::ModelOptions{.fixed = input->steering.fixed, .every_candidate = options.builds > 1});
+    for (const evaluation::BomProblem& problem : model->problems())
+      diagnostics.error(problem.where, problem.message, problem.hint);
+  }
   print(diagnostics);
-  if (!input || !writable) return exit_bad_input;
+  if (!model || !writable || diagnostics.has_errors()) return exit_bad_input;
   const double read = watch.seconds();
-  report::MachineResult result = search(options, *input);
+  report::MachineResult result = search(options, *input, *model);
   result.timing.read = read;
   result.timing.total = watch.seconds();
   if (!holds(result)) throw std::logic_error("the build that the search returned fails a check");

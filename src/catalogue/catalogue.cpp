@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <optional>
+
 #include "catalogue/files.h"
 #include "catalogue/read_table.h"
 #include "text/nearest.h"
@@ -77,6 +80,36 @@ FoundParts Catalogue::find(std::string_view part_number, std::string_view manufa
   found.error = family_problem.empty() ? "no part " + text::quoted(part_number) + " in the catalogues" : family_problem;
   found.hint = family_problem.empty() ? text::did_you_mean(part_number, names) : family_hint;
   return found;
+}
+
+FoundParts Catalogue::find_named(std::string_view name) const {
+  FoundParts found = find(name);
+  if (!found.parts.empty()) return found;
+  // Both makers and part numbers may hold blanks.
+  std::optional<FoundParts> other_maker;
+  for (std::size_t blank = name.find(' '); blank != std::string_view::npos; blank = name.find(' ', blank + 1)) {
+    const std::string_view part_number = name.substr(blank + 1);
+    FoundParts split = find(part_number, name.substr(0, blank));
+    if (!split.parts.empty()) return split;
+    if (!other_maker && !find(part_number).parts.empty()) other_maker = std::move(split);
+  }
+  if (other_maker) return *std::move(other_maker);
+  if (!found.hint.empty()) return found;
+  std::vector<std::string> names;
+  for (const Table& table : tables_)
+    for (int row = 0; row < table.rows(); ++row)
+      names.push_back(std::string(table.manufacturer(row)) + " " + std::string(table.part_number(row)));
+  found.hint = text::did_you_mean(name, names, "'millwright catalogue list FAMILY' shows what there is");
+  return found;
+}
+
+void Catalogue::drop(const std::vector<Part>& parts) {
+  for (Table& table : tables_) {
+    std::vector<bool> keep(static_cast<std::size_t>(table.rows()), true);
+    for (const Part& part : parts)
+      if (part.family == table.family()) keep[static_cast<std::size_t>(part.row)] = false;
+    if (std::find(keep.begin(), keep.end(), false) != keep.end()) table.keep_only(keep);
+  }
 }
 
 }  // namespace millwright::catalogue

@@ -50,6 +50,11 @@ class Catalogue {
 
   /// Looks through all families (a motor is found with the points of its torque curves).
   FoundParts find(std::string_view part_number, std::string_view manufacturer = {}) const;
+  /// The same for one text: a part number, or maker and part number with a blank between ("Mean Well LRS-50-24").
+  FoundParts find_named(std::string_view name) const;
+
+  /// Takes parts out, as if they were in none of the places.
+  void drop(const std::vector<Part>& parts);
 
  private:
   std::vector<Table> tables_;

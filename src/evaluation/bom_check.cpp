@@ -13,32 +13,14 @@
 #include <numeric>
 
 #include "evaluation/held_parts.h"
-#include "evaluation/restricted_stage.h"
 #include "evaluation/synthesis.h"
+#include "solver/restricted_problem.h"
 
 namespace millwright::evaluation {
 
 namespace {
 
 using solver::Row;
-
-struct Restricted {
-  std::vector<std::unique_ptr<RestrictedStage>> stages;
-  solver::Problem problem;
-};
-
-/// The model's problem with only what is held allowed, at one supply voltage.
-Restricted restrict(const MachineModel& model, const HeldParts& held) {
-  Restricted r;
-  r.problem = model.problem();
-  r.problem.stages.clear();
-  for (std::size_t i = 0; i < model.entries().size(); ++i) {
-    r.stages.push_back(std::make_unique<RestrictedStage>(
-        model.entries()[i].as_stage(), held.stages[i].allowed, held.stages[i].variables));
-    r.problem.stages.push_back(r.stages.back().get());
-  }
-  return r;
-}
 
 /// Settings for which the model leaves no choice open: there the bill of materials says what they are. A ramp time that
 /// the problem fixes is no variable. The current that is set is what it is, whether or not the problem would set it.
@@ -96,7 +78,7 @@ std::vector<double> least_bad_variables(const solver::Stage& stage, const solver
 
 /// Slot rows of a stage, cheapest first, that fit those already chosen (all slots if none fits).
 Row cheapest_fitting(const StageEntry& entry,
-                     const RestrictedStage& stage,
+                     const solver::RestrictedStage& stage,
                      const HeldStage& held,
                      std::size_t slot,
                      const std::vector<std::optional<Row>>& chosen,
@@ -119,13 +101,13 @@ Row cheapest_fitting(const StageEntry& entry,
 /// The cheapest parts that fit, slot by slot: named slots first.
 solver::Build cheapest_build(const MachineModel& model,
                              const HeldParts& held,
-                             const Restricted& restricted,
+                             const solver::RestrictedProblem& restricted,
                              Row voltage) {
   solver::Build build;
   build.shared = {voltage};
   std::vector<double> state = model.problem().first_state;
   for (std::size_t i = 0; i < model.entries().size(); ++i) {
-    const RestrictedStage& stage = *restricted.stages[i];
+    const solver::RestrictedStage& stage = restricted.stage(i);
     const std::size_t slots = stage.slots().size();
     std::vector<std::optional<Row>> chosen(slots);
     for (const bool named : {true, false})
@@ -174,15 +156,6 @@ void mark_origins(Design& design, const machine::BillOfMaterials& bom) {
         part.origin = line.origin.empty() ? "given" : line.origin;
 }
 
-solver::Build to_inner(const Restricted& restricted, const solver::Build& build) {
-  solver::Build inner = build;
-  for (std::size_t i = 0; i < inner.stages.size(); ++i) {
-    inner.stages[i].rows = restricted.stages[i]->inner_rows(build.stages[i].rows);
-    inner.stages[i].variables = restricted.stages[i]->inner_variables(build.stages[i].variables);
-  }
-  return inner;
-}
-
 }  // namespace
 
 BomCheck check(const machine::Problem& problem,
@@ -217,10 +190,10 @@ BomCheck check(const machine::Problem& problem,
   const HeldParts held = hold_parts(model, bom, only_origin);
   result.problems = held.problems;  // at the supply's voltage a part may no longer do
   if (!result.problems.empty()) return result;
-  const Restricted restricted = restrict(model, held);
-  const solver::Summary summary = solver::solve(restricted.problem, solver_options(options));
+  const solver::RestrictedProblem restricted(model.problem(), restriction_of(model, held));
+  const solver::Summary summary = solver::solve(restricted.problem(), solver_options(options));
   if (!summary.builds.empty()) {
-    result.design = model.design(to_inner(restricted, summary.builds.front()));
+    result.design = model.design(restricted.whole_build(summary.builds.front()));
     result.complete_is_optimal = summary.status == solver::Status::optimal;
   } else {
     Design best;

@@ -39,8 +39,11 @@ bool is_part(const catalogue::Catalogue& catalogue, const PartUse& use, const Bo
 
 class Holder {
  public:
-  Holder(const MachineModel& model, const machine::BillOfMaterials& bom, const std::string& only_origin)
-      : model_(model) {
+  Holder(const MachineModel& model,
+         const machine::BillOfMaterials& bom,
+         const std::string& only_origin,
+         bool wishes_count)
+      : model_(model), wishes_count_(wishes_count) {
     for (const BomLine& line : bom.lines)
       if (only_origin.empty() || line.origin == only_origin) lines_.push_back(&line);
   }
@@ -127,6 +130,7 @@ class Holder {
 
   void report_no_candidate(const StageEntry& entry, const SlotTable& table, const std::vector<const BomLine*>& given) {
     if (std::all_of(given.begin(), given.end(), [](const BomLine* line) { return line == nullptr; })) {
+      if (wishes_count_) return;
       result_.problems.push_back({lines_.empty() ? machine::SourceSpan{} : lines_.back()->where,
                                   fmt::format("no catalogue row can be the {} of axis '{}'", table.name(), entry.axis),
                                   "add a catalogue that has one, or ask less of it"});
@@ -152,15 +156,32 @@ class Holder {
         return;
       }
     }
-    for (const BomLine* line : given) {
-      if (line == nullptr) continue;
-      result_.problems.push_back(
-          {line->where,
-           fmt::format("'{}' cannot be the {} of axis '{}'", line->part_number, line->slot, entry.axis),
-           "it belongs to another family, lacks a figure that a check needs (see 'catalogue show'), or does not go "
-           "with the other part of its pair"});
-      return;
+    bool said = false;
+    for (std::size_t i = 0; i < given.size(); ++i) {
+      if (given[i] == nullptr || can_be(table, i, *given[i])) continue;
+      report_unfit(entry, *given[i]);
+      said = true;
     }
+    // Each could be; not together.
+    const auto first = std::find_if(given.begin(), given.end(), [](const BomLine* line) { return line != nullptr; });
+    if (!said) report_unfit(entry, **first);
+  }
+
+  /// Whether some candidate has this part, whatever its other parts are.
+  bool can_be(const SlotTable& table, std::size_t part, const BomLine& line) const {
+    for (solver::Row row = 0; row < table.rows(); ++row)
+      if (is_part(model_.catalogue(), table.candidate(row).parts[part], line)) return true;
+    return false;
+  }
+
+  void report_unfit(const StageEntry& entry, const BomLine& line) {
+    result_.problems.push_back(
+        {line.where,
+         fmt::format("'{}' cannot be the {} of axis '{}'", line.part_number, line.slot, entry.axis),
+         fmt::format(
+             "it belongs to another family, {}lacks a figure that a check needs (see 'catalogue show'), or "
+             "does not go with the other part of its pair",
+             wishes_count_ ? "is not of the kinds that the problem asks for (frames, threads, voltages), " : "")});
   }
 
   void hold_voltage() {
@@ -191,14 +212,25 @@ class Holder {
   }
 
   const MachineModel& model_;
+  bool wishes_count_;
   std::vector<const BomLine*> lines_;
   HeldParts result_;
 };
 
 }  // namespace
 
-HeldParts hold_parts(const MachineModel& model, const machine::BillOfMaterials& bom, const std::string& only_origin) {
-  return Holder(model, bom, only_origin).hold();
+HeldParts hold_parts(const MachineModel& model,
+                     const machine::BillOfMaterials& bom,
+                     const std::string& only_origin,
+                     bool wishes_count) {
+  return Holder(model, bom, only_origin, wishes_count).hold();
+}
+
+solver::Restriction restriction_of(const MachineModel& model, const HeldParts& held) {
+  solver::Restriction result = solver::unrestricted(model.problem());
+  for (std::size_t i = 0; i < held.stages.size(); ++i)
+    result.stages[i] = {held.stages[i].allowed, held.stages[i].variables};
+  return result;
 }
 
 }  // namespace millwright::evaluation

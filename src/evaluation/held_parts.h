@@ -8,7 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "evaluation/synthesis.h"
+#include "evaluation/machine_model.h"
+#include "solver/restricted_problem.h"
 
 namespace millwright::evaluation {
 
@@ -24,7 +25,15 @@ struct HeldParts {
   std::vector<BomProblem> problems;
 };
 
-/// `only_origin`: hold only lines of that origin (empty = all).
-HeldParts hold_parts(const MachineModel& model, const machine::BillOfMaterials& bom, const std::string& only_origin);
+/// `only_origin`: hold only lines of that origin (empty = all). `wishes_count`: the model has only what the problem
+/// wishes, and complaints say so; a slot that no line fills and that has no candidate is then left to
+/// MachineModel::empty_slots().
+HeldParts hold_parts(const MachineModel& model,
+                     const machine::BillOfMaterials& bom,
+                     const std::string& only_origin,
+                     bool wishes_count = false);
+
+/// What is held, as the solver takes it; shared choices are left open.
+solver::Restriction restriction_of(const MachineModel& model, const HeldParts& held);
 
 }  // namespace millwright::evaluation

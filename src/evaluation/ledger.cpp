@@ -272,7 +272,8 @@ std::string unit_of_variable(const std::string& name) { return name == "accelera
 
 }  // namespace
 
-Design MachineModel::design(const solver::Build& build) const {
+Design MachineModel::design(const solver::Build& found) const {
+  const solver::Build build = restricted_ ? restricted_->whole_build(found) : found;
   Design design;
   design.currency = problem_.currency;
   design.supply_voltage = problem_.supply_voltages[build.shared.empty() ? 0 : build.shared.front()];

@@ -3,6 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "evaluation/fixed_choices.h"
+#include "evaluation/held_parts.h"
 #include "evaluation/machine_stages.h"
 #include "evaluation/price_book.h"
 
@@ -35,7 +39,7 @@ machine::Problem without_wishes(machine::Problem problem, const GivenSlots& give
     }
     if (has("belt") || has("pulley_drive") || has("pulley_idle")) axis.mechanism.profiles.clear();
     if (has("motor")) axis.motor.frames.clear();
-    axis.keep_every_candidate = has("driver");
+    axis.keep_every_candidate = axis.keep_every_candidate || has("driver");
     if (axis.guide && has("guide")) axis.guide->kinds.clear();
     for (machine::Member& member : axis.members)
       if (has(member.name)) {
@@ -47,12 +51,23 @@ machine::Problem without_wishes(machine::Problem problem, const GivenSlots& give
   return problem;
 }
 
+bool is_fixed(const machine::BillOfMaterials& fixed, const std::string& axis, const std::string& slot) {
+  return std::any_of(fixed.lines.begin(), fixed.lines.end(), [&](const machine::BomLine& line) {
+    return line.axis == axis && line.slot == slot;
+  });
+}
+
 }  // namespace
 
 MachineModel::MachineModel(const machine::Problem& given,
                            const catalogue::Catalogue& catalogue,
-                           const GivenSlots& given_slots)
-    : problem_(without_wishes(given, given_slots)), catalogue_(catalogue) {
+                           const GivenSlots& given_slots,
+                           ModelOptions options)
+    : options_(std::move(options)), problem_(without_wishes(given, given_slots)), catalogue_(catalogue) {
+  take_fixed_settings(problem_, options_.fixed, problems_);
+  for (machine::Axis& axis : problem_.axes)
+    axis.keep_covered_candidates =
+        axis.keep_covered_candidates || options_.every_candidate || is_fixed(options_.fixed, axis.name, "driver");
   const machine::Problem& problem = problem_;
   const PriceBook prices(problem);
   solver_problem_.shared.push_back({"supply_voltage", static_cast<solver::Row>(problem.supply_voltages.size())});
@@ -74,6 +89,28 @@ MachineModel::MachineModel(const machine::Problem& given,
   constexpr double infinity = std::numeric_limits<double>::infinity();
   solver_problem_.resources = {{"cost", problem.cost_limit.value_or(infinity)},
                                {"mass", problem.mass_limit.value_or(infinity)}};
+  if (!options_.fixed.lines.empty()) fix();
+}
+
+void MachineModel::fix() {
+  const HeldParts held = hold_parts(*this, options_.fixed, {}, true);
+  const std::vector<BomProblem> values = values_out_of_range(*this, options_.fixed);
+  problems_.insert(problems_.end(), held.problems.begin(), held.problems.end());
+  problems_.insert(problems_.end(), values.begin(), values.end());
+  if (!problems_.empty()) return;
+  restriction_ = restriction_of(*this, held);
+  restricted_.emplace(solver_problem_, restriction_);
+}
+
+std::vector<solver::Row> MachineModel::covering_rows(std::size_t stage, std::size_t slot, solver::Row row) const {
+  const SlotTable& table = entries_[stage].tables()[slot];
+  if (!restricted_) return table.candidate(row).covered_by;
+  const std::vector<solver::Row>& allowed = restriction_.stages[stage].allowed[slot];
+  std::vector<solver::Row> result;
+  for (const solver::Row by : table.candidate(allowed[row]).covered_by)
+    if (const auto at = std::lower_bound(allowed.begin(), allowed.end(), by); at != allowed.end() && *at == by)
+      result.push_back(static_cast<solver::Row>(at - allowed.begin()));
+  return result;
 }
 
 void MachineModel::add_axis(std::size_t index, const PriceBook& prices) {

@@ -15,7 +15,9 @@
 #include "catalogue/catalogue.h"
 #include "evaluation/ledger.h"
 #include "evaluation/slot_table.h"
+#include "machine/bill_of_materials.h"
 #include "machine/problem.h"
+#include "solver/restricted_problem.h"
 #include "solver/solver.h"
 
 namespace millwright::evaluation {
@@ -60,8 +62,20 @@ struct EmptySlot {
   std::string axis, slot, reason;
 };
 
+/// A part or setting of a bill of materials that cannot be used as it stands.
+struct BomProblem {
+  machine::SourceSpan where;
+  std::string message, hint;
+};
+
 /// (axis, slot) pairs.
 using GivenSlots = std::set<std::pair<std::string, std::string>>;
+
+/// What is asked of a model beside its problem.
+struct ModelOptions {
+  machine::BillOfMaterials fixed = {};  ///< parts and settings that every build has; the problem's wishes still count
+  bool every_candidate = false;  ///< also candidates that another one covers: no best build has one, the next best may
+};
 
 class MachineModel {
  public:
@@ -69,15 +83,24 @@ class MachineModel {
   /// count and drivers that another one beats stay, because what is given is judged as it is.
   MachineModel(const machine::Problem& problem,
                const catalogue::Catalogue& catalogue,
-               const GivenSlots& given_slots = {});
+               const GivenSlots& given_slots = {},
+               ModelOptions options = {});
   MachineModel(const MachineModel&) = delete;
   MachineModel& operator=(const MachineModel&) = delete;
 
-  [[nodiscard]] const solver::Problem& problem() const { return solver_problem_; }
+  /// With what is fixed; builds are in its rows.
+  [[nodiscard]] const solver::Problem& problem() const {
+    return restricted_ ? restricted_->problem() : solver_problem_;
+  }
   [[nodiscard]] const machine::Problem& machine() const { return problem_; }
   [[nodiscard]] const catalogue::Catalogue& catalogue() const { return catalogue_; }
   [[nodiscard]] const std::vector<StageEntry>& entries() const { return entries_; }
   [[nodiscard]] std::vector<EmptySlot> empty_slots() const;
+  [[nodiscard]] const ModelOptions& options() const { return options_; }
+  /// Rows of problem() that are never worse than this one (solver/alternatives.h); known with `every_candidate`.
+  [[nodiscard]] std::vector<solver::Row> covering_rows(std::size_t stage, std::size_t slot, solver::Row row) const;
+  /// Why something cannot be fixed; then nothing is.
+  [[nodiscard]] const std::vector<BomProblem>& problems() const { return problems_; }
 
   /// Evaluates a build from scratch, stage after stage, and writes the ledger. Nothing of what the search computed is
   /// reused.
@@ -85,11 +108,16 @@ class MachineModel {
 
  private:
   void add_axis(std::size_t index, const PriceBook& prices);
+  void fix();
 
+  ModelOptions options_;
+  std::vector<BomProblem> problems_;
   machine::Problem problem_;
   const catalogue::Catalogue& catalogue_;
   std::vector<StageEntry> entries_;
   solver::Problem solver_problem_;
+  solver::Restriction restriction_;  ///< with something fixed
+  std::optional<solver::RestrictedProblem> restricted_;
 };
 
 }  // namespace millwright::evaluation

@@ -2,7 +2,7 @@
 //
 // Motors with the drivers that can run them and the currents that may be set there. Drivers that give a motor the same
 // current differ only in price, mass and the voltages they bear: for one motor those that are dearer or heavier than
-// another that bears at least the same voltages are left out.
+// another that bears at least the same voltages are left out, or marked as covered by it.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -137,13 +137,16 @@ MotorTable motor_table(const catalogue::Catalogue& catalogue,
   const std::vector<Driver> drivers = eligible_drivers(catalogue.table(Family::drivers), axis, prices);
   const Curves curves = read_curves(catalogue.table(Family::stepper_curves));
   const double voltage_factor = axis.require(machine::Requirement::driver_voltage_factor);
+  const auto possible = [&](const Driver& d, double current) {
+    if (!axis.motor.currents.empty() && d.peak_current < current) return false;  // it cannot be set there
+    return std::any_of(voltages.begin(), voltages.end(), [&](double v) { return runs_at(d, v, voltage_factor); });
+  };
   // A driver that a bill names is judged, not passed over (C-DR-VOLT, F-DRIVER-VOLTAGE-MIN, C-DR-CURRENT).
   const auto worth_keeping = [&](const Driver& d, double current) {
-    if (!axis.motor.currents.empty() && d.peak_current < current) return false;  // it cannot be set there
-    return std::any_of(voltages.begin(), voltages.end(), [&](double v) { return runs_at(d, v, voltage_factor); }) &&
-           std::none_of(drivers.begin(), drivers.end(), [&](const Driver& a) {
-             return a.row != d.row && covers(a, d, current, voltages, voltage_factor);
-           });
+    return possible(d, current) &&
+           (axis.keep_covered_candidates || std::none_of(drivers.begin(), drivers.end(), [&](const Driver& a) {
+              return a.row != d.row && covers(a, d, current, voltages, voltage_factor);
+            }));
   };
   MotorTable result{SlotTable("motor", 0), {}};
   for (int row = 0; row < motors.rows(); ++row) {
@@ -169,6 +172,8 @@ MotorTable motor_table(const catalogue::Catalogue& catalogue,
       continue;
     for (const double current : settable_currents(axis, f.rated_current)) {
       f.asked_current = current;
+      const std::size_t first = result.table.rows();
+      std::vector<const Driver*> kept;
       for (const Driver& d : drivers) {
         if (!axis.keep_every_candidate && !worth_keeping(d, current)) continue;
         MotorPair pair;
@@ -194,6 +199,15 @@ MotorTable motor_table(const catalogue::Catalogue& catalogue,
         if (!axis.motor.currents.empty()) candidate.settings.push_back({"motor_current", current, "A"});
         result.table.add(std::move(candidate), {});
         result.pairs.push_back(std::move(pair));
+        kept.push_back(&d);
+      }
+      if (!axis.keep_covered_candidates || axis.keep_every_candidate) continue;
+      for (std::size_t i = 0; i < kept.size(); ++i) {
+        std::vector<solver::Row> by;
+        for (std::size_t k = 0; k < kept.size(); ++k)
+          if (k != i && covers(*kept[k], *kept[i], current, voltages, voltage_factor))
+            by.push_back(static_cast<solver::Row>(first + k));
+        result.table.cover(first + i, std::move(by));
       }
     }
   }

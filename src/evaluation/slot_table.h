@@ -47,6 +47,8 @@ struct Candidate {
   double mass = 0.0;           ///< kg, of all its parts
   double riding_mass = 0.0;    ///< kg that moves with the axis
   double standing_mass = 0.0;  ///< kg on the axis's parent; the rest (a driver in its cabinet) burdens nobody
+  /// Rows of the same table that are never worse, whatever else is chosen; where such rows are left out there are none.
+  std::vector<solver::Row> covered_by;
 };
 
 /// What is added up over the slots of a stage.
@@ -93,6 +95,8 @@ class SlotTable {
     readings_.insert(readings_.end(), readings.begin(), readings.end());
   }
   [[nodiscard]] const std::string& name() const { return name_; }
+  /// Says which rows are never worse than this one.
+  void cover(std::size_t row, std::vector<solver::Row> by) { candidates_[row].covered_by = std::move(by); }
   [[nodiscard]] std::size_t rows() const { return candidates_.size(); }
   [[nodiscard]] const Candidate& candidate(std::size_t row) const { return candidates_[row]; }
   [[nodiscard]] double reading(std::size_t row, std::size_t field) const { return readings_[row * fields_ + field]; }

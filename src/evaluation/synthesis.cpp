@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "evaluation/synthesis.h"
 
+#include <fmt/format.h>
+
 #include "evaluation/element_stage.h"
+#include "solver/alternatives.h"
 
 namespace millwright::evaluation {
 
@@ -29,7 +32,22 @@ Synthesis synthesise(const MachineModel& model, const SearchOptions& options) {
   Synthesis synthesis;
   synthesis.empty_slots = model.empty_slots();
   if (!synthesis.empty_slots.empty()) return synthesis;
-  const solver::Summary summary = solver::solve(model.problem(), solver_options(options));
+  solver::Summary summary;
+  if (options.builds > 1) {
+    solver::Alternatives best = solver::best_builds(
+        model.problem(),
+        solver_options(options),
+        options.builds,
+        [&](std::size_t stage, std::size_t slot, solver::Row row) { return model.covering_rows(stage, slot, row); });
+    summary = std::move(best.first);
+    summary.status = best.status;
+    summary.builds = std::move(best.builds);
+    summary.method += fmt::format(
+        "; the next best by splitting what each build leaves into disjoint parts, {} of them solved", best.parts - 1);
+    synthesis.proved = best.proved;
+  } else {
+    summary = solver::solve(model.problem(), solver_options(options));
+  }
   synthesis.status = summary.status;
   for (const solver::Build& build : summary.builds) synthesis.designs.push_back(model.design(build));
   synthesis.lower_bound = summary.lower_bound;

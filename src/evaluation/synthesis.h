@@ -17,13 +17,15 @@ struct SearchOptions {
   double gap = 1e-6;
   double time_limit_seconds = std::numeric_limits<double>::infinity();
   unsigned threads = 1;
+  std::size_t builds = 1;  ///< of one objective: the best, the second best, ...; more need a model with every candidate
   const std::atomic<bool>* stop = nullptr;
   std::function<void(const solver::Progress&)> progress;
 };
 
 struct Synthesis {
   solver::Status status = solver::Status::infeasible;
-  std::vector<Design> designs;          ///< one, or the front ascending in the first objective
+  std::vector<Design> designs;  ///< one, or the front ascending in the first objective, or the best first
+  std::size_t proved = 0;       ///< of several builds asked for: so many, from the first on, are the next best for sure
   std::vector<EmptySlot> empty_slots;   ///< why nothing can be built at all
   double lower_bound = 0.0, gap = 0.0;  ///< of a single objective
   double combinations = 0.0;
@@ -36,14 +38,8 @@ struct Synthesis {
 /// The solver's options for these.
 solver::Options solver_options(const SearchOptions& options);
 
-/// The cheapest (or lightest) compliant build, or the exact front.
+/// The cheapest (or lightest) compliant build, or as many of the cheapest as are asked for, or the exact front.
 Synthesis synthesise(const MachineModel& model, const SearchOptions& options);
-
-/// A part or setting of a bill of materials that cannot be used as it stands.
-struct BomProblem {
-  machine::SourceSpan where;
-  std::string message, hint;
-};
 
 /// What a bill of materials amounts to.
 struct BomCheck {

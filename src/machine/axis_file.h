@@ -94,8 +94,6 @@ void read_bolts(text::TableReader& table, Member& member, text::Diagnostics& dia
 std::optional<std::size_t> read_direction_name(text::TableReader& table, std::string_view key);
 /// In which directions of the machine an axis travels and its guides press, as far as that is said or follows.
 void read_axis_directions(text::TableReader& table, Axis& axis, text::Diagnostics& diagnostics);
-/// [limits]: what the whole machine may cost and weigh.
-void read_limits(const text::Node& node, Problem& problem, text::Diagnostics& diagnostics);
 /// [tool], once the axes are known. `axes`: their nodes, if they could be read.
 void read_tool(const text::Node& node, const text::Node* axes, Problem& problem, text::Diagnostics& diagnostics);
 

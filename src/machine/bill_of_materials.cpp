@@ -25,14 +25,6 @@ const std::vector<std::string> known_columns{
 const std::vector<std::string> origins{"paper", "ours"};
 constexpr double most_pieces = 10000.0;
 
-/// Unit that the value of a setting is given in.
-std::string_view unit_of_setting(const std::string& name) {
-  if (name == "acceleration_time") return "s";
-  if (name == "supply_voltage") return "V";
-  if (name == "motor_current") return "A";
-  return "mm";
-}
-
 bool contains(const std::vector<std::string>& words, const std::string& word) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
@@ -263,6 +255,13 @@ class Reader {
 };
 
 }  // namespace
+
+std::string_view unit_of_setting(const std::string& name) {
+  if (name == "acceleration_time") return "s";
+  if (name == "supply_voltage") return "V";
+  if (name == "motor_current") return "A";
+  return "mm";
+}
 
 std::vector<std::string> slot_names(const Axis& axis) {
   std::vector<std::string> names;

@@ -43,4 +43,7 @@ std::optional<BillOfMaterials> read_bill_of_materials(std::shared_ptr<const text
 std::vector<std::string> slot_names(const Axis& axis);
 std::vector<std::string> setting_names(const Axis& axis);
 
+/// Unit that the value of a setting is given in.
+std::string_view unit_of_setting(const std::string& name);
+
 }  // namespace millwright::machine

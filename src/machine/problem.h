@@ -225,7 +225,8 @@ struct Axis {
   Range acceleration_time{0.05, 0.5};
   std::optional<double> jerk;  ///< m/s^3, of moves that state none
   Requirements require;
-  bool keep_every_candidate = false;  ///< also candidates that another one beats in every respect
+  bool keep_every_candidate = false;     ///< whatever is given is judged: also what can never be compliant
+  bool keep_covered_candidates = false;  ///< also candidates that another one beats in every respect
   SourceSpan where;
 
   // filled by the reader

@@ -13,6 +13,7 @@
 #include "machine/axis_file.h"
 #include "machine/carrying.h"
 #include "machine/currency_file.h"
+#include "machine/limits_file.h"
 #include "machine/quantity_reader.h"
 #include "text/table_reader.h"
 

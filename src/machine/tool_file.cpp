@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What a problem file asks of the machine as a whole: [tool], the force on the tool and how far it may give way, with
-// what every axis must say for that, and [limits] of cost and mass.
+// what every axis must say for that.
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "machine/axis_file.h"
 #include "machine/quantity_reader.h"
-#include "scalar/unit.h"
 #include "text/nearest.h"
 #include "text/table_reader.h"
 
@@ -138,30 +137,6 @@ void read_tool(const Node& node, const Node* axes, Problem& problem, Diagnostics
       check_axis(axes->items()[i], problem.axes[i], tool, diagnostics);
   problem.tool = tool;
   for (Axis& axis : problem.axes) axis.stiffness_counts = !is_rotary(axis);
-}
-
-void read_limits(const Node& node, Problem& problem, Diagnostics& diagnostics) {
-  TableReader table(node, "[limits]", diagnostics);
-  QuantityReader q(table, diagnostics);
-  if (node.size() == 0)
-    diagnostics.error(node.span(), "limits: the table is empty", "write cost = \"400 USD\" or mass = \"12 kg\"");
-  problem.mass_limit = q.quantity("mass", "kg", Sign::positive);
-  if (const Node* cost = table.find("cost"); cost != nullptr) {
-    const std::string text = cost->as_string().value_or("");
-    const std::size_t blank = std::min(text.find(' '), text.size());
-    std::string reason;
-    const auto amount = scalar::parse_number(text.substr(0, blank), reason);
-    const std::string currency = text.substr(std::min(blank + 1, text.size()));
-    const auto rate = problem.currencies.find(currency);
-    const bool own = currency == problem.currency;
-    if (!amount || !(*amount > 0.0) || (!own && rate == problem.currencies.end()))
-      diagnostics.error(cost->span(),
-                        "cost: needs an amount above zero in a currency of the problem",
-                        fmt::format("write cost = \"400 {}\"", problem.currency));
-    else
-      problem.cost_limit = *amount * (own ? 1.0 : rate->second.rate);
-  }
-  table.finish();
 }
 
 }  // namespace millwright::machine

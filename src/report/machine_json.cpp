@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "report/alternatives.h"
+#include "report/design_json.h"
 #include "report/json.h"
 #include "report/json_value.h"
+#include "report/steering.h"
 
 namespace millwright::report {
 
@@ -8,82 +11,6 @@ using evaluation::Check;
 using evaluation::Design;
 
 namespace {
-
-const char* kind_name(machine::ConstraintKind kind) { return kind == machine::ConstraintKind::soft ? "soft" : "hard"; }
-
-const char* verdict_name(evaluation::Verdict verdict) {
-  switch (verdict) {
-    case evaluation::Verdict::satisfied:
-      return "satisfied";
-    case evaluation::Verdict::violated:
-      return "violated";
-    case evaluation::Verdict::not_evaluated:
-      return "not evaluated";
-  }
-  return "";
-}
-
-Json quantity(double value, const std::string& unit) { return Json{{"value", number(value)}, {"unit", unit}}; }
-
-Json totals_of(const Design& design) {
-  return Json{{"cost", quantity(design.cost, design.currency)}, {"mass", quantity(design.mass, "kg")}};
-}
-
-Json part_of(const evaluation::PartLine& part) {
-  Json json{{"axis", part.axis},
-            {"slot", part.slot},
-            {"family", part.family},
-            {"manufacturer", part.manufacturer},
-            {"part_number", part.part_number},
-            {"quantity", number(part.quantity)},
-            {"length_m", part.length > 0.0 ? number(part.length) : Json(nullptr)},
-            {"unit_price", number(part.unit_price)},
-            {"price", number(part.price)},
-            {"currency", part.currency},
-            {"mass_kg", number(part.mass)},
-            {"estimate", part.estimate},
-            {"row", part.where}};
-  if (!part.origin.empty()) json["origin"] = part.origin;
-  return json;
-}
-
-Json build_of(const Design& design) {
-  Json parts = Json::array();
-  for (const evaluation::PartLine& part : design.parts) parts.push_back(part_of(part));
-  Json dimensions = Json::array();
-  for (const evaluation::DimensionLine& line : design.dimensions)
-    dimensions.push_back(
-        {{"axis", line.axis}, {"name", line.name}, {"value", number(line.value)}, {"unit", line.unit}});
-  return Json{{"parts", parts}, {"dimensions", dimensions}};
-}
-
-Json check_of(const Check& check) {
-  Json json{{"axis", check.axis},
-            {"element", check.element},
-            {"id", check.id},
-            {"title", check.title},
-            {"kind", kind_name(check.kind)},
-            {"value", number(check.value)},
-            {"limit", number(check.limit)},
-            {"unit", check.unit},
-            {"utilisation", number(check.utilisation)},
-            {"verdict", verdict_name(check.verdict)},
-            {"phase", check.phase},
-            {"position", check.position},
-            {"source", check.source}};
-  if (!check.requirement.empty()) json["requirement"] = check.requirement;
-  if (!check.note.empty()) json["note"] = check.note;
-  for (const evaluation::Contribution& part : check.contributions)
-    json["contributions"].push_back({{"what", part.what}, {"value", number(part.value)}});
-  return json;
-}
-
-Json checks_json(const MachineResult& result, const Design& design) {
-  Json checks = Json::array();
-  for (const std::string& axis : checked_axes(result))
-    for (const Check* check : checks_of(design, axis)) checks.push_back(check_of(*check));
-  return checks;
-}
 
 Json outside_validity_of(const Design& design) {
   Json lines = Json::array();
@@ -105,14 +32,6 @@ Json outside_validity_of(const Design& design) {
     lines.push_back(std::move(json));
   }
   return lines;
-}
-
-Json governing_of(const MachineResult& result, const Design& design) {
-  Json governing = Json::array();
-  for (const std::string& axis : checked_axes(result))
-    if (const Check* check = design.governing(axis))
-      governing.push_back({{"axis", axis}, {"id", check->id}, {"utilisation", number(check->utilisation)}});
-  return governing;
 }
 
 Json requirements_of(const MachineResult& result) {
@@ -207,9 +126,11 @@ void add_design(const MachineResult& result, const Design& design, Json& json) {
 std::string solve_json(const MachineResult& result) {
   Json json = result_of("solve");
   json["problem"] = problem_of(result);
+  add_steering(result, json);
   json["status"] = to_string(result.status);
   json["objective"] = objective_of(result);
   if (!result.designs.empty()) add_design(result, result.designs.front(), json);
+  add_alternatives(result, json);
   add_missing(result, json);
   add_unmet(result, json);
   json["certificate"] = certificate_of(result);
@@ -220,6 +141,7 @@ std::string solve_json(const MachineResult& result) {
 std::string front_json(const MachineResult& result) {
   Json json = result_of("pareto");
   json["problem"] = problem_of(result);
+  add_steering(result, json);
   json["status"] = to_string(result.status);
   json["objectives"] = result.objectives;
   json["front"] = Json::array();
@@ -240,6 +162,7 @@ std::string front_json(const MachineResult& result) {
 std::string check_json(const MachineResult& result) {
   Json json = result_of("check");
   json["problem"] = problem_of(result);
+  add_steering(result, json);
   json["bill_of_materials"] = result.bom_file;
   const bool satisfied = !result.designs.empty() && result.designs.front().satisfied();
   json["satisfied"] = satisfied;

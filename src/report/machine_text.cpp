@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "report/alternatives.h"
 #include "report/design_text.h"
+#include "report/steering.h"
 #include "scalar/unit.h"
 
 namespace millwright::report {
@@ -19,7 +21,7 @@ namespace {
 
 std::string title_text(const MachineResult& result, const Style& style) {
   const std::string title = result.title.empty() ? result.file : result.title + " (" + result.file + ")";
-  return style.heading(title) + "\n\n";
+  return style.heading(title) + "\n\n" + steering_text(result, style);
 }
 
 std::string best_word(const std::string& objective) { return objective == "mass" ? "Lightest" : "Cheapest"; }
@@ -30,6 +32,11 @@ std::string both_totals(const std::string& objective, const Design& design) {
   const std::string cost = objective_text("cost", design.cost, design.currency);
   const std::string mass = objective_text("mass", design.mass, design.currency);
   return objective == "mass" ? mass + ", " + cost : cost + ", " + mass;
+}
+
+/// What a proof is about when the command line asks for more than the problem file.
+const char* as_asked(const MachineResult& result) {
+  return result.steering.empty() ? "" : ", with what was asked for above";
 }
 
 /// Checks that fail whatever is chosen.
@@ -77,10 +84,14 @@ std::string nothing_text(const MachineResult& result, const Style& style) {
   if (result.status == Status::limit)
     return "The limit was reached before a compliant build was found; whether there is one is open.\n";
   return style.bad("No compliant build exists") +
-         " in these catalogues: every combination of parts fails at least one check.\n" +
+         fmt::format(" in these catalogues{}: every combination of parts fails at least one check.\n",
+                     as_asked(result)) +
          (result.unmet.empty() ? "  'check' with a bill of materials (and --complete) shows by how much.\n"
                                : unmet_text(result) + ways_out_text(result));
 }
+
+/// The first build, whatever became of those after it.
+bool best_is_proved(const MachineResult& result) { return result.status == Status::optimal || result.proved > 0; }
 
 std::string certificate_text(const MachineResult& result, const Style& style) {
   const Certificate& certificate = result.certificate;
@@ -90,11 +101,13 @@ std::string certificate_text(const MachineResult& result, const Style& style) {
     out += "  Proved: no combination is compliant.\n";
   } else if (result.objectives.size() == 1 && design != nullptr) {
     const std::string& objective = result.objectives.front();
-    out += result.status == Status::optimal
-               ? fmt::format("  Proved: no compliant build of these catalogues is {}.\n", better_word(objective))
-               : fmt::format("  Not proved: a build of {} or more may still exist (gap {:.2f} %).\n",
-                             objective_text(objective, result.lower_bound, design->currency),
-                             100.0 * result.gap);
+    out += best_is_proved(result) ? fmt::format("  Proved: no compliant build of these catalogues{} is {}.\n",
+                                                as_asked(result),
+                                                better_word(objective))
+                                  : fmt::format("  Not proved: a build of {} or more may still exist (gap {:.2f} %).\n",
+                                                objective_text(objective, result.lower_bound, design->currency),
+                                                100.0 * result.gap);
+    out += alternatives_certificate(result);
   } else if (result.objectives.size() > 1) {
     const double tolerance = certificate.front_tolerance;
     out += result.status == Status::optimal
@@ -155,13 +168,13 @@ std::string solve_text(const MachineResult& result, const Style& style) {
   }
   const Design& design = result.designs.front();
   const std::string& objective = result.objectives.front();
-  out += result.status == Status::optimal
+  out += best_is_proved(result)
              ? style.heading(best_word(objective) + " compliant build: " + both_totals(objective, design)) + "\n\n"
              : style.heading("Best build found before the limit: " + both_totals(objective, design)) +
                    fmt::format("\n  proved so far: not below {}, gap {:.2f} %\n\n",
                                objective_text(objective, result.lower_bound, design.currency),
                                100.0 * result.gap);
-  return out + parts_text(result, design, style) + dimensions_text(design, style) +
+  return out + parts_text(result, design, style) + dimensions_text(design, style) + alternatives_text(result, style) +
          governing_text(result, design, style) + checks_text(result, design, style) +
          outside_validity_text(design, style) + requirements_text(result, style) + assumptions_text(design, style) +
          certificate_text(result, style);

@@ -9,6 +9,7 @@
 #include "evaluation/ledger.h"
 #include "evaluation/ways_out.h"
 #include "machine/problem.h"
+#include "machine/steering.h"
 
 namespace millwright::report {
 
@@ -61,10 +62,14 @@ struct Timing {
 struct MachineResult {
   std::string title;
   std::string file;
+  std::string currency;                     ///< of the problem
+  machine::Steering steering;               ///< what was asked for beside the problem file
   std::vector<std::string> axes;            ///< in the order of the problem file
   std::vector<std::string> objectives;      ///< "cost", "mass"
   Status status = Status::infeasible;       ///< of solve and pareto
-  std::vector<evaluation::Design> designs;  ///< one, none, or a front ascending in the first objective
+  std::vector<evaluation::Design> designs;  ///< none, one, the best first, or a front ascending in the first objective
+  std::size_t builds_asked = 1;             ///< of solve
+  std::size_t proved = 0;                   ///< of several asked for: so many designs, from the first on
   double lower_bound = 0.0;                 ///< of a single objective, in its unit (currency or kg)
   double gap = 0.0;
   std::vector<RequirementLine> requirements;  ///< of the first design

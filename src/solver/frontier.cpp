@@ -115,6 +115,11 @@ void Frontier::update_useful() {
     }
     corners.push_back({infinity, with_slack(second)});
   }
+  // And nothing matters beyond the limits.
+  for (Pair& corner : corners) {
+    corner.first = std::min(corner.first, with_slack(criteria_.limit[0]));
+    if (criteria_.size() > 1) corner.second = std::min(corner.second, with_slack(criteria_.limit[1]));
+  }
   useful_.clear();
   for (const auto& rest : rest_) useful_.push_back(difference_of_staircases(corners, rest, staircase_points));
 }

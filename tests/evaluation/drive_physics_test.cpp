@@ -27,8 +27,8 @@ const ScrewDriveStage& drive_of(const std::string& axis) {
 }
 
 machine::ScrewDrive<double> design_of(const ScrewDriveStage& stage, const SampledPoint& p) {
-  std::vector<std::span<const Row>> rows;
-  for (const Row& row : p.rows) rows.emplace_back(&row, 1);
+  std::vector<solver::RowsAlive> rows;
+  for (const Row& row : p.rows) rows.emplace_back(std::span(&row, 1));
   return stage.design<double>({.shared = p.shared, .rows = rows, .inherited = p.inherited, .variables = p.variables});
 }
 
@@ -94,7 +94,7 @@ TEST_CASE("Shipped motors: a curve governs only at or above its voltage and curr
     const auto& pair = motors.motors().pairs[row];
     const int motor = motors.motors().table.candidate(row).parts[0].row;
     for (std::size_t v = 0; v < voltages.size(); ++v) {
-      const std::array<Row, 1> alive{row};
+      const solver::RowsAlive alive{std::span(&row, 1)};
       const auto reading = motors.reading<double>(alive, v);
       REQUIRE(reading.current == std::min(pair.at_voltage[v].driver_peak_current, pair.at_voltage[v].rated_current));
       // Is there a published point of this motor within voltage and current?
@@ -139,7 +139,7 @@ TEST_CASE("Bounds of the torque of many motors hold at and beyond the edges of t
     const Interval bound = motors.torque<Interval>(alive, v, speed);
     for (const double omega : {speed.lower, 0.5 * (speed.lower + speed.upper), speed.upper})
       for (const Row row : alive) {
-        const std::array<Row, 1> one{row};
+        const solver::RowsAlive one{std::span(&row, 1)};
         const double torque = motors.torque<double>(one, v, omega);
         REQUIRE(bound.lower <= torque);
         REQUIRE(torque <= bound.upper);

@@ -254,7 +254,7 @@ TEST_CASE("Without enough voltage for the published curve only the model counts,
     const catalogue::Table& steppers = parts().table(catalogue::Family::steppers);
     const std::string motor(steppers.part_number(candidate.parts[0].row));
     const double peak = pairs[row].at_voltage[0].driver_peak_current;
-    const std::array<solver::Row, 1> alive{row};
+    const solver::RowsAlive alive{std::span(&row, 1)};
     for (std::size_t v = 0; v < 3; ++v) {
       const auto reading = drive->motors().reading<double>(alive, v);
       const bool curve = motor == "M23" && peak >= 2.8 && v > 0;
@@ -277,7 +277,7 @@ TEST_CASE("A torque margin that the problem states holds for curve and model") {
   const evaluation::MachineModel model(problem, parts());
   const auto& drive = std::get<std::unique_ptr<evaluation::ScrewDriveStage>>(model.entries().front().stage);
   for (solver::Row row = 0; row < drive->motors().motors().pairs.size(); ++row) {
-    const std::array<solver::Row, 1> alive{row};
+    const solver::RowsAlive alive{std::span(&row, 1)};
     for (std::size_t v = 0; v < 2; ++v) CHECK(drive->motors().reading<double>(alive, v).torque_margin == 0.6);
   }
 }

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "machine/limits_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "machine/option_word.h"
+#include "machine/quantity_reader.h"
+#include "scalar/unit.h"
+#include "text/nearest.h"
+#include "text/number.h"
+#include "text/table_reader.h"
+
+namespace millwright::machine {
+
+using text::Diagnostics;
+using text::Node;
+using text::TableReader;
+
+namespace {
+
+std::vector<std::string> currencies_of(const Problem& problem) {
+  std::vector<std::string> codes{problem.currency};
+  for (const auto& [code, rate] : problem.currencies)
+    if (code != problem.currency) codes.push_back(code);
+  return codes;
+}
+
+/// An amount in a currency of the problem, in its own; with `bare` the currency may be left out.
+std::optional<double> read_amount(const std::string& text, const Problem& problem, bool bare, QuantityFault& fault) {
+  const std::size_t blank = std::min(text.find(' '), text.size());
+  const std::string number = text.substr(0, blank);
+  const std::size_t unit = std::min(text.find_first_not_of(' ', blank), text.size());
+  const std::string currency = text.substr(unit);
+  fault.length = number.size();
+  fault.hint = fmt::format("write for example {} {}", 400, problem.currency);
+  const auto amount = text::parse_number(number);
+  if (!amount) {
+    fault.message = text::quoted(number) + " is not a number";
+    fault.hint = text::number_hint(number);
+    return std::nullopt;
+  }
+  if (!(*amount > 0.0)) {
+    fault.message = *amount < 0.0 ? "must not be negative" : "must be greater than zero";
+    return std::nullopt;
+  }
+  if (currency == problem.currency || (currency.empty() && bare)) return amount;
+  if (const auto rate = problem.currencies.find(currency); rate != problem.currencies.end())
+    return *amount * rate->second.rate;
+  fault.offset = unit;
+  fault.length = currency.size();
+  fault.message = fmt::format("the problem has no rate for {}", text::quoted(currency));
+  const std::vector<std::string> codes = currencies_of(problem);
+  fault.hint = text::did_you_mean(currency, codes, fmt::format("its currencies: {}", fmt::join(codes, ", ")));
+  return std::nullopt;
+}
+
+void tighten(std::optional<double>& limit, double value) { limit = std::min(limit.value_or(value), value); }
+
+}  // namespace
+
+void read_limits(const Node& node, Problem& problem, Diagnostics& diagnostics) {
+  TableReader table(node, "[limits]", diagnostics);
+  QuantityReader q(table, diagnostics);
+  if (node.size() == 0)
+    diagnostics.error(node.span(), "limits: the table is empty", "write cost = \"400 USD\" or mass = \"12 kg\"");
+  problem.mass_limit = q.quantity("mass", "kg", Sign::positive);
+  if (const Node* cost = table.find("cost"); cost != nullptr) {
+    QuantityFault fault;
+    problem.cost_limit = read_amount(cost->as_string().value_or(""), problem, false, fault);
+    if (!problem.cost_limit)
+      diagnostics.error(cost->span(),
+                        "cost: needs an amount above zero in a currency of the problem",
+                        fmt::format("write cost = \"400 {}\"", problem.currency));
+  }
+  table.finish();
+}
+
+std::vector<LimitOption> add_limits(const std::vector<std::string>& words, Problem& problem, Diagnostics& diagnostics) {
+  const std::vector<std::string> names{"cost", "mass"};
+  const std::string example = fmt::format("--limit cost='400 {}' or --limit mass='12 kg'", problem.currency);
+  std::vector<OptionWord> given;
+  std::vector<LimitOption> limits;
+  for (const std::string& text : words) {
+    const auto word = read_option_word("--limit", text, example, diagnostics);
+    if (!word) continue;
+    if (std::find(names.begin(), names.end(), word->name) == names.end()) {
+      diagnostics.error(word->name_span(),
+                        fmt::format("there is no limit of {}", text::quoted(word->name)),
+                        text::did_you_mean(word->name, names, "limits: cost, mass"));
+      continue;
+    }
+    const auto same =
+        std::find_if(given.begin(), given.end(), [&](const OptionWord& other) { return other.name == word->name; });
+    if (same != given.end()) {
+      text::Diagnostic twice;
+      twice.where = word->name_span();
+      twice.message = fmt::format("the limit of {} is given twice", word->name);
+      twice.hint = "give each limit once";
+      twice.related = same->name_span();
+      twice.related_message = "first given here";
+      diagnostics.add(std::move(twice));
+      continue;
+    }
+    given.push_back(*word);
+    QuantityFault fault;
+    const bool cost = word->name == "cost";
+    const auto value =
+        cost ? read_amount(word->value, problem, true, fault) : read_quantity(word->value, "kg", Sign::positive, fault);
+    if (value) {
+      tighten(cost ? problem.cost_limit : problem.mass_limit, *value);
+      limits.push_back({word->name, *value});
+      continue;
+    }
+    if (fault.hint.starts_with("write for example"))
+      fault.hint = "write for example --limit " +
+                   (cost ? fmt::format("cost='400 {}'", problem.currency) : std::string("mass='12 kg'"));
+    diagnostics.error(
+        word->value_span(fault.offset, fault.length), fmt::format("{}: {}", word->name, fault.message), fault.hint);
+  }
+  return limits;
+}
+
+}  // namespace millwright::machine

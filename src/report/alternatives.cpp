@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/alternatives.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "report/design_json.h"
+#include "scalar/unit.h"
+
+namespace millwright::report {
+
+using evaluation::Design;
+using evaluation::DimensionLine;
+using evaluation::PartLine;
+
+namespace {
+
+struct Difference {
+  std::string axis, slot, now, before;
+};
+
+/// Choices among values, not dimensions that follow from the parts.
+bool is_choice(const DimensionLine& line) { return line.name == "supply_voltage" || line.name == "motor_current"; }
+
+std::string full_name(const PartLine& part) {
+  return part.manufacturer.empty() ? part.part_number : part.manufacturer + " " + part.part_number;
+}
+
+std::vector<Difference> differences(const Design& best, const Design& design) {
+  std::vector<Difference> result;
+  for (const PartLine& part : design.parts) {
+    const auto before = std::find_if(best.parts.begin(), best.parts.end(), [&](const PartLine& other) {
+      return other.axis == part.axis && other.slot == part.slot;
+    });
+    if (before == best.parts.end() || full_name(*before) == full_name(part)) continue;
+    const bool same_number = before->part_number == part.part_number;
+    result.push_back({part.axis,
+                      part.slot,
+                      same_number ? full_name(part) : part.part_number,
+                      same_number ? full_name(*before) : before->part_number});
+  }
+  for (const DimensionLine& line : design.dimensions) {
+    const auto before = std::find_if(best.dimensions.begin(), best.dimensions.end(), [&](const DimensionLine& other) {
+      return other.axis == line.axis && other.name == line.name;
+    });
+    if (!is_choice(line) || before == best.dimensions.end() || before->value == line.value) continue;
+    const scalar::Unit unit = scalar::Unit::of(line.unit);
+    result.push_back({line.axis, line.name, scalar::format(line.value, unit), scalar::format(before->value, unit)});
+  }
+  return result;
+}
+
+std::string signed_text(double difference, int digits) {
+  const std::string text = fmt::format("{:+.{}f}", difference, digits);
+  return text.find_first_of("123456789") == std::string::npos ? std::string("=") : text;
+}
+
+/// Several builds were asked for.
+bool asked(const MachineResult& result) { return result.builds_asked > 1 && !result.designs.empty(); }
+
+const char* best_word(const MachineResult& result) {
+  return result.objectives.front() == "mass" ? "lightest" : "cheapest";
+}
+
+const char* better_word(const MachineResult& result) {
+  return result.objectives.front() == "mass" ? "lighter" : "cheaper";
+}
+
+}  // namespace
+
+std::string alternatives_text(const MachineResult& result, const Style& style) {
+  if (!asked(result)) return {};
+  const Design& best = result.designs.front();
+  std::string out = style.heading("Alternatives") + "\n";
+  if (result.designs.size() == 1)
+    return out + (result.status == Status::limit ? "  None was found before the limit.\n\n"
+                                                 : "  There is no other compliant build.\n\n");
+  TextTable table({{"", Align::right},
+                   {best.currency, Align::right},
+                   {"", Align::right},
+                   {"kg", Align::right},
+                   {"", Align::right},
+                   {"differs from the best in", Align::left, 64}});
+  for (std::size_t i = 1; i < result.designs.size(); ++i) {
+    const Design& design = result.designs[i];
+    std::vector<std::string> changes;
+    for (const Difference& d : differences(best, design))
+      changes.push_back(fmt::format("{}.{} {} (was {})", d.axis, d.slot, d.now, d.before));
+    table.add({fmt::format("{}{}", i + 1, i < result.proved ? "" : "?"),
+               fmt::format("{:.2f}", design.cost),
+               signed_text(design.cost - best.cost, 2),
+               fmt::format("{:.3f}", design.mass),
+               signed_text(design.mass - best.mass, 3),
+               fmt::format("{}", fmt::join(changes, ", "))});
+  }
+  out += table.str(2, style);
+  if (result.proved < result.designs.size())
+    out += fmt::format("  ? found before the limit; {} ones may exist\n", better_word(result));
+  return out + "\n";
+}
+
+std::string alternatives_certificate(const MachineResult& result) {
+  if (!asked(result)) return {};
+  if (result.status != Status::limit)
+    return result.designs.size() < result.builds_asked
+               ? fmt::format("  Proved: there {} only {} compliant build{}, each combination of parts counted once.\n",
+                             result.designs.size() == 1 ? "is" : "are",
+                             result.designs.size(),
+                             result.designs.size() == 1 ? "" : "s")
+               : fmt::format("  Proved: these are the {} {} builds, each combination of parts counted once.\n",
+                             result.designs.size(),
+                             best_word(result));
+  return fmt::format("  Of {} builds asked for {} {} proved before the limit.\n",
+                     result.builds_asked,
+                     result.proved,
+                     result.proved == 1 ? "was" : "were");
+}
+
+void add_alternatives(const MachineResult& result, Json& json) {
+  if (!asked(result)) return;
+  const Design& best = result.designs.front();
+  json["builds_asked"] = result.builds_asked;
+  json["builds_proved"] = result.proved;
+  json["alternatives"] = Json::array();
+  for (std::size_t i = 1; i < result.designs.size(); ++i) {
+    const Design& design = result.designs[i];
+    Json changes = Json::array();
+    for (const Difference& d : differences(best, design))
+      changes.push_back({{"axis", d.axis}, {"name", d.slot}, {"now", d.now}, {"before", d.before}});
+    json["alternatives"].push_back({{"rank", i + 1},
+                                    {"proved", i < result.proved},
+                                    {"totals", totals_of(design)},
+                                    {"changes", changes},
+                                    {"build", build_of(design)},
+                                    {"governing", governing_of(result, design)},
+                                    {"checks", checks_json(result, design)}});
+  }
+}
+
+}  // namespace millwright::report

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// The pieces of a result that describe one design, as JSON.
+#pragma once
+
+#include "report/json_value.h"
+#include "report/result.h"
+
+namespace millwright::report {
+
+/// Cost and mass.
+Json totals_of(const evaluation::Design& design);
+
+/// Parts and dimensions.
+Json build_of(const evaluation::Design& design);
+
+/// Every check, axis by axis, the most used first.
+Json checks_json(const MachineResult& result, const evaluation::Design& design);
+
+/// For each axis the hard check that is used most.
+Json governing_of(const MachineResult& result, const evaluation::Design& design);
+
+}  // namespace millwright::report

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/steering.h"
+
+#include <fmt/format.h>
+
+#include "scalar/unit.h"
+
+namespace millwright::report {
+
+namespace {
+
+std::string unit_of(const MachineResult& result, const machine::LimitOption& limit) {
+  return limit.name == "mass" ? "kg" : result.currency;
+}
+
+std::string name_of(const std::string& manufacturer, const std::string& part_number) {
+  return manufacturer.empty() ? part_number : manufacturer + " " + part_number;
+}
+
+std::string fixed_text(const machine::BomLine& line) {
+  if (!line.value) return name_of(line.manufacturer, line.part_number);
+  return scalar::format(*line.value, scalar::Unit::of(machine::unit_of_setting(line.slot)));
+}
+
+}  // namespace
+
+std::string steering_text(const MachineResult& result, const Style& style) {
+  if (result.steering.empty()) return {};
+  TextTable table({{""}, {""}, {"", Align::left, 60}});
+  for (const machine::LimitOption& limit : result.steering.limits)
+    table.add({"--limit", limit.name, fmt::format("{:.6g} {}", limit.value, unit_of(result, limit))});
+  for (const machine::ExcludedPart& part : result.steering.without)
+    table.add({"--without", "", name_of(part.manufacturer, part.part_number)});
+  for (const machine::BomLine& line : result.steering.fixed.lines)
+    table.add({"--fix", line.axis + "." + line.slot, fixed_text(line)});
+  return style.heading("Asked for beside the problem") + "\n" + table.str(2) + "\n";
+}
+
+void add_steering(const MachineResult& result, Json& json) {
+  if (result.steering.empty()) return;
+  Json limits = Json::array();
+  for (const machine::LimitOption& limit : result.steering.limits)
+    limits.push_back({{"name", limit.name}, {"value", number(limit.value)}, {"unit", unit_of(result, limit)}});
+  Json without = Json::array();
+  for (const machine::ExcludedPart& part : result.steering.without)
+    without.push_back({{"manufacturer", part.manufacturer}, {"part_number", part.part_number}});
+  Json fixed = Json::array();
+  for (const machine::BomLine& line : result.steering.fixed.lines) {
+    if (!line.value)
+      fixed.push_back({{"axis", line.axis},
+                       {"slot", line.slot},
+                       {"manufacturer", line.manufacturer},
+                       {"part_number", line.part_number}});
+    else
+      fixed.push_back(
+          {{"axis", line.axis},
+           {"name", line.slot},
+           {"value", number(*line.value)},
+           {"unit", machine::unit_of_setting(line.slot) == "mm" ? "m" : machine::unit_of_setting(line.slot)}});
+  }
+  json["steering"] = {{"limits", limits}, {"without", without}, {"fixed", fixed}};
+}
+
+}  // namespace millwright::report

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/neighbours.h"
+
+#include <algorithm>
+
+namespace millwright::solver {
+
+namespace {
+
+constexpr Row most_rows = 2000;  // looked at of each slot, evenly spread
+
+}  // namespace
+
+bool Neighbours::fits(const Build& build, std::size_t stage) const {
+  const std::vector<Row>& rows = build.stages[stage].rows;
+  for (std::size_t a = 0; a < rows.size(); ++a)
+    for (std::size_t b = a + 1; b < rows.size(); ++b)
+      if (!problem_.stages[stage]->fits(build.shared, a, rows[a], b, rows[b])) return false;
+  return true;
+}
+
+bool Neighbours::complete(Build& build, std::size_t stage, std::vector<double> resources) const {
+  Answer<double> answer;
+  for (std::size_t i = stage; i < problem_.stages.size(); ++i) {
+    StageChoice& choice = build.stages[i];
+    if (i > stage) choice.inherited = answer.handed_on;
+    problem_.stages[i]->evaluate({build.shared, choice.inherited, choice.rows, choice.variables}, answer);
+    for (const double u : answer.utilisation)
+      if (!(u <= 1.0)) return false;
+    for (std::size_t r = 0; r < resources.size(); ++r) resources[r] += answer.resources[r];
+  }
+  for (std::size_t r = 0; r < resources.size(); ++r)
+    if (!(resources[r] <= problem_.resources[r].limit)) return false;
+  build.resources = std::move(resources);
+  return true;
+}
+
+void Neighbours::visit(const Build& build, std::size_t objective, const Visitor& visitor) const {
+  const std::vector<double> none(problem_.resources.size(), 0.0);
+  double most = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < build.shared.size(); ++i) {
+    Build next = build;
+    for (Row row = 0; row < problem_.shared[i].rows; ++row) {
+      next.shared[i] = row;
+      if (row == build.shared[i]) continue;
+      bool all_fit = true;
+      for (std::size_t stage = 0; stage < next.stages.size() && all_fit; ++stage) all_fit = fits(next, stage);
+      if (all_fit && complete(next, 0, none)) most = visitor(next);
+    }
+  }
+  std::vector<double> before = none;  // of the stages before the one that changes
+  Answer<double> answer;
+  for (std::size_t i = 0; i < build.stages.size(); ++i) {
+    const StageChoice& own = build.stages[i];
+    const Stage& stage = *problem_.stages[i];
+    stage.evaluate({build.shared, own.inherited, own.rows, own.variables}, answer);
+    const std::vector<double> own_share = answer.resources;
+    for (std::size_t slot = 0; slot < own.rows.size(); ++slot) {
+      const Row rows = stage.slots()[slot].rows;
+      const Row step = (rows + most_rows - 1) / most_rows;
+      for (Row row = 0; row < rows; row += step) {
+        if (row == own.rows[slot]) continue;
+        Build next = build;
+        next.stages[i].rows[slot] = row;
+        if (!fits(next, i)) continue;
+        stage.evaluate({next.shared, own.inherited, next.stages[i].rows, own.variables}, answer);
+        const bool feasible =
+            std::all_of(answer.utilisation.begin(), answer.utilisation.end(), [](double u) { return u <= 1.0; });
+        const double total = build.resources[objective] - own_share[objective] + answer.resources[objective];
+        if (feasible && total <= most && complete(next, i, before)) most = visitor(next);
+      }
+    }
+    for (std::size_t r = 0; r < before.size(); ++r) before[r] += own_share[r];
+  }
+}
+
+}  // namespace millwright::solver
