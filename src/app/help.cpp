@@ -21,10 +21,12 @@ constexpr std::pair<std::string_view, std::string_view> texts[] = {
      "Examples:\n"
      "  millwright solve problems/sander.toml --bom sander.csv\n"
      "  millwright solve problems/sander.toml --minimise mass --set axis.x.stroke='800 mm'\n"
+     "  millwright solve problems/sander.toml --minimise 'cost + 25*mass'\n"
      "  millwright solve problems/sander.toml --catalogue my-parts --json -"},
     {"pareto",
      "Examples:\n"
-     "  millwright pareto problems/sander.toml --minimise cost,mass --json front.json"},
+     "  millwright pareto problems/sander.toml --minimise cost,mass --json front.json\n"
+     "  millwright pareto problems/lifter.toml --minimise cost,energy"},
     {"check",
      "Exit code 1 if a check fails. A slot that the bill of materials leaves open is an error without --complete.\n"
      "Examples:\n"

@@ -29,7 +29,7 @@ struct Options {
   // machines
   std::string problem;
   std::vector<std::string> settings;    ///< path=value
-  std::vector<std::string> objectives;  ///< empty = the problem file's
+  std::vector<std::string> objectives;  ///< by name, see machine/objective.h; empty = the problem file's
   double gap = 1e-6;
   double time_limit = std::numeric_limits<double>::infinity();  ///< s
   unsigned threads = 0;                                         ///< 0 = one per core

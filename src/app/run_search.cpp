@@ -38,7 +38,7 @@ report::MachineResult search(const Options& options, const MachineInput& input) 
   how.stop = stop.stopped();
   evaluation::Synthesis synthesis;
   {
-    ProgressLine line(options.quiet, result.objectives.front() == "mass" ? "kg" : input.problem.currency);
+    ProgressLine line(options.quiet, report::objective_unit(result.objectives.front(), input.problem.currency));
     if (line.active()) how.progress = [&line](const solver::Progress& progress) { line.show(progress); };
     synthesis = evaluation::synthesise(model, how);
   }

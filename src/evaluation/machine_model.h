@@ -78,6 +78,8 @@ class MachineModel {
   [[nodiscard]] const catalogue::Catalogue& catalogue() const { return catalogue_; }
   [[nodiscard]] const std::vector<StageEntry>& entries() const { return entries_; }
   [[nodiscard]] std::vector<EmptySlot> empty_slots() const;
+  /// The resource that holds a quantity; throws std::invalid_argument if the problem does not count it.
+  [[nodiscard]] std::size_t resource(machine::Quantity quantity) const;
 
   /// Evaluates a build from scratch, stage after stage, and writes the ledger. Nothing of what the search computed is
   /// reused.
@@ -85,6 +87,8 @@ class MachineModel {
 
  private:
   void add_axis(std::size_t index, const PriceBook& prices);
+
+  [[nodiscard]] std::optional<std::size_t> find_resource(machine::Quantity quantity) const;
 
   machine::Problem problem_;
   const catalogue::Catalogue& catalogue_;

@@ -13,7 +13,8 @@
 namespace millwright::evaluation {
 
 struct SearchOptions {
-  std::vector<std::string> objectives{"cost"};  ///< "cost", "mass"; one to solve, two for a front
+  /// By name (machine/objective.h): one to solve, two or more, of one quantity each, for a front.
+  std::vector<std::string> objectives{"cost"};
   double gap = 1e-6;
   double time_limit_seconds = std::numeric_limits<double>::infinity();
   unsigned threads = 1;
@@ -33,10 +34,11 @@ struct Synthesis {
   double seconds = 0.0;
 };
 
-/// The solver's options for these.
-solver::Options solver_options(const SearchOptions& options);
+/// The solver's options for these. Throws std::invalid_argument when an objective asks for what the model does not
+/// count (machine::Problem::counted), or a front for a weighted sum.
+solver::Options solver_options(const MachineModel& model, const SearchOptions& options);
 
-/// The cheapest (or lightest) compliant build, or the exact front.
+/// The best compliant build by one objective, or the front of several.
 Synthesis synthesise(const MachineModel& model, const SearchOptions& options);
 
 /// A part or setting of a bill of materials that cannot be used as it stands.

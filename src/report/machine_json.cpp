@@ -25,8 +25,19 @@ const char* verdict_name(evaluation::Verdict verdict) {
 
 Json quantity(double value, const std::string& unit) { return Json{{"value", number(value)}, {"unit", unit}}; }
 
+/// The unit of a quantity's values.
+std::string unit_of(machine::Quantity counted, const std::string& currency) {
+  return counted == machine::Quantity::cost ? currency : std::string(machine::declaration(counted).unit);
+}
+
 Json totals_of(const Design& design) {
-  return Json{{"cost", quantity(design.cost, design.currency)}, {"mass", quantity(design.mass, "kg")}};
+  Json totals{{"cost", quantity(design.cost, design.currency)}, {"mass", quantity(design.mass, "kg")}};
+  for (const evaluation::CountedTotal& each : design.counted) {
+    Json total = quantity(each.value, unit_of(each.quantity, design.currency));
+    if (each.quantity == machine::Quantity::energy) total["estimate"] = true;
+    totals[std::string(machine::declaration(each.quantity).name)] = std::move(total);
+  }
+  return totals;
 }
 
 Json part_of(const evaluation::PartLine& part) {
@@ -175,21 +186,45 @@ void add_unmet(const MachineResult& result, Json& json) {
   }
 }
 
+/// The terms of a weighted sum, with what they amount to.
+Json terms_of(const machine::Objective& objective, const Design& design) {
+  Json terms = Json::array();
+  for (const machine::ObjectiveTerm& term : objective.terms) {
+    const double value = design.total(term.quantity);
+    terms.push_back({{"name", machine::declaration(term.quantity).name},
+                     {"weight", number(term.weight)},
+                     {"value", number(value)},
+                     {"unit", unit_of(term.quantity, design.currency)},
+                     {"weighted", number(term.weight * value)}});
+  }
+  return terms;
+}
+
 Json objective_of(const MachineResult& result) {
   const std::string& name = result.objectives.front();
+  const machine::Objective objective = machine::objective_named(name);
+  const auto single = objective.single();
   const Design* design = result.designs.empty() ? nullptr : &result.designs.front();
   Json json{{"name", name},
             {"value", nullptr},
-            {"unit", name == "mass" ? "kg" : ""},
+            {"unit", single ? unit_of(*single, "") : "1"},
             {"lower_bound", nullptr},
             {"gap", nullptr}};
   if (design != nullptr) {
-    json["value"] = number(name == "mass" ? design->mass : design->cost);
-    if (name != "mass") json["unit"] = design->currency;
+    json["value"] = number(design->total(objective));
+    if (single) json["unit"] = unit_of(*single, design->currency);
     json["gap"] = number(result.gap);
+    if (!single) json["terms"] = terms_of(objective, *design);
   }
   if (result.status != Status::infeasible) json["lower_bound"] = number(result.lower_bound);
   return json;
+}
+
+/// The values of a front's objectives, by name.
+Json objectives_of(const MachineResult& result, const Design& design) {
+  Json values = Json::object();
+  for (const std::string& name : result.objectives) values[name] = number(design.total(machine::objective_named(name)));
+  return values;
 }
 
 void add_design(const MachineResult& result, const Design& design, Json& json) {
@@ -224,7 +259,7 @@ std::string front_json(const MachineResult& result) {
   json["objectives"] = result.objectives;
   json["front"] = Json::array();
   for (const Design& design : result.designs)
-    json["front"].push_back({{"objectives", {{"cost", number(design.cost)}, {"mass", number(design.mass)}}},
+    json["front"].push_back({{"objectives", objectives_of(result, design)},
                              {"totals", totals_of(design)},
                              {"build", build_of(design)},
                              {"governing", governing_of(result, design)}});

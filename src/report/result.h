@@ -62,10 +62,10 @@ struct MachineResult {
   std::string title;
   std::string file;
   std::vector<std::string> axes;            ///< in the order of the problem file
-  std::vector<std::string> objectives;      ///< "cost", "mass"
+  std::vector<std::string> objectives;      ///< by name, see machine/objective.h
   Status status = Status::infeasible;       ///< of solve and pareto
   std::vector<evaluation::Design> designs;  ///< one, none, or a front ascending in the first objective
-  double lower_bound = 0.0;                 ///< of a single objective, in its unit (currency or kg)
+  double lower_bound = 0.0;                 ///< of a single objective, in currency, SI or, weighted, neither
   double gap = 0.0;
   std::vector<RequirementLine> requirements;  ///< of the first design
   std::vector<MissingSlot> missing;
