@@ -52,6 +52,7 @@ report::MachineResult search(const Options& options, const MachineInput& input) 
   }
   result.lower_bound = synthesis.lower_bound;
   result.gap = synthesis.gap;
+  result.fixed_objective = synthesis.fixed_objective;
   result.certificate = {
       synthesis.combinations, synthesis.nodes, synthesis.evaluations, synthesis.method, synthesis.front_tolerance};
   set_designs(result, input.problem, std::move(synthesis.designs));

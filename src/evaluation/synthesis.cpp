@@ -1,19 +1,78 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "evaluation/synthesis.h"
 
+#include <algorithm>
+#include <memory>
+#include <numeric>
 #include <stdexcept>
 
 #include "evaluation/element_stage.h"
+#include "evaluation/restricted_stage.h"
 
 namespace millwright::evaluation {
 
 namespace {
 
-/// Cost and mass decide between equals, as far as they are not the objective themselves.
+/// Cost and mass decide between equals, as far as they are not settled with the objective itself.
 std::vector<std::size_t> ties(const machine::Objective& objective) {
-  if (objective.single() == machine::Quantity::cost) return {mass_resource};
-  if (objective.single() == machine::Quantity::mass) return {cost_resource};
-  return {cost_resource, mass_resource};
+  bool more = false, cost = false;
+  for (const machine::ObjectiveTerm& term : objective.terms) {
+    more = more || (term.quantity != machine::Quantity::cost && term.quantity != machine::Quantity::mass);
+    cost = cost || term.quantity == machine::Quantity::cost;
+  }
+  if (more) return {cost_resource, mass_resource};
+  // Of builds of equal cost + w mass and equal mass the cost is equal too.
+  return {cost ? mass_resource : cost_resource};
+}
+
+/// The same machine with the ramps of a build: then nothing that is free moves its cycle time.
+class WithRamps {
+ public:
+  WithRamps(const solver::Problem& problem, const solver::Build& build) : problem_(problem) {
+    for (std::size_t i = 0; i < problem.stages.size(); ++i) {
+      const solver::Stage& stage = *problem.stages[i];
+      std::vector<std::vector<solver::Row>> all;
+      for (const solver::Slot& slot : stage.slots()) {
+        all.emplace_back(slot.rows);
+        std::iota(all.back().begin(), all.back().end(), solver::Row{0});
+      }
+      std::vector<std::optional<double>> held;
+      for (std::size_t v = 0; v < stage.variables().size(); ++v)
+        held.push_back(stage.variables()[v].name == "acceleration_time"
+                           ? std::optional<double>(build.stages[i].variables[v])
+                           : std::nullopt);
+      stages_.push_back(std::make_unique<RestrictedStage>(stage, std::move(all), std::move(held)));
+      problem_.stages[i] = stages_.back().get();
+    }
+  }
+  [[nodiscard]] const solver::Problem& problem() const { return problem_; }
+  [[nodiscard]] solver::Build build(solver::Build found) const {
+    for (std::size_t i = 0; i < stages_.size(); ++i)
+      found.stages[i].variables = stages_[i]->inner_variables(found.stages[i].variables);
+    return found;
+  }
+
+ private:
+  solver::Problem problem_;
+  std::vector<std::unique_ptr<RestrictedStage>> stages_;
+};
+
+/// Among the fastest builds many may differ in price only, and a search to a tolerance does not tell them apart: of
+/// those with the same ramps, which are as fast, the cheapest.
+void take_cheapest(const MachineModel& model, const SearchOptions& options, solver::Summary& fastest) {
+  SearchOptions cheapest = options;
+  cheapest.objectives = {"cost"};
+  cheapest.time_limit_seconds = std::max(0.0, options.time_limit_seconds - fastest.seconds);
+  const WithRamps held(model.problem(), fastest.builds.front());
+  const solver::Summary found = solver::solve(held.problem(), solver_options(model, cheapest));
+  fastest.nodes += found.nodes;
+  fastest.evaluations += found.evaluations;
+  fastest.seconds += found.seconds;
+  if (found.builds.empty() ||
+      found.builds.front().resources[cost_resource] > fastest.builds.front().resources[cost_resource])
+    return;
+  fastest.builds.front() = held.build(found.builds.front());
+  if (found.status == solver::Status::optimal) fastest.method += "; of the builds with these ramps the cheapest";
 }
 
 }  // namespace
@@ -46,11 +105,21 @@ Synthesis synthesise(const MachineModel& model, const SearchOptions& options) {
   Synthesis synthesis;
   synthesis.empty_slots = model.empty_slots();
   if (!synthesis.empty_slots.empty()) return synthesis;
-  const solver::Summary summary = solver::solve(model.problem(), solver_options(model, options));
+  SearchOptions searched = options;
+  synthesis.fixed_objective =
+      options.objectives == std::vector<std::string>{"cycle_time"} && machine::cycle_time_is_fixed(model.machine());
+  if (synthesis.fixed_objective) searched.objectives = {"cost"};
+  solver::Summary summary = solver::solve(model.problem(), solver_options(model, searched));
+  if (searched.objectives == std::vector<std::string>{"cycle_time"} && summary.status == solver::Status::optimal)
+    take_cheapest(model, options, summary);
   synthesis.status = summary.status;
   for (const solver::Build& build : summary.builds) synthesis.designs.push_back(model.design(build));
   synthesis.lower_bound = summary.lower_bound;
   synthesis.gap = summary.gap;
+  if (synthesis.fixed_objective && !synthesis.designs.empty()) {
+    synthesis.lower_bound = synthesis.designs.front().total(machine::Quantity::cycle_time);
+    synthesis.gap = 0.0;
+  }
   synthesis.combinations = summary.combinations;
   synthesis.nodes = summary.nodes;
   synthesis.evaluations = summary.evaluations;

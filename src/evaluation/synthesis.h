@@ -29,6 +29,7 @@ struct Synthesis {
   double lower_bound = 0.0, gap = 0.0;  ///< of a single objective
   double combinations = 0.0;
   std::uint64_t nodes = 0, evaluations = 0;
+  bool fixed_objective = false;  ///< the same for every build: the cheapest was searched for instead
   double front_tolerance = 0.0;  ///< to which a front is covered where free dimensions move it; 0 = exact
   std::string method;
   double seconds = 0.0;

@@ -214,6 +214,7 @@ Json objective_of(const MachineResult& result) {
     json["value"] = number(design->total(objective));
     if (single) json["unit"] = unit_of(*single, design->currency);
     json["gap"] = number(result.gap);
+    if (result.fixed_objective) json["fixed"] = true;
     if (!single) json["terms"] = terms_of(objective, *design);
   }
   if (result.status != Status::infeasible) json["lower_bound"] = number(result.lower_bound);

@@ -203,6 +203,8 @@ std::string solve_text(const MachineResult& result, const Style& style) {
                    fmt::format("\n  proved so far: not below {}, gap {:.2f} %\n\n",
                                objective_text(objective, result.lower_bound, design.currency),
                                100.0 * result.gap);
+  if (result.fixed_objective && result.status == Status::optimal)
+    out += "  The moves state their times, so every build takes as long: this is the cheapest.\n\n";
   return out + parts_text(result, design, style) + dimensions_text(design, style) +
          governing_text(result, design, style) + checks_text(result, design, style) +
          outside_validity_text(design, style) + requirements_text(result, style) + assumptions_text(design, style) +

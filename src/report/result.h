@@ -67,6 +67,7 @@ struct MachineResult {
   std::vector<evaluation::Design> designs;  ///< one, none, or a front ascending in the first objective
   double lower_bound = 0.0;                 ///< of a single objective, in currency, SI or, weighted, neither
   double gap = 0.0;
+  bool fixed_objective = false;  ///< the same for every build, which is then the cheapest
   std::vector<RequirementLine> requirements;  ///< of the first design
   std::vector<MissingSlot> missing;
   std::vector<evaluation::UnmetCheck> unmet;  ///< why nothing is compliant, where single checks say so

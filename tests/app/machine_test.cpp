@@ -243,6 +243,19 @@ TEST_CASE("The fastest build, and the front of cost and time, say their times") 
   CHECK(shop.run({"solve", "m.toml", "--minimise", "cost"}).out.find("Cycle time") == std::string::npos);
 }
 
+TEST_CASE("Where the moves state their times the fastest build is the cheapest, and that is said") {
+  const Workshop shop;
+  shop.write("m.toml", one_slide);
+  const Json fastest = Json::parse(shop.run({"solve", "m.toml", "--minimise", "cycle_time", "--json", "-"}).out);
+  const Json cheapest = Json::parse(shop.run({"solve", "m.toml", "--json", "-"}).out);
+  CHECK(fastest.at("objective").at("value").get<double>() == Approx(20.0));
+  CHECK(fastest.at("objective").at("lower_bound").get<double>() == Approx(20.0));
+  CHECK(fastest.at("objective").at("fixed") == true);
+  CHECK(fastest.at("build") == cheapest.at("build"));
+  CHECK(shop.run({"solve", "m.toml", "--minimise", "cycle_time"})
+            .prints("every build takes as long: this is the cheapest"));
+}
+
 TEST_CASE("Energy is called an estimate") {
   const Workshop shop;
   shop.write("m.toml", one_slide_with("\"cost\"", "\"cost + 0.01*energy\""));

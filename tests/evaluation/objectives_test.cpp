@@ -175,6 +175,39 @@ TEST_CASE("Fronts of cost against time, energy and error are those of all builds
   }
 }
 
+// With every ramp at its shortest a build is as fast as can be, so the cheapest of them is the cheapest of a machine
+// whose ramps are fixed there.
+TEST_CASE("Of builds that are as fast the cheapest is taken") {
+  int shortest = 0;
+  for (unsigned seed = 0; seed < 4; ++seed) {
+    const TinyCatalogue tiny(random_prices(seed));
+    machine::Problem problem = table(3.0, 10.0, seed % 2 == 1);
+    for (machine::Axis& axis : problem.axes) axis.acceleration_time.lower = 0.15;
+    const Synthesis fastest = solved(MachineModel(problem, tiny.parts()), {"cycle_time"});
+    REQUIRE(fastest.designs.size() == 1);
+    CHECK(fastest.designs[0].satisfied());
+    const auto& dimensions = fastest.designs[0].dimensions;
+    if (std::any_of(dimensions.begin(), dimensions.end(), [](const evaluation::DimensionLine& line) {
+          return line.name == "acceleration_time" && line.value > 0.15 * (1.0 + 1e-6);
+        }))
+      continue;
+    ++shortest;
+    machine::Problem everything = problem;
+    for (machine::Axis& axis : everything.axes) axis.keep_every_candidate = true;
+    const MachineModel whole(everything, tiny.parts());
+    // Of all builds: a second of the cycle is dearer than every part.
+    const PricedExhaustive all(whole, weights_of(whole, "cost + 1e6*cycle_time"));
+    CHECK(fastest.designs[0].total(machine::objective_named("cost + 1e6*cycle_time")) ==
+          Approx(all.least()).epsilon(1e-7).margin(0.5));
+    const double time = fastest.designs[0].total(Quantity::cycle_time);
+    double cheapest = std::numeric_limits<double>::infinity();
+    for (const auto& build : all.builds)
+      if (build.weighted - build.cost <= 1e6 * time * (1.0 + 1e-9)) cheapest = std::min(cheapest, build.cost);
+    CHECK(fastest.designs[0].cost == Approx(cheapest).epsilon(1e-9));
+  }
+  CHECK(shortest >= 1);
+}
+
 TEST_CASE("A front of three objectives has the best of each") {
   const TinyCatalogue tiny(random_prices(1));
   const MachineModel model(table(6.0, 30.0, false), tiny.parts());
