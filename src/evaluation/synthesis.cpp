@@ -2,6 +2,7 @@
 #include "evaluation/synthesis.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <numeric>
 #include <stdexcept>
@@ -75,6 +76,50 @@ void take_cheapest(const MachineModel& model, const SearchOptions& options, solv
   if (found.status == solver::Status::optimal) fastest.method += "; of the builds with these ramps the cheapest";
 }
 
+bool counts(const machine::Objective& objective, machine::Quantity quantity) {
+  return std::any_of(objective.terms.begin(), objective.terms.end(), [&](const machine::ObjectiveTerm& term) {
+    return term.quantity == quantity;
+  });
+}
+
+/// Whether the search may be long on its way before it knows any build: by what ramps and loads move label by label.
+bool starts_blind(const SearchOptions& options) {
+  if (options.objectives.size() != 1) return false;
+  const machine::Objective objective = machine::objective_named(options.objectives.front());
+  return counts(objective, machine::Quantity::energy) || counts(objective, machine::Quantity::position_error);
+}
+
+/// Solves, with the cheapest build to fall back on when time is up before any other is known: searched for in the first
+/// quarter of the time, and nothing that is worse by the objective need be looked at then.
+solver::Summary solve_with_start(const MachineModel& model, const SearchOptions& options) {
+  SearchOptions cheapest = options;
+  cheapest.objectives = {"cost"};
+  cheapest.time_limit_seconds = 0.25 * options.time_limit_seconds;
+  const solver::Summary start = solver::solve(model.problem(), solver_options(model, cheapest));
+  if (start.builds.empty() && start.status == solver::Status::infeasible) return start;
+  SearchOptions rest = options;
+  rest.time_limit_seconds = std::max(0.0, options.time_limit_seconds - start.seconds);
+  const machine::Objective objective = machine::objective_named(options.objectives.front());
+  solver::Problem problem = model.problem();
+  if (const auto single = objective.single(); single && !start.builds.empty()) {
+    const std::size_t resource = model.resource(*single);
+    problem.resources[resource].limit =
+        std::min(problem.resources[resource].limit, start.builds.front().resources[resource] * (1.0 + 1e-9));
+  }
+  solver::Summary summary = solver::solve(problem, solver_options(model, rest));
+  summary.nodes += start.nodes;
+  summary.evaluations += start.evaluations;
+  summary.seconds += start.seconds;
+  if (!summary.builds.empty() || summary.status != solver::Status::limit || start.builds.empty()) return summary;
+  summary.builds = start.builds;
+  double value = 0.0;
+  for (const machine::ObjectiveTerm& term : objective.terms)
+    value += term.weight * start.builds.front().resources[model.resource(term.quantity)];
+  summary.lower_bound = std::min(summary.lower_bound, value);
+  summary.gap = (value - summary.lower_bound) / std::max(std::abs(value), 1e-300);
+  return summary;
+}
+
 }  // namespace
 
 solver::Options solver_options(const MachineModel& model, const SearchOptions& options) {
@@ -109,7 +154,8 @@ Synthesis synthesise(const MachineModel& model, const SearchOptions& options) {
   synthesis.fixed_objective =
       options.objectives == std::vector<std::string>{"cycle_time"} && machine::cycle_time_is_fixed(model.machine());
   if (synthesis.fixed_objective) searched.objectives = {"cost"};
-  solver::Summary summary = solver::solve(model.problem(), solver_options(model, searched));
+  solver::Summary summary = starts_blind(searched) ? solve_with_start(model, searched)
+                                                   : solver::solve(model.problem(), solver_options(model, searched));
   if (searched.objectives == std::vector<std::string>{"cycle_time"} && summary.status == solver::Status::optimal)
     take_cheapest(model, options, summary);
   synthesis.status = summary.status;
