@@ -26,22 +26,21 @@ std::vector<std::size_t> ties(const machine::Objective& objective) {
   return {cost ? mass_resource : cost_resource};
 }
 
-/// The same machine with the ramps of a build: then nothing that is free moves its cycle time.
+/// The same machine with all ramps held on which its cycle time hangs: at those of a build, or at the shortest.
 class WithRamps {
  public:
-  WithRamps(const solver::Problem& problem, const solver::Build& build) : problem_(problem) {
-    for (std::size_t i = 0; i < problem.stages.size(); ++i) {
-      const solver::Stage& stage = *problem.stages[i];
+  WithRamps(const MachineModel& model, const solver::Build* build) : problem_(model.problem()) {
+    for (std::size_t i = 0; i < problem_.stages.size(); ++i) {
+      const solver::Stage& stage = *problem_.stages[i];
       std::vector<std::vector<solver::Row>> all;
       for (const solver::Slot& slot : stage.slots()) {
         all.emplace_back(slot.rows);
         std::iota(all.back().begin(), all.back().end(), solver::Row{0});
       }
-      std::vector<std::optional<double>> held;
-      for (std::size_t v = 0; v < stage.variables().size(); ++v)
-        held.push_back(stage.variables()[v].name == "acceleration_time"
-                           ? std::optional<double>(build.stages[i].variables[v])
-                           : std::nullopt);
+      std::vector<std::optional<double>> held(stage.variables().size());
+      for (std::size_t v = 0; v < held.size(); ++v)
+        if (stage.variables()[v].name == "acceleration_time" && matters(model, model.entries()[i].axis))
+          held[v] = build != nullptr ? build->stages[i].variables[v] : stage.variables()[v].lower;
       stages_.push_back(std::make_unique<RestrictedStage>(stage, std::move(all), std::move(held)));
       problem_.stages[i] = stages_.back().get();
     }
@@ -54,26 +53,57 @@ class WithRamps {
   }
 
  private:
+  static bool matters(const MachineModel& model, const std::string& axis) {
+    const auto& axes = model.machine().axes;
+    return std::any_of(axes.begin(), axes.end(), [&](const machine::Axis& each) {
+      return each.name == axis && machine::cycle_time_hangs_on_ramp(each);
+    });
+  }
+
   solver::Problem problem_;
   std::vector<std::unique_ptr<RestrictedStage>> stages_;
 };
 
-/// Among the fastest builds many may differ in price only, and a search to a tolerance does not tell them apart: of
-/// those with the same ramps, which are as fast, the cheapest.
-void take_cheapest(const MachineModel& model, const SearchOptions& options, solver::Summary& fastest) {
+/// The cheapest build with held ramps; all such builds take the same time.
+solver::Summary cheapest_with(const MachineModel& model, const SearchOptions& options, const solver::Build* ramps) {
   SearchOptions cheapest = options;
   cheapest.objectives = {"cost"};
-  cheapest.time_limit_seconds = std::max(0.0, options.time_limit_seconds - fastest.seconds);
-  const WithRamps held(model.problem(), fastest.builds.front());
-  const solver::Summary found = solver::solve(held.problem(), solver_options(model, cheapest));
-  fastest.nodes += found.nodes;
-  fastest.evaluations += found.evaluations;
-  fastest.seconds += found.seconds;
-  if (found.builds.empty() ||
-      found.builds.front().resources[cost_resource] > fastest.builds.front().resources[cost_resource])
-    return;
-  fastest.builds.front() = held.build(found.builds.front());
-  if (found.status == solver::Status::optimal) fastest.method += "; of the builds with these ramps the cheapest";
+  const WithRamps held(model, ramps);
+  solver::Summary found = solver::solve(held.problem(), solver_options(model, cheapest));
+  for (solver::Build& build : found.builds) build = held.build(std::move(build));
+  return found;
+}
+
+/// The fastest build. With every ramp at its shortest, if some build can have that, nothing is faster, and of those the
+/// cheapest is found as fast as ever. Else ramps are searched too; among the fastest builds many may differ in price
+/// only, which a search to a tolerance does not tell apart: of those with the same ramps the cheapest is taken.
+solver::Summary solve_cycle_time(const MachineModel& model, const SearchOptions& options) {
+  solver::Summary shortest = cheapest_with(model, options, nullptr);
+  if (!shortest.builds.empty()) {
+    shortest.lower_bound = shortest.builds.front().resources[model.resource(machine::Quantity::cycle_time)];
+    shortest.gap = 0.0;
+    if (shortest.status == solver::Status::optimal)
+      shortest.method += "; no ramp can be shorter, and of the builds with these ramps it is the cheapest";
+    return shortest;
+  }
+  SearchOptions rest = options;
+  rest.time_limit_seconds = std::max(0.0, options.time_limit_seconds - shortest.seconds);
+  solver::Summary fastest = solver::solve(model.problem(), solver_options(model, rest));
+  const auto add_effort = [&](const solver::Summary& other) {
+    fastest.nodes += other.nodes;
+    fastest.evaluations += other.evaluations;
+    fastest.seconds += other.seconds;
+  };
+  add_effort(shortest);
+  if (fastest.status != solver::Status::optimal) return fastest;
+  rest.time_limit_seconds = std::max(0.0, options.time_limit_seconds - fastest.seconds);
+  solver::Summary cheapest = cheapest_with(model, rest, &fastest.builds.front());
+  add_effort(cheapest);
+  const auto cost = [](const solver::Summary& of) { return of.builds.front().resources[cost_resource]; };
+  if (cheapest.builds.empty() || cost(cheapest) > cost(fastest)) return fastest;
+  fastest.builds = std::move(cheapest.builds);
+  if (cheapest.status == solver::Status::optimal) fastest.method += "; of the builds with these ramps the cheapest";
+  return fastest;
 }
 
 bool counts(const machine::Objective& objective, machine::Quantity quantity) {
@@ -150,22 +180,17 @@ Synthesis synthesise(const MachineModel& model, const SearchOptions& options) {
   Synthesis synthesis;
   synthesis.empty_slots = model.empty_slots();
   if (!synthesis.empty_slots.empty()) return synthesis;
-  SearchOptions searched = options;
-  synthesis.fixed_objective =
-      options.objectives == std::vector<std::string>{"cycle_time"} && machine::cycle_time_is_fixed(model.machine());
-  if (synthesis.fixed_objective) searched.objectives = {"cost"};
-  solver::Summary summary = starts_blind(searched) ? solve_with_start(model, searched)
-                                                   : solver::solve(model.problem(), solver_options(model, searched));
-  if (searched.objectives == std::vector<std::string>{"cycle_time"} && summary.status == solver::Status::optimal)
-    take_cheapest(model, options, summary);
+  const bool fastest = options.objectives == std::vector<std::string>{"cycle_time"};
+  const auto& axes = model.machine().axes;
+  synthesis.fixed_objective = fastest && std::none_of(axes.begin(), axes.end(), machine::cycle_time_hangs_on_ramp);
+  const solver::Summary summary = fastest ? solve_cycle_time(model, options)
+                                  : starts_blind(options)
+                                      ? solve_with_start(model, options)
+                                      : solver::solve(model.problem(), solver_options(model, options));
   synthesis.status = summary.status;
   for (const solver::Build& build : summary.builds) synthesis.designs.push_back(model.design(build));
   synthesis.lower_bound = summary.lower_bound;
   synthesis.gap = summary.gap;
-  if (synthesis.fixed_objective && !synthesis.designs.empty()) {
-    synthesis.lower_bound = synthesis.designs.front().total(machine::Quantity::cycle_time);
-    synthesis.gap = 0.0;
-  }
   synthesis.combinations = summary.combinations;
   synthesis.nodes = summary.nodes;
   synthesis.evaluations = summary.evaluations;

@@ -198,12 +198,9 @@ std::optional<Uncountable> uncountable(const Problem& problem, Quantity quantity
   return std::nullopt;
 }
 
-bool cycle_time_is_fixed(const Problem& problem) {
-  const auto hangs_on_ramp = [](const Move& move) {
+bool cycle_time_hangs_on_ramp(const Axis& axis) {
+  return !axis.acceleration_time.fixed() && std::any_of(axis.moves.begin(), axis.moves.end(), [](const Move& move) {
     return move.counts_in_cycle && move.speed && uses_chosen_ramp(move);
-  };
-  return std::all_of(problem.axes.begin(), problem.axes.end(), [&](const Axis& axis) {
-    return axis.acceleration_time.fixed() || std::none_of(axis.moves.begin(), axis.moves.end(), hangs_on_ramp);
   });
 }
 

@@ -291,7 +291,7 @@ struct Uncountable {
 };
 std::optional<Uncountable> uncountable(const Problem& problem, Quantity quantity);
 
-/// Whether the moves leave no ramp free that the machine's cycle time hangs on: then it is the same for every build.
-bool cycle_time_is_fixed(const Problem& problem);
+/// Whether the machine's cycle time hangs on the ramp that is chosen for an axis: the shorter, the less.
+bool cycle_time_hangs_on_ramp(const Axis& axis);
 
 }  // namespace millwright::machine
