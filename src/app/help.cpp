@@ -21,6 +21,7 @@ constexpr std::pair<std::string_view, std::string_view> texts[] = {
      "Examples:\n"
      "  millwright solve problems/sander.toml --bom sander.csv\n"
      "  millwright solve problems/sander.toml --minimise mass --set axis.x.stroke='800 mm'\n"
+     "  millwright solve problems/sander.toml --minimise 'cost + 25*mass'\n"
      "  millwright solve problems/sander.toml --catalogue my-parts --json -\n"
      "  millwright solve problems/lifter.toml --alternatives 5\n"
      "  millwright solve problems/sander.toml --limit mass='11.5 kg' --without A4988 --fix y.motor=17HS8401S\n"
@@ -28,6 +29,7 @@ constexpr std::pair<std::string_view, std::string_view> texts[] = {
     {"pareto",
      "Examples:\n"
      "  millwright pareto problems/sander.toml --minimise cost,mass --json front.json\n"
+     "  millwright pareto problems/lifter.toml --minimise cost,energy\n"
      "  millwright pareto problems/lifter.toml --without BK10 --limit cost='200 USD'"},
     {"check",
      "Exit code 1 if a check fails. A slot that the bill of materials leaves open is an error without --complete.\n"

@@ -10,13 +10,25 @@ namespace millwright::app {
 
 namespace {
 
+/// Counts what the command line asks for, instead of what the problem file does.
+void count_objectives(const std::vector<std::string>& objectives,
+                      machine::Problem& problem,
+                      text::Diagnostics& diagnostics) {
+  problem.counted = machine::counted_quantities(objectives);
+  for (const machine::Quantity quantity : problem.counted)
+    if (const auto reason = machine::uncountable(problem, quantity))
+      diagnostics.error("--minimise: " + reason->message, reason->hint);
+}
+
 std::optional<machine::Problem> read_problem(const Options& options, text::Diagnostics& diagnostics) {
   auto document = text::read_document(options.problem, diagnostics);
   if (!document) return std::nullopt;
   bool good = true;
   for (const std::string& setting : options.settings) good = document->set(setting, diagnostics) && good;
   auto problem = machine::problem_of(*document, diagnostics);
-  return good ? problem : std::nullopt;
+  if (!good || !problem) return std::nullopt;
+  if (!options.objectives.empty()) count_objectives(options.objectives, *problem, diagnostics);
+  return problem;
 }
 
 }  // namespace

@@ -7,8 +7,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <set>
 
 #include "app/help.h"
+#include "app/output.h"
+#include "machine/objective.h"
 #include "text/diagnostic.h"
 #include "text/nearest.h"
 
@@ -81,12 +84,15 @@ void add_fix_option(CLI::App& verb, Options& options) {
                   "machine.supply_voltage='24 V' (repeatable)");
 }
 
-/// `cost,mass` in one word.
-void add_objectives(CLI::App& verb, std::vector<std::string>& list, const char* text) {
-  verb.add_option("--minimise,--minimize", list, text)
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->check(CLI::IsMember({"cost", "mass"}));
+/// `cost,mass` in one word; what they are is looked at when the line has been read.
+void add_objectives(CLI::App& verb, std::vector<std::string>& list, const std::string& text) {
+  verb.add_option("--minimise,--minimize", list, text)->type_name("OBJECTIVE")->delimiter(',')->allow_extra_args(false);
+}
+
+std::string all_quantities() {
+  std::vector<std::string_view> names;
+  for (const machine::QuantityDeclaration& each : machine::quantities()) names.push_back(each.name);
+  return fmt::format("{}", fmt::join(names, ", "));
 }
 
 struct VerbEntry {
@@ -138,18 +144,27 @@ class CommandLine {
   }
 
   void add_machine_verbs() {
-    CLI::App& solve = add(app_, "solve", Verb::solve, "the cheapest (or lightest) compliant build, with proof");
+    CLI::App& solve =
+        add(app_, "solve", Verb::solve, "the cheapest (lightest, fastest, ...) compliant build, with proof");
     add_machine_options(solve, options_);
     add_fix_option(solve, options_);
-    add_objectives(solve, options_.objectives, "cost or mass (default: as the problem says)");
+    add_objectives(solve,
+                   options_.objectives,
+                   fmt::format("{}, or a weighted sum (default: as the problem says)", all_quantities()));
     solve.add_option("--bom", options_.bom, "write the build as a bill of materials")->type_name("FILE.csv");
-    solve.add_option("--alternatives", options_.builds, "the best K builds, not only the best one (1 to 100)")
+    solve
+        .add_option(
+            "--alternatives", options_.builds, "the best K builds, not only the best one (1 to 100); by cost or mass")
         ->type_name("K")
         ->check(CLI::Range(1U, 100U));
-    CLI::App& pareto = add(app_, "pareto", Verb::pareto, "all builds that no other build beats in cost and mass");
+    CLI::App& pareto = add(app_,
+                           "pareto",
+                           Verb::pareto,
+                           "all builds that no other build beats in cost and mass (or whatever is minimised)");
     add_machine_options(pareto, options_);
     add_fix_option(pareto, options_);
-    add_objectives(pareto, options_.objectives, "the two objectives (default: cost,mass)");
+    add_objectives(
+        pareto, options_.objectives, fmt::format("two or three of {} (default: cost,mass)", all_quantities()));
     CLI::App& check = add(app_, "check", Verb::check, "does what I plan to buy work?");
     add_machine_options(check, options_);
     check.add_option("BOM", options_.bom, "bill of materials (.csv)")->required();
@@ -246,6 +261,43 @@ void complain_of(const CLI::ParseError& error, CommandLine& line, int argc, char
   }
 }
 
+/// Objectives by their names, as many as the verb takes; false, after a complaint, if they are none.
+bool settle_objectives(Options& options) {
+  text::Diagnostics diagnostics;
+  for (std::string& objective : options.objectives) {
+    constexpr std::string_view option = "--minimise ";
+    machine::ObjectiveFault fault;
+    if (const auto read = machine::parse_objective(objective, fault)) {
+      objective = read->name();
+      continue;
+    }
+    const auto typed = text::SourceText::from_string("command line", std::string(option) + objective);
+    diagnostics.error(text::span_at(typed, option.size() + fault.offset, fault.length), fault.message, fault.hint);
+  }
+  if (diagnostics.has_errors()) {
+    print(diagnostics);
+    return false;
+  }
+  if (options.verb == Verb::solve && options.objectives.size() > 1) {
+    complain("solve minimises one objective", "'millwright pareto' gives the front of two");
+    return false;
+  }
+  if (options.verb != Verb::pareto) return true;
+  if (options.objectives.empty()) options.objectives = {"cost", "mass"};
+  for (const std::string& objective : options.objectives)
+    if (!machine::objective_named(objective).single()) {
+      complain("a front is of plain quantities, and " + text::quoted(objective) + " is a weighted sum",
+               "'millwright solve' minimises weighted sums");
+      return false;
+    }
+  const std::set<std::string> different(options.objectives.begin(), options.objectives.end());
+  if (different.size() < 2 || different.size() > 3 || different.size() < options.objectives.size()) {
+    complain("a front has two or three different objectives", "write --minimise cost,mass");
+    return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::optional<Options> parse_command_line(int argc, char** argv, int& exit_code) {
@@ -263,17 +315,7 @@ std::optional<Options> parse_command_line(int argc, char** argv, int& exit_code)
     return std::nullopt;
   }
   options.verb = line.verb();
-  if (options.verb == Verb::solve && options.objectives.size() > 1) {
-    complain("solve minimises one objective", "'millwright pareto' gives the front of two");
-    return std::nullopt;
-  }
-  if (options.verb == Verb::pareto) {
-    if (options.objectives.empty()) options.objectives = {"cost", "mass"};
-    if (options.objectives.size() != 2 || options.objectives[0] == options.objectives[1]) {
-      complain("a front has two different objectives", "write --minimise cost,mass");
-      return std::nullopt;
-    }
-  }
+  if (!settle_objectives(options)) return std::nullopt;
   exit_code = exit_done;
   return options;
 }

@@ -32,7 +32,7 @@ struct Options {
   std::vector<std::string> limits;      ///< cost=value, mass=value
   std::vector<std::string> without;     ///< parts that may not be used
   std::vector<std::string> fixed;       ///< axis.slot=part or value
-  std::vector<std::string> objectives;  ///< empty = the problem file's
+  std::vector<std::string> objectives;  ///< by name, see machine/objective.h; empty = the problem file's
   unsigned builds = 1;                  ///< of solve: the best, the second best, ...
   double gap = 1e-6;
   double time_limit = std::numeric_limits<double>::infinity();  ///< s

@@ -62,7 +62,7 @@ report::MachineResult check(const Options& options,
   how.stop = stop.stopped();
   evaluation::BomCheck outcome;
   {
-    ProgressLine line(options.quiet, result.objectives.front() == "mass" ? "kg" : input.problem.currency);
+    ProgressLine line(options.quiet, report::objective_unit(result.objectives.front(), input.problem.currency));
     if (line.active()) how.progress = [&line](const solver::Progress& progress) { line.show(progress); };
     const bool complete = options.complete || !options.hold_origin.empty();
     outcome = evaluation::check(input.problem, input.catalogue, bom, complete, how, options.hold_origin);

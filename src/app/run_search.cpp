@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "app/commands.h"
@@ -38,7 +40,7 @@ report::MachineResult search(const Options& options, const MachineInput& input, 
   how.builds = options.builds;
   evaluation::Synthesis synthesis;
   {
-    ProgressLine line(options.quiet, result.objectives.front() == "mass" ? "kg" : input.problem.currency);
+    ProgressLine line(options.quiet, report::objective_unit(result.objectives.front(), input.problem.currency));
     if (line.active()) how.progress = [&line](const solver::Progress& progress) { line.show(progress); };
     synthesis = evaluation::synthesise(model, how);
   }
@@ -54,6 +56,7 @@ report::MachineResult search(const Options& options, const MachineInput& input, 
   result.gap = synthesis.gap;
   result.builds_asked = options.builds;
   result.proved = synthesis.proved;
+  result.fixed_objective = synthesis.fixed_objective;
   result.certificate = {
       synthesis.combinations, synthesis.nodes, synthesis.evaluations, synthesis.method, synthesis.front_tolerance};
   set_designs(result, input.problem, std::move(synthesis.designs));
@@ -66,6 +69,16 @@ bool holds(const report::MachineResult& result) {
   for (const evaluation::Design& design : result.designs)
     if (!design.satisfied()) return false;
   return true;
+}
+
+/// The runners-up are found among those of one quantity that no ramp moves.
+void check_alternatives(const Options& options, const MachineInput& input, text::Diagnostics& diagnostics) {
+  if (options.builds <= 1) return;
+  const std::string objective = options.objectives.empty() ? input.problem.objective : options.objectives.front();
+  if (objective == "cost" || objective == "mass") return;
+  diagnostics.error(text::SourceSpan{},
+                    fmt::format("--alternatives: the best builds are known by cost or mass, not by {}", objective),
+                    "add --minimise cost, or leave --alternatives out");
 }
 
 int exit_code_of(const report::MachineResult& result) {
@@ -81,6 +94,7 @@ int run_search(const Options& options) {
   const bool writable = outputs_are_writable(options, diagnostics);
   const auto input = read_machine(options, diagnostics);
   std::optional<evaluation::MachineModel> model;
+  if (input) check_alternatives(options, *input, diagnostics);
   if (input) {
     model.emplace(input->problem,
                   input->catalogue,

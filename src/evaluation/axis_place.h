@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where the state vector holds what concerns an axis: loads, and what is counted at the tool.
+// Where the state vector holds what concerns an axis: loads, and what is counted at the tool; and where the resources
+// hold what an objective counts beside cost and mass.
 #pragma once
 
 #include <array>
 #include <optional>
 
+#include "machine/drive_energy.h"
 #include "machine/error_budget.h"
 #include "machine/tool_chain.h"
 #include "solver/stage.h"
@@ -19,12 +21,19 @@ struct ToolStates {
   std::size_t count = 0;
 };
 
+/// Where the resources of a stage hold what is counted beside cost and mass; nothing where no objective asks.
+struct CountedResources {
+  std::optional<std::size_t> cycle_time, energy;
+  std::optional<std::size_t> position_error;  ///< of the axes; where the tool's counts, the last stage knows
+};
+
 /// Where an axis stands in the machine: its load and its parent's in the state vector.
 struct AxisPlace {
   std::size_t load_state = 0;
   std::optional<std::size_t> parent_load_state;
   std::optional<machine::ToolPlace> tool;  ///< where compliance counts
   ToolStates states;                       ///< what is counted at the tool; empty where nothing is
+  CountedResources counted;
 };
 
 /// Adds what an element gives way under the tool: as compliance, or, where only the position error is asked for, as
@@ -58,6 +67,22 @@ void add_to_tool(const AxisPlace& place, const Drive& drive, solver::Answer<T>& 
   const auto budget = error_budget(drive, pressed ? machine::UnderForce::no : machine::UnderForce::yes);
   T& sum = out.handed_on[*place.states.error[travel]];
   sum = sum + machine::whole_steps(budget.total(), place.tool->error_step, scalar::dimension::length);
+}
+
+/// The drive's share of what objectives count beside cost and mass: the time of its axis in the machine's cycle, the
+/// energy of `drives` equal drives (each taken to be as loaded as the most loaded), the axis's position error.
+template <class T, class Drive>
+void count_cycle(const AxisPlace& place, const Drive& drive, double drives, solver::Answer<T>& out) {
+  const CountedResources& counted = place.counted;
+  if (counted.cycle_time)
+    out.resources[*counted.cycle_time] =
+        machine::moving_time(drive.data->motion, drive.acceleration_time, machine::Timed::machine);
+  if (counted.energy) out.resources[*counted.energy] = drives * machine::cycle_energy(drive);
+  if (counted.position_error && !drive.data->motion.rotary) {
+    // Without a stiffness, which C-ACC-TOTAL refuses, the error is endless: here it ends at a metre.
+    using namespace scalar;
+    out.resources[*counted.position_error] = smaller(error_budget(drive).total(), in_unit<T>(1.0, dimension::length));
+  }
 }
 
 }  // namespace millwright::evaluation

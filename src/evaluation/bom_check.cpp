@@ -191,7 +191,7 @@ BomCheck check(const machine::Problem& problem,
   result.problems = held.problems;  // at the supply's voltage a part may no longer do
   if (!result.problems.empty()) return result;
   const solver::RestrictedProblem restricted(model.problem(), restriction_of(model, held));
-  const solver::Summary summary = solver::solve(restricted.problem(), solver_options(options));
+  const solver::Summary summary = solver::solve(restricted.problem(), solver_options(model, options));
   if (!summary.builds.empty()) {
     result.design = model.design(restricted.whole_build(summary.builds.front()));
     result.complete_is_optimal = summary.status == solver::Status::optimal;

@@ -28,8 +28,8 @@ struct Selection {
   std::vector<T> variables;
 };
 
-/// Indices of the resources of every stage.
-enum ResourceIndex : std::size_t { cost_resource = 0, mass_resource = 1, resource_count = 2 };
+/// Indices of the resources that every stage has; behind them stands what objectives count beside (CountedResources).
+enum ResourceIndex : std::size_t { cost_resource = 0, mass_resource = 1, first_counted_resource = 2 };
 
 /// Index of the supply power in the state vector; loads of the axes follow it.
 inline constexpr std::size_t power_state = 0;
@@ -104,6 +104,8 @@ class ElementStage : public solver::Stage {
   [[nodiscard]] std::span<const solver::Variable> variables() const final { return variables_; }
   [[nodiscard]] std::size_t constraints() const final { return constraint_count_; }
   [[nodiscard]] const std::vector<SlotTable>& tables() const { return tables_; }
+  /// How many resources the machine has: before the stage is asked for the first time.
+  void set_resources(std::size_t count) { resources_ = count; }
 
   /// The table's fields, the totals, then what `read_more` of the derived stage adds.
   void read(std::span<const solver::Row> shared,
@@ -159,6 +161,7 @@ class ElementStage : public solver::Stage {
   std::vector<solver::Slot> slots_;
   std::vector<solver::Variable> variables_;
   std::size_t constraint_count_ = 0;
+  std::size_t resources_ = first_counted_resource;
 
   void finish_slots() {
     slots_.clear();
@@ -182,7 +185,7 @@ class ElementStage : public solver::Stage {
   template <class T>
   void ask(const Selection<T>& selection, solver::Answer<T>& answer) const {
     answer.utilisation.clear();
-    answer.resources.assign(resource_count, T(0.0));
+    answer.resources.assign(resources_, T(0.0));
     answer.handed_on.assign(selection.inherited.begin(), selection.inherited.end());
     static_cast<const Derived&>(*this).template answer<T>(selection, answer);
   }

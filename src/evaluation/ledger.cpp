@@ -22,6 +22,20 @@ bool Design::satisfied() const {
   });
 }
 
+double Design::total(machine::Quantity quantity) const {
+  if (quantity == machine::Quantity::cost) return cost;
+  if (quantity == machine::Quantity::mass) return mass;
+  for (const CountedTotal& each : counted)
+    if (each.quantity == quantity) return each.value;
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+double Design::total(const machine::Objective& objective) const {
+  double sum = 0.0;
+  for (const machine::ObjectiveTerm& term : objective.terms) sum += term.weight * total(term.quantity);
+  return sum;
+}
+
 const Check* Design::governing(const std::string& axis) const {
   const Check* worst = nullptr;
   for (const Check& check : checks)
@@ -276,6 +290,7 @@ Design MachineModel::design(const solver::Build& found) const {
   const solver::Build build = restricted_ ? restricted_->whole_build(found) : found;
   Design design;
   design.currency = problem_.currency;
+  for (const machine::Quantity quantity : problem_.counted) design.counted.push_back({quantity, 0.0});
   design.supply_voltage = problem_.supply_voltages[build.shared.empty() ? 0 : build.shared.front()];
   design.dimensions.push_back({"machine", "supply_voltage", design.supply_voltage, "V"});
   std::vector<double> state = solver_problem_.first_state;
@@ -326,6 +341,7 @@ Design MachineModel::design(const solver::Build& found) const {
     }
     solver::Answer<double> answer;
     entry.as_stage().evaluate({build.shared, state, choice.rows, choice.variables}, answer);
+    for (CountedTotal& each : design.counted) each.value += answer.resources[resource(each.quantity)];
     state = answer.handed_on;
   }
   outside.write(design);

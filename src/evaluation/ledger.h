@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "machine/constraint.h"
+#include "machine/objective.h"
 
 namespace millwright::evaluation {
 
@@ -72,6 +73,12 @@ struct OutsideValidity {
   std::vector<Value> values;   ///< its arguments there
 };
 
+/// What an objective counts beside cost and mass, of the whole machine.
+struct CountedTotal {
+  machine::Quantity quantity = machine::Quantity::cycle_time;
+  double value = 0.0;  ///< SI
+};
+
 /// A machine fully decided.
 struct Design {
   std::vector<PartLine> parts;
@@ -81,8 +88,12 @@ struct Design {
   std::size_t formulas_watched = 0;  ///< with stated limits, among those that the design was computed with
   double cost = 0.0;
   double mass = 0.0;  ///< kg, of everything chosen
+  std::vector<CountedTotal> counted;
   std::string currency;
   double supply_voltage = 0.0;
+  /// Total of a quantity, or of the weighted sum of an objective; NaN for what was not counted.
+  [[nodiscard]] double total(machine::Quantity quantity) const;
+  [[nodiscard]] double total(const machine::Objective& objective) const;
   [[nodiscard]] bool satisfied() const;
   /// The hard check with the largest utilisation of an axis, null if the axis has none.
   [[nodiscard]] const Check* governing(const std::string& axis) const;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "evaluation/fixed_choices.h"
 #include "evaluation/held_parts.h"
@@ -83,12 +84,20 @@ MachineModel::MachineModel(const machine::Problem& given,
                       "supply",
                       std::make_unique<SupplyStage>(
                           problem.supply_voltages, SupplyData{problem.require, reserve}, catalogue, prices)});
+  const auto tool_error =
+      problem.tool && problem.tool->position_error ? find_resource(machine::Quantity::position_error) : std::nullopt;
   if (problem.tool || problem.cost_limit || problem.mass_limit)
-    entries_.push_back({"machine", "whole", std::make_unique<WholeStage>(problem)});
-  for (const StageEntry& entry : entries_) solver_problem_.stages.push_back(&entry.as_stage());
+    entries_.push_back({"machine", "whole", std::make_unique<WholeStage>(problem, tool_error)});
+  for (const StageEntry& entry : entries_) {
+    std::visit([&](const auto& stage) { stage->set_resources(first_counted_resource + problem.counted.size()); },
+               entry.stage);
+    solver_problem_.stages.push_back(&entry.as_stage());
+  }
   constexpr double infinity = std::numeric_limits<double>::infinity();
   solver_problem_.resources = {{"cost", problem.cost_limit.value_or(infinity)},
                                {"mass", problem.mass_limit.value_or(infinity)}};
+  for (const machine::Quantity quantity : problem.counted)
+    solver_problem_.resources.push_back({std::string(machine::declaration(quantity).name), infinity});
   if (!options_.fixed.lines.empty()) fix();
 }
 
@@ -113,11 +122,30 @@ std::vector<solver::Row> MachineModel::covering_rows(std::size_t stage, std::siz
   return result;
 }
 
+std::optional<std::size_t> MachineModel::find_resource(machine::Quantity quantity) const {
+  if (quantity == machine::Quantity::cost) return cost_resource;
+  if (quantity == machine::Quantity::mass) return mass_resource;
+  const auto found = std::find(problem_.counted.begin(), problem_.counted.end(), quantity);
+  if (found == problem_.counted.end()) return std::nullopt;
+  return first_counted_resource + static_cast<std::size_t>(found - problem_.counted.begin());
+}
+
+std::size_t MachineModel::resource(machine::Quantity quantity) const {
+  const auto found = find_resource(quantity);
+  if (!found)
+    throw std::invalid_argument(fmt::format("the problem does not count {}", machine::declaration(quantity).name));
+  return *found;
+}
+
 void MachineModel::add_axis(std::size_t index, const PriceBook& prices) {
   const machine::Axis& axis = problem_.axes[index];
   AxisPlace place;
   place.load_state = first_load_state + index;
   if (axis.carried_by) place.parent_load_state = first_load_state + *axis.carried_by;
+  place.counted.cycle_time = find_resource(machine::Quantity::cycle_time);
+  place.counted.energy = find_resource(machine::Quantity::energy);
+  if (!problem_.tool || !problem_.tool->position_error)
+    place.counted.position_error = find_resource(machine::Quantity::position_error);
   if (problem_.tool && !machine::is_rotary(axis)) {
     place.tool = machine::tool_place(problem_, index);
     place.states = tool_states(problem_);

@@ -101,6 +101,8 @@ class MachineModel {
   [[nodiscard]] std::vector<solver::Row> covering_rows(std::size_t stage, std::size_t slot, solver::Row row) const;
   /// Why something cannot be fixed; then nothing is.
   [[nodiscard]] const std::vector<BomProblem>& problems() const { return problems_; }
+  /// The resource that holds a quantity; throws std::invalid_argument if the problem does not count it.
+  [[nodiscard]] std::size_t resource(machine::Quantity quantity) const;
 
   /// Evaluates a build from scratch, stage after stage, and writes the ledger. Nothing of what the search computed is
   /// reused.
@@ -112,6 +114,8 @@ class MachineModel {
 
   ModelOptions options_;
   std::vector<BomProblem> problems_;
+  [[nodiscard]] std::optional<std::size_t> find_resource(machine::Quantity quantity) const;
+
   machine::Problem problem_;
   const catalogue::Catalogue& catalogue_;
   std::vector<StageEntry> entries_;

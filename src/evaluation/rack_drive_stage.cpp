@@ -91,6 +91,7 @@ void RackDriveStage::answer(const Selection<T>& s, solver::Answer<T>& out) const
   machine::rack_drive_constraints(UtilisationVisitor<T, RackDrive<T>>(d, out.utilisation));
   out.resources[cost_resource] = total<T>(s, Total::price);
   out.resources[mass_resource] = total<T>(s, Total::mass);
+  count_cycle(place_, d, drives_, out);
   add_to_tool(place_, d, out);
   out.handed_on[power_state] = s.inherited[power_state] + (drives_ == 1.0 ? d.input_power : drives_ * d.input_power);
   out.handed_on[place_.load_state] = T(0.0);

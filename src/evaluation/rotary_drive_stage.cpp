@@ -54,6 +54,7 @@ void RotaryDriveStage::answer(const Selection<T>& s, solver::Answer<T>& out) con
   machine::rotary_drive_constraints(UtilisationVisitor<T, RotaryDrive<T>>(d, out.utilisation));
   out.resources[cost_resource] = total<T>(s, Total::price);
   out.resources[mass_resource] = total<T>(s, Total::mass);
+  count_cycle(place_, d, 1.0, out);
   out.handed_on[power_state] = s.inherited[power_state] + d.input_power;
   out.handed_on[place_.load_state] = T(0.0);
   if (place_.parent_load_state)

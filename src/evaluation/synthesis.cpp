@@ -3,23 +3,152 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
 #include "evaluation/element_stage.h"
 #include "solver/alternatives.h"
+#include "solver/restricted_problem.h"
 
 namespace millwright::evaluation {
 
 namespace {
 
-std::size_t resource_of(const std::string& objective) { return objective == "mass" ? mass_resource : cost_resource; }
+/// Cost and mass decide between equals, as far as they are not settled with the objective itself.
+std::vector<std::size_t> ties(const machine::Objective& objective) {
+  bool more = false, cost = false;
+  for (const machine::ObjectiveTerm& term : objective.terms) {
+    more = more || (term.quantity != machine::Quantity::cost && term.quantity != machine::Quantity::mass);
+    cost = cost || term.quantity == machine::Quantity::cost;
+  }
+  if (more) return {cost_resource, mass_resource};
+  // Of builds of equal cost + w mass and equal mass the cost is equal too.
+  return {cost ? mass_resource : cost_resource};
+}
+
+/// The same machine with all ramps held on which its cycle time hangs: at those of a build, or at the shortest.
+solver::Restriction with_ramps(const MachineModel& model, const solver::Build* build) {
+  const auto& axes = model.machine().axes;
+  const auto matters = [&](const std::string& axis) {
+    return std::any_of(axes.begin(), axes.end(), [&](const machine::Axis& each) {
+      return each.name == axis && machine::cycle_time_hangs_on_ramp(each);
+    });
+  };
+  solver::Restriction restriction = solver::unrestricted(model.problem());
+  for (std::size_t i = 0; i < restriction.stages.size(); ++i) {
+    const auto variables = model.problem().stages[i]->variables();
+    for (std::size_t v = 0; v < variables.size(); ++v)
+      if (variables[v].name == "acceleration_time" && matters(model.entries()[i].axis))
+        restriction.stages[i].held[v] = build != nullptr ? build->stages[i].variables[v] : variables[v].lower;
+  }
+  return restriction;
+}
+
+/// The cheapest build with held ramps; all such builds take the same time.
+solver::Summary cheapest_with(const MachineModel& model, const SearchOptions& options, const solver::Build* ramps) {
+  SearchOptions cheapest = options;
+  cheapest.objectives = {"cost"};
+  const solver::RestrictedProblem held(model.problem(), with_ramps(model, ramps));
+  solver::Summary found = solver::solve(held.problem(), solver_options(model, cheapest));
+  for (solver::Build& build : found.builds) build = held.whole_build(std::move(build));
+  return found;
+}
+
+/// The fastest build. With every ramp at its shortest, if some build can have that, nothing is faster, and of those the
+/// cheapest is found as fast as ever. Else ramps are searched too; among the fastest builds many may differ in price
+/// only, which a search to a tolerance does not tell apart: of those with the same ramps the cheapest is taken.
+solver::Summary solve_cycle_time(const MachineModel& model, const SearchOptions& options) {
+  solver::Summary shortest = cheapest_with(model, options, nullptr);
+  if (!shortest.builds.empty()) {
+    shortest.lower_bound = shortest.builds.front().resources[model.resource(machine::Quantity::cycle_time)];
+    shortest.gap = 0.0;
+    if (shortest.status == solver::Status::optimal)
+      shortest.method += "; no ramp can be shorter, and of the builds with these ramps it is the cheapest";
+    return shortest;
+  }
+  SearchOptions rest = options;
+  rest.time_limit_seconds = std::max(0.0, options.time_limit_seconds - shortest.seconds);
+  solver::Summary fastest = solver::solve(model.problem(), solver_options(model, rest));
+  const auto add_effort = [&](const solver::Summary& other) {
+    fastest.nodes += other.nodes;
+    fastest.evaluations += other.evaluations;
+    fastest.seconds += other.seconds;
+  };
+  add_effort(shortest);
+  if (fastest.status != solver::Status::optimal) return fastest;
+  rest.time_limit_seconds = std::max(0.0, options.time_limit_seconds - fastest.seconds);
+  solver::Summary cheapest = cheapest_with(model, rest, &fastest.builds.front());
+  add_effort(cheapest);
+  const auto cost = [](const solver::Summary& of) { return of.builds.front().resources[cost_resource]; };
+  if (cheapest.builds.empty() || cost(cheapest) > cost(fastest)) return fastest;
+  fastest.builds = std::move(cheapest.builds);
+  if (cheapest.status == solver::Status::optimal) fastest.method += "; of the builds with these ramps the cheapest";
+  return fastest;
+}
+
+bool counts(const machine::Objective& objective, machine::Quantity quantity) {
+  return std::any_of(objective.terms.begin(), objective.terms.end(), [&](const machine::ObjectiveTerm& term) {
+    return term.quantity == quantity;
+  });
+}
+
+/// Whether the search may be long on its way before it knows any build: by what ramps and loads move label by label.
+bool starts_blind(const SearchOptions& options) {
+  if (options.objectives.size() != 1) return false;
+  const machine::Objective objective = machine::objective_named(options.objectives.front());
+  return counts(objective, machine::Quantity::energy) || counts(objective, machine::Quantity::position_error);
+}
+
+/// Solves, with the cheapest build to fall back on when time is up before any other is known: searched for in the first
+/// quarter of the time, and nothing that is worse by the objective need be looked at then.
+solver::Summary solve_with_start(const MachineModel& model, const SearchOptions& options) {
+  SearchOptions cheapest = options;
+  cheapest.objectives = {"cost"};
+  cheapest.time_limit_seconds = 0.25 * options.time_limit_seconds;
+  const solver::Summary start = solver::solve(model.problem(), solver_options(model, cheapest));
+  if (start.builds.empty() && start.status == solver::Status::infeasible) return start;
+  SearchOptions rest = options;
+  rest.time_limit_seconds = std::max(0.0, options.time_limit_seconds - start.seconds);
+  const machine::Objective objective = machine::objective_named(options.objectives.front());
+  solver::Problem problem = model.problem();
+  if (const auto single = objective.single(); single && !start.builds.empty()) {
+    const std::size_t resource = model.resource(*single);
+    problem.resources[resource].limit =
+        std::min(problem.resources[resource].limit, start.builds.front().resources[resource] * (1.0 + 1e-9));
+  }
+  solver::Summary summary = solver::solve(problem, solver_options(model, rest));
+  summary.nodes += start.nodes;
+  summary.evaluations += start.evaluations;
+  summary.seconds += start.seconds;
+  if (!summary.builds.empty() || summary.status != solver::Status::limit || start.builds.empty()) return summary;
+  summary.builds = start.builds;
+  double value = 0.0;
+  for (const machine::ObjectiveTerm& term : objective.terms)
+    value += term.weight * start.builds.front().resources[model.resource(term.quantity)];
+  summary.lower_bound = std::min(summary.lower_bound, value);
+  summary.gap = (value - summary.lower_bound) / std::max(std::abs(value), 1e-300);
+  return summary;
+}
 
 }  // namespace
 
-solver::Options solver_options(const SearchOptions& options) {
+solver::Options solver_options(const MachineModel& model, const SearchOptions& options) {
   solver::Options result;
   result.objectives.clear();
-  for (const std::string& objective : options.objectives) result.objectives.push_back(resource_of(objective));
-  if (result.objectives.size() == 1)
-    result.ties = {result.objectives.front() == cost_resource ? mass_resource : cost_resource};
+  for (const std::string& name : options.objectives) {
+    const machine::Objective objective = machine::objective_named(name);
+    const auto quantity = objective.single();
+    if (quantity) {
+      result.objectives.push_back(model.resource(*quantity));
+    } else {
+      if (options.objectives.size() > 1) throw std::invalid_argument("a front of a weighted sum: " + name);
+      result.weights.assign(model.problem().resources.size(), 0.0);
+      for (const machine::ObjectiveTerm& term : objective.terms)
+        result.weights[model.resource(term.quantity)] = term.weight;
+    }
+    if (options.objectives.size() == 1) result.ties = ties(objective);
+  }
   result.gap = options.gap;
   result.time_limit_seconds = options.time_limit_seconds;
   result.threads = options.threads;
@@ -32,11 +161,14 @@ Synthesis synthesise(const MachineModel& model, const SearchOptions& options) {
   Synthesis synthesis;
   synthesis.empty_slots = model.empty_slots();
   if (!synthesis.empty_slots.empty()) return synthesis;
+  const bool fastest = options.objectives == std::vector<std::string>{"cycle_time"};
+  const auto& axes = model.machine().axes;
+  synthesis.fixed_objective = fastest && std::none_of(axes.begin(), axes.end(), machine::cycle_time_hangs_on_ramp);
   solver::Summary summary;
   if (options.builds > 1) {
     solver::Alternatives best = solver::best_builds(
         model.problem(),
-        solver_options(options),
+        solver_options(model, options),
         options.builds,
         [&](std::size_t stage, std::size_t slot, solver::Row row) { return model.covering_rows(stage, slot, row); });
     summary = std::move(best.first);
@@ -46,7 +178,9 @@ Synthesis synthesise(const MachineModel& model, const SearchOptions& options) {
         "; the next best by splitting what each build leaves into disjoint parts, {} of them solved", best.parts - 1);
     synthesis.proved = best.proved;
   } else {
-    summary = solver::solve(model.problem(), solver_options(options));
+    summary = fastest                 ? solve_cycle_time(model, options)
+              : starts_blind(options) ? solve_with_start(model, options)
+                                      : solver::solve(model.problem(), solver_options(model, options));
   }
   synthesis.status = summary.status;
   for (const solver::Build& build : summary.builds) synthesis.designs.push_back(model.design(build));

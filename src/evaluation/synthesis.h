@@ -13,7 +13,8 @@
 namespace millwright::evaluation {
 
 struct SearchOptions {
-  std::vector<std::string> objectives{"cost"};  ///< "cost", "mass"; one to solve, two for a front
+  /// By name (machine/objective.h): one to solve, two or more, of one quantity each, for a front.
+  std::vector<std::string> objectives{"cost"};
   double gap = 1e-6;
   double time_limit_seconds = std::numeric_limits<double>::infinity();
   unsigned threads = 1;
@@ -30,15 +31,17 @@ struct Synthesis {
   double lower_bound = 0.0, gap = 0.0;  ///< of a single objective
   double combinations = 0.0;
   std::uint64_t nodes = 0, evaluations = 0;
+  bool fixed_objective = false;  ///< the same for every build: the cheapest was searched for instead
   double front_tolerance = 0.0;  ///< to which a front is covered where free dimensions move it; 0 = exact
   std::string method;
   double seconds = 0.0;
 };
 
-/// The solver's options for these.
-solver::Options solver_options(const SearchOptions& options);
+/// The solver's options for these. Throws std::invalid_argument when an objective asks for what the model does not
+/// count (machine::Problem::counted), or a front for a weighted sum.
+solver::Options solver_options(const MachineModel& model, const SearchOptions& options);
 
-/// The cheapest (or lightest) compliant build, or as many of the cheapest as are asked for, or the exact front.
+/// The best compliant build by one objective, or as many of the best as are asked for, or the front of several.
 Synthesis synthesise(const MachineModel& model, const SearchOptions& options);
 
 /// What a bill of materials amounts to.

@@ -20,12 +20,13 @@ ToolStates tool_states(const machine::Problem& problem) {
   return states;
 }
 
-WholeStage::WholeStage(const machine::Problem& problem)
+WholeStage::WholeStage(const machine::Problem& problem, std::optional<std::size_t> error_resource)
     : data_{.require = problem.require,
             .tool = problem.tool,
             .cost_limit = problem.cost_limit.value_or(0.0),
             .mass_limit = problem.mass_limit.value_or(0.0)},
-      states_(tool_states(problem)) {
+      states_(tool_states(problem)),
+      error_resource_(error_resource) {
   name_ = "machine.whole";
   for (std::size_t i = 0; i < states_.error.size(); ++i) data_.error_counts[i] = states_.error[i].has_value();
   whole_constraints([&](const machine::Declaration& d, auto&&, auto&&, auto&&) {
@@ -48,6 +49,9 @@ template <class T>
 void WholeStage::answer(const Selection<T>& s, solver::Answer<T>& out) const {
   const WholeMachine<T> d = design(s);
   whole_constraints(UtilisationVisitor<T, WholeMachine<T>>(d, out.utilisation));
+  if (!error_resource_) return;
+  for (std::size_t i = 0; i < states_.error.size(); ++i)
+    if (states_.error[i]) out.resources[*error_resource_] = out.resources[*error_resource_] + tool_error(d, i);
 }
 
 template WholeMachine<double> WholeStage::design(const Selection<double>&) const;

@@ -121,7 +121,8 @@ void whole_constraints(Visit&& visit) {
 
 class WholeStage final : public ElementStage<WholeStage> {
  public:
-  explicit WholeStage(const machine::Problem& problem);
+  /// `error_resource`: where the tool's position error is counted, if an objective asks for it.
+  explicit WholeStage(const machine::Problem& problem, std::optional<std::size_t> error_resource = {});
 
   template <class T>
   [[nodiscard]] WholeMachine<T> design(const Selection<T>& selection) const;
@@ -131,6 +132,7 @@ class WholeStage final : public ElementStage<WholeStage> {
  private:
   WholeData data_;
   ToolStates states_;
+  std::optional<std::size_t> error_resource_;
 };
 
 extern template WholeMachine<double> WholeStage::design(const Selection<double>&) const;

@@ -62,7 +62,14 @@ class CoordinatedReader {
     for (const Part& part : parts) path.distance = std::hypot(path.distance, part.distance);
     take_jerk(path, parts);
     check_ramps(node, path, false, {true, true, nullptr, nullptr, {}}, {0.0, 0.0}, diagnostics_);
-    for (const Part& part : parts) give(path, part);
+    // Its time counts once in the cycle of the machine: on an axis that does it up and down, if there is one.
+    const auto climbs = [&](const Part& part) { return std::sin(problem_.axes[part.axis].inclination) > 1e-9; };
+    const auto climbing = std::find_if(parts.begin(), parts.end(), climbs);
+    const Part& timed = climbing == parts.end() ? parts.front() : *climbing;
+    for (const Part& part : parts) {
+      path.counts_in_cycle = &part == &timed;
+      give(path, part);
+    }
   }
 
  private:

@@ -46,7 +46,9 @@ struct GearedDrive {
 
   Cycle<T> cycle;
   T radius{}, load_inertia{};
-  T efficiency{};  ///< from the motor to the travel
+  T travelling_mass{};   ///< kg; of a table its inertia
+  T rotating_inertia{};  ///< of all that turns, at the motor
+  T efficiency{};        ///< from the motor to the travel
   std::vector<T> axial_forces, motor_torques, angular_speeds, torque_ratios;
   T input_power{};  ///< W, drive input that the supply must be ready for
   T largest_force{}, largest_torque{}, peak_speed{}, load_torque{}, rms_torque{}, holding_force{};
@@ -66,8 +68,8 @@ struct GearedDrive {
   void derive_gears(const T& moved, const T& travel_per_radian, const T& output_inertia);
 
  private:
-  void derive_phases(const T& rotating, const T& output_inertia);
-  [[nodiscard]] T supply_power(const T& moved, const T& weight, const T& rotating) const;
+  void derive_phases(const T& output_inertia);
+  [[nodiscard]] T supply_power(const T& weight) const;
 };
 
 /// Motor torque for a force along the travel at constant speed [N.m].
@@ -79,22 +81,23 @@ T driving_torque(const GearedDrive<T>& d, const T& force) {
 template <class T>
 void GearedDrive<T>::derive_gears(const T& moved, const T& travel_per_radian, const T& output_inertia) {
   using namespace scalar;
+  travelling_mass = moved;
   radius = travel_per_radian;
   efficiency = reduction.present ? T(data->efficiency * reduction.efficiency) : T(data->efficiency);
   cycle = duty_cycle(data->motion, moved, acceleration_time);
   const T turning = named("J_t", reduction.with_own(reduction.reflected(output_inertia)));
-  const T rotating = named("J_rot", motor.rotor_inertia + turning);
+  rotating_inertia = named("J_rot", motor.rotor_inertia + turning);
   load_inertia = named("J_L", turning + reduction.reflected(mechanics::transmission::belt_load_inertia(moved, radius)));
-  derive_phases(rotating, output_inertia);
+  derive_phases(output_inertia);
   peak_speed = named("ω", reduction.at_motor(cycle.peak_speed / radius));
   const T weight = larger(cycle.gravity_force, in_unit<T>(0.0, dimensions().force));
   load_torque = named("T_L", driving_torque(*this, T(weight + cycle.friction_force + cycle.process_force)));
   holding_force = named("F_h", weight + cycle.process_force);
-  input_power = named("P_in", whole_watts(supply_power(moved, weight, rotating)));
+  input_power = named("P_in", whole_watts(supply_power(weight)));
 }
 
 template <class T>
-void GearedDrive<T>::derive_phases(const T& rotating, const T& output_inertia) {
+void GearedDrive<T>::derive_phases(const T& output_inertia) {
   using namespace scalar;
   namespace act = mechanics::actuation;
   axial_forces.clear();
@@ -113,7 +116,8 @@ void GearedDrive<T>::derive_phases(const T& rotating, const T& output_inertia) {
     if (!phase.may_govern && !wants_everything<T>(data->require)) continue;
     const T output_alpha = phase.acceleration / radius;
     const T alpha = reduction.at_motor(output_alpha);
-    motor_torques.back() = act::belt_motor_torque(phase.force, radius, efficiency, rotating, alpha, no_torque, ratio);
+    motor_torques.back() =
+        act::belt_motor_torque(phase.force, radius, efficiency, rotating_inertia, alpha, no_torque, ratio);
     sum = sum + square(motor_torques.back()) * phase.duration;
     if (!phase.may_govern) continue;
     governing_accelerations.push_back(alpha);
@@ -135,13 +139,14 @@ void GearedDrive<T>::derive_phases(const T& rotating, const T& output_inertia) {
 
 /// What the supply must be ready for in the hardest of the moves [W], before it is rounded.
 template <class T>
-T GearedDrive<T>::supply_power(const T& moved, const T& weight, const T& rotating) const {
+T GearedDrive<T>::supply_power(const T& weight) const {
   using namespace scalar;
   std::vector<T> powers;
   for (const SupplyDemand& demand : supply_demands(data->motion)) {
     const T acceleration = in_unit<T>(demand.acceleration, dimensions().acceleration);
-    const T force = moved * acceleration + weight + cycle.friction_force + in_unit<T>(demand.force, dimensions().force);
-    const T driving = driving_torque(*this, force) + rotating * reduction.at_motor(acceleration / radius);
+    const T force =
+        travelling_mass * acceleration + weight + cycle.friction_force + in_unit<T>(demand.force, dimensions().force);
+    const T driving = driving_torque(*this, force) + rotating_inertia * reduction.at_motor(acceleration / radius);
     powers.push_back(
         drive_power(motor, driving, reduction.at_motor(in_unit<T>(demand.speed, dimensions().speed) / radius)));
   }

@@ -14,6 +14,7 @@
 
 #include "machine/cutting_process.h"
 #include "machine/measured_profile.h"
+#include "machine/objective.h"
 #include "machine/requirement.h"
 #include "text/source_text.h"
 
@@ -46,6 +47,7 @@ struct Move {
   double force = 0.0;                       ///< N, process force against the motion; of `cutting` if that is given
   std::optional<CuttingProcess> cutting;    ///< what the tool does in this move; sets force and speed
   double dwell = 0.0;                       ///< s after the move
+  bool counts_in_cycle = true;              ///< of the machine; a coordinated move counts on one of its axes only
   SourceSpan where;
 };
 
@@ -270,7 +272,8 @@ struct Problem {
   std::string title;
   std::string source;
   std::string file;
-  std::string objective = "cost";
+  std::string objective = "cost";  ///< by its name, see objective.h
+  std::vector<Quantity> counted;   ///< beside cost and mass: what an objective asks for
   std::string currency = "USD";
   std::map<std::string, CurrencyRate, std::less<>> currencies;
   std::vector<double> supply_voltages;  ///< V
@@ -282,5 +285,14 @@ struct Problem {
   std::optional<double> cost_limit;  ///< in `currency`
   std::optional<double> mass_limit;  ///< kg, of everything chosen
 };
+
+/// Why a quantity of this problem cannot be summed up, and what to do about it.
+struct Uncountable {
+  std::string message, hint;
+};
+std::optional<Uncountable> uncountable(const Problem& problem, Quantity quantity);
+
+/// Whether the machine's cycle time hangs on the ramp that is chosen for an axis: the shorter, the less.
+bool cycle_time_hangs_on_ramp(const Axis& axis);
 
 }  // namespace millwright::machine

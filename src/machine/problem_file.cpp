@@ -64,8 +64,23 @@ void read_objective(const Node& node, Problem& problem, Diagnostics& diagnostics
   TableReader reader(node, "[objective]", diagnostics);
   QuantityReader q(reader, diagnostics);
   if (q.required("minimise", "minimise = \"cost\"") != nullptr)
-    problem.objective = reader.word("minimise", {"cost", "mass"}).value_or("cost");
+    if (const auto text = reader.string("minimise")) {
+      ObjectiveFault fault;
+      if (const auto objective = parse_objective(*text, fault))
+        problem.objective = objective->name();
+      else
+        diagnostics.error(
+            node.find("minimise")->part_span(fault.offset, fault.length), "minimise: " + fault.message, fault.hint);
+    }
   reader.finish();
+}
+
+/// What the objective sums up, once the axes are known.
+void count_quantities(const Node* objective, Problem& problem, Diagnostics& diagnostics) {
+  problem.counted = counted_quantities({problem.objective});
+  for (const Quantity quantity : problem.counted)
+    if (const auto reason = uncountable(problem, quantity))
+      diagnostics.error(objective->find("minimise")->span(), "minimise: " + reason->message, reason->hint);
 }
 
 /// A stated price must be in a currency whose rate is known.
@@ -115,6 +130,7 @@ std::optional<Problem> problem_of(const text::Document& document, Diagnostics& d
   if (const Node* tool = table.table("tool"); tool != nullptr)
     read_tool(*tool, table.find("axis"), problem, diagnostics);
   if (const Node* limits = table.table("limits"); limits != nullptr) read_limits(*limits, problem, diagnostics);
+  if (diagnostics.error_count() == errors) count_quantities(table.find("objective"), problem, diagnostics);
   table.finish();
   if (diagnostics.error_count() > errors) return std::nullopt;
   return problem;

@@ -94,6 +94,7 @@ struct ScrewDrive {
   T output_torque{};      ///< the largest at the output of the reduction; only where it has one
   T peak_acceleration{};  ///< of the motor, rad/s^2
   T holding_force{};      ///< static, along the travel
+  T rotating_inertia{};   ///< of all that turns, at the motor
 
   [[nodiscard]] T require(Requirement requirement, const scalar::Dimension& dimension = scalar::dimension::none) const {
     return scalar::in_unit<T>(data->require(requirement), dimension);
@@ -115,12 +116,12 @@ struct ScrewDrive {
   void derive();
 
  private:
-  void derive_phases(const T& rotating, const T& turning);
-  void derive_power(const T& rotating_inertia);
+  void derive_phases(const T& turning);
+  void derive_power();
 };
 
 template <class T>
-void ScrewDrive<T>::derive_power(const T& rotating_inertia) {
+void ScrewDrive<T>::derive_power() {
   using namespace scalar;
   namespace st = mechanics::stepper;
   std::vector<T> powers;
@@ -140,7 +141,7 @@ void ScrewDrive<T>::derive_power(const T& rotating_inertia) {
 }
 
 template <class T>
-void ScrewDrive<T>::derive_phases(const T& rotating, const T& turning) {
+void ScrewDrive<T>::derive_phases(const T& turning) {
   using namespace scalar;
   namespace act = mechanics::actuation;
   const T one = T(1.0);
@@ -166,7 +167,7 @@ void ScrewDrive<T>::derive_phases(const T& rotating, const T& turning) {
     const T output_alpha = phase.acceleration * (2.0 * pi<T>()) / screw.lead;
     const T alpha = reduction.at_motor(output_alpha);
     motor_torques.back() =
-        torque(phase.force, rotating, alpha, drag, reduction.ratio_or_one(), reduction.efficiency_or_one());
+        torque(phase.force, rotating_inertia, alpha, drag, reduction.ratio_or_one(), reduction.efficiency_or_one());
     if (!phase.may_govern) continue;
     governing_accelerations.push_back(alpha);
     governing_forces.push_back(axial_forces.back());
@@ -203,10 +204,10 @@ void ScrewDrive<T>::derive() {
                           data->nut_rotates    ? in_unit<T>(data->nut_inertia, dimension::inertia)
                           : data->has_coupling ? T(coupling.inertia + screw.inertia)
                                                : screw.inertia);
-  const T rotating = named("J_rot", motor.rotor_inertia + reduction.with_own(reduction.reflected(turning)));
+  rotating_inertia = named("J_rot", motor.rotor_inertia + reduction.with_own(reduction.reflected(turning)));
   output_inertia = reduction.reflected(turning + mechanics::transmission::screw_load_inertia(moved_mass, screw.lead));
   load_inertia = named("J_L", reduction.with_own(output_inertia));
-  derive_phases(rotating, turning);
+  derive_phases(turning);
   screw_speed = named("ω_s", mechanics::power_screw::angular_speed(cycle.peak_speed, screw.lead));
   peak_speed = named("ω", reduction.at_motor(screw_speed));
   screw_torque = named("T_R", mechanics::ball_screw::drive_torque(largest_force, screw.lead, screw.efficiency));
@@ -215,7 +216,7 @@ void ScrewDrive<T>::derive() {
   const T steady = weight + cycle.friction_force + cycle.process_force;
   steady_torque = mechanics::ball_screw::drive_torque(steady, screw.lead, screw.efficiency) + screw.drag_torque;
   load_torque = named("T_L", reduction.driving(steady_torque));
-  derive_power(rotating);
+  derive_power();
   holding_force = named("F_h", weight + cycle.process_force);
 }
 

@@ -65,8 +65,18 @@ Json check_of(const Check& check) {
 
 }  // namespace
 
+std::string unit_of(machine::Quantity counted, const std::string& currency) {
+  return counted == machine::Quantity::cost ? currency : std::string(machine::declaration(counted).unit);
+}
+
 Json totals_of(const Design& design) {
-  return Json{{"cost", quantity(design.cost, design.currency)}, {"mass", quantity(design.mass, "kg")}};
+  Json totals{{"cost", quantity(design.cost, design.currency)}, {"mass", quantity(design.mass, "kg")}};
+  for (const evaluation::CountedTotal& each : design.counted) {
+    Json total = quantity(each.value, unit_of(each.quantity, design.currency));
+    if (each.quantity == machine::Quantity::energy) total["estimate"] = true;
+    totals[std::string(machine::declaration(each.quantity).name)] = std::move(total);
+  }
+  return totals;
 }
 
 Json build_of(const Design& design) {

@@ -7,7 +7,10 @@
 
 namespace millwright::report {
 
-/// Cost and mass.
+/// The unit of a quantity's values in JSON.
+std::string unit_of(machine::Quantity counted, const std::string& currency);
+
+/// Cost, mass and what else the problem counts.
 Json totals_of(const evaluation::Design& design);
 
 /// Parts and dimensions.

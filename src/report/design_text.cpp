@@ -112,9 +112,35 @@ std::string parts_text(const MachineResult& result, const Design& design, const 
     }
   }
   out += table.str(2, style) + made_to_measure(design);
-  out += fmt::format("  Total: {:.2f} {}, {:.3f} kg\n", design.cost, design.currency, design.mass);
+  out += fmt::format("  Total: {}\n", totals_text(design));
   if (estimates) out += "  ~ the price, or a figure of the part that matters, is an estimate\n";
   return out + "\n";
+}
+
+std::string quantity_text(machine::Quantity quantity, double value, const std::string& currency) {
+  switch (quantity) {
+    case machine::Quantity::cost:
+      return fmt::format("{:.2f} {}", value, currency);
+    case machine::Quantity::mass:
+      return fmt::format("{:.3f} kg", value);
+    case machine::Quantity::cycle_time:
+      return fmt::format("{:.3f} s", value);
+    case machine::Quantity::energy:
+      return fmt::format("{} J", scalar::format_number(value, 5));
+    case machine::Quantity::position_error:
+      return fmt::format("{} um", scalar::format_number(scalar::Unit::of("um").from_si(value), 4));
+  }
+  return {};
+}
+
+std::string totals_text(const Design& design, machine::Quantity first) {
+  std::vector<std::string> parts{quantity_text(first, design.total(first), design.currency)};
+  for (const machine::QuantityDeclaration& each : machine::quantities()) {
+    const double value = design.total(each.quantity);
+    if (each.quantity == first || std::isnan(value)) continue;
+    parts.push_back(quantity_text(each.quantity, value, design.currency));
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
 }
 
 std::string dimensions_text(const Design& design, const Style& style) {
@@ -209,6 +235,13 @@ std::string assumptions_text(const Design& design, const Style& style) {
   std::string out = style.heading("Assumptions") + "\n";
   out += "  End machining of screws and shafts costs nothing here; cables, fasteners and tax are not included.\n";
   out += "  Parts are cut to the length shown; what is left of a bar is not paid for.\n";
+  const auto counts = [&](machine::Quantity quantity) { return !std::isnan(design.total(quantity)); };
+  if (counts(machine::Quantity::cycle_time))
+    out += "  Cycle time: every move of every axis, and its dwell, one after the other; coordinated moves once.\n";
+  if (counts(machine::Quantity::energy))
+    out +=
+        "  Energy is an estimate, of the drives' input while their own axis goes through its cycle: copper losses at\n"
+        "  full current, usual iron losses, driver efficiency 0.9; nothing is fed back.\n";
   if (!bases.empty()) out += "  Prices: " + wrapped(fmt::format("{}", fmt::join(bases, "; ")), 88, 10) + "\n";
   return out + "\n";
 }

@@ -13,6 +13,11 @@ namespace millwright::report {
 /// The parts axis by axis, with lengths, prices and masses; estimates marked and explained.
 std::string parts_text(const MachineResult& result, const evaluation::Design& design, const Style& style);
 
+/// "612.34 USD", "41.200 kg", "12.500 s": a value of a quantity.
+std::string quantity_text(machine::Quantity quantity, double value, const std::string& currency);
+/// All totals that were counted, `first` before the others.
+std::string totals_text(const evaluation::Design& design, machine::Quantity first = machine::Quantity::cost);
+
 /// Dimensions and settings that were chosen or given.
 std::string dimensions_text(const evaluation::Design& design, const Style& style);
 

@@ -94,21 +94,46 @@ void add_unmet(const MachineResult& result, Json& json) {
   }
 }
 
+/// The terms of a weighted sum, with what they amount to.
+Json terms_of(const machine::Objective& objective, const Design& design) {
+  Json terms = Json::array();
+  for (const machine::ObjectiveTerm& term : objective.terms) {
+    const double value = design.total(term.quantity);
+    terms.push_back({{"name", machine::declaration(term.quantity).name},
+                     {"weight", number(term.weight)},
+                     {"value", number(value)},
+                     {"unit", unit_of(term.quantity, design.currency)},
+                     {"weighted", number(term.weight * value)}});
+  }
+  return terms;
+}
+
 Json objective_of(const MachineResult& result) {
   const std::string& name = result.objectives.front();
+  const machine::Objective objective = machine::objective_named(name);
+  const auto single = objective.single();
   const Design* design = result.designs.empty() ? nullptr : &result.designs.front();
   Json json{{"name", name},
             {"value", nullptr},
-            {"unit", name == "mass" ? "kg" : ""},
+            {"unit", single ? unit_of(*single, "") : "1"},
             {"lower_bound", nullptr},
             {"gap", nullptr}};
   if (design != nullptr) {
-    json["value"] = number(name == "mass" ? design->mass : design->cost);
-    if (name != "mass") json["unit"] = design->currency;
+    json["value"] = number(design->total(objective));
+    if (single) json["unit"] = unit_of(*single, design->currency);
     json["gap"] = number(result.gap);
+    if (result.fixed_objective) json["fixed"] = true;
+    if (!single) json["terms"] = terms_of(objective, *design);
   }
   if (result.status != Status::infeasible) json["lower_bound"] = number(result.lower_bound);
   return json;
+}
+
+/// The values of a front's objectives, by name.
+Json objectives_of(const MachineResult& result, const Design& design) {
+  Json values = Json::object();
+  for (const std::string& name : result.objectives) values[name] = number(design.total(machine::objective_named(name)));
+  return values;
 }
 
 void add_design(const MachineResult& result, const Design& design, Json& json) {
@@ -146,7 +171,7 @@ std::string front_json(const MachineResult& result) {
   json["objectives"] = result.objectives;
   json["front"] = Json::array();
   for (const Design& design : result.designs)
-    json["front"].push_back({{"objectives", {{"cost", number(design.cost)}, {"mass", number(design.mass)}}},
+    json["front"].push_back({{"objectives", objectives_of(result, design)},
                              {"totals", totals_of(design)},
                              {"build", build_of(design)},
                              {"governing", governing_of(result, design)}});

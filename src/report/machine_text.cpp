@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "report/alternatives.h"
@@ -24,14 +25,39 @@ std::string title_text(const MachineResult& result, const Style& style) {
   return style.heading(title) + "\n\n" + steering_text(result, style);
 }
 
-std::string best_word(const std::string& objective) { return objective == "mass" ? "Lightest" : "Cheapest"; }
+/// "Cheapest", "Lightest"; "Best" of a weighted sum.
+std::string best_word(const std::string& objective) {
+  const auto quantity = machine::objective_named(objective).single();
+  return quantity ? std::string(machine::declaration(*quantity).best) : "Best";
+}
 
-std::string better_word(const std::string& objective) { return objective == "mass" ? "lighter" : "cheaper"; }
+/// A word of a heading inside a sentence.
+std::string in_sentence(std::string word) {
+  word.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(word.front())));
+  return word;
+}
 
-std::string both_totals(const std::string& objective, const Design& design) {
-  const std::string cost = objective_text("cost", design.cost, design.currency);
-  const std::string mass = objective_text("mass", design.mass, design.currency);
-  return objective == "mass" ? mass + ", " + cost : cost + ", " + mass;
+/// "is cheaper"
+std::string better_words(const std::string& objective) {
+  const auto quantity = machine::objective_named(objective).single();
+  return quantity ? std::string(machine::declaration(*quantity).better) : "has less " + objective;
+}
+
+/// All totals, that of the objective first; of a weighted sum "435.17 = 360.11 USD + 25 * 3.002 kg" before them.
+std::string all_totals(const std::string& name, const Design& design) {
+  const machine::Objective objective = machine::objective_named(name);
+  if (const auto quantity = objective.single()) return totals_text(design, *quantity);
+  std::vector<std::string> parts;
+  for (const machine::ObjectiveTerm& term : objective.terms) {
+    const std::string value = quantity_text(term.quantity, design.total(term.quantity), design.currency);
+    parts.push_back(term.weight == 1.0 ? value : fmt::format("{} * {}", term.weight, value));
+  }
+  return fmt::format("{} = {}\n  {} = {}; {}",
+                     name,
+                     objective_text(name, design.total(objective), design.currency),
+                     name,
+                     fmt::join(parts, " + "),
+                     totals_text(design));
 }
 
 /// What a proof is about when the command line asks for more than the problem file.
@@ -101,9 +127,9 @@ std::string certificate_text(const MachineResult& result, const Style& style) {
     out += "  Proved: no combination is compliant.\n";
   } else if (result.objectives.size() == 1 && design != nullptr) {
     const std::string& objective = result.objectives.front();
-    out += best_is_proved(result) ? fmt::format("  Proved: no compliant build of these catalogues{} is {}.\n",
+    out += best_is_proved(result) ? fmt::format("  Proved: no compliant build of these catalogues{} {}.\n",
                                                 as_asked(result),
-                                                better_word(objective))
+                                                better_words(objective))
                                   : fmt::format("  Not proved: a build of {} or more may still exist (gap {:.2f} %).\n",
                                                 objective_text(objective, result.lower_bound, design->currency),
                                                 100.0 * result.gap);
@@ -145,19 +171,35 @@ std::string failures_text(const MachineResult& result, const Design& design, con
   return table.empty() ? std::string() : style.bad("Failed checks") + "\n" + table.str(2) + "\n";
 }
 
-/// What a reader compares first, of the two ends of a front.
+/// The build of a front that is best in one of its objectives.
+const Design& best_in(const MachineResult& result, const std::string& name) {
+  const machine::Objective objective = machine::objective_named(name);
+  return *std::min_element(result.designs.begin(), result.designs.end(), [&](const Design& a, const Design& b) {
+    return a.total(objective) < b.total(objective);
+  });
+}
+
+/// What a reader compares first, of the ends of a front.
 std::string end_text(const MachineResult& result,
                      const Design& design,
                      const std::string& objective,
                      const Style& style) {
-  return style.heading(best_word(objective) + ": " + both_totals(objective, design)) + "\n\n" +
+  return style.heading(best_word(objective) + ": " + all_totals(objective, design)) + "\n\n" +
          parts_text(result, design, style) + governing_text(result, design, style);
 }
 
 }  // namespace
 
 std::string objective_text(const std::string& objective, double value, const std::string& currency) {
-  return objective == "mass" ? fmt::format("{:.3f} kg", value) : fmt::format("{:.2f} {}", value, currency);
+  if (const auto quantity = machine::objective_named(objective).single())
+    return quantity_text(*quantity, value, currency);
+  return scalar::format_number(value, 7);
+}
+
+std::string objective_unit(const std::string& objective, const std::string& currency) {
+  const auto quantity = machine::objective_named(objective).single();
+  if (!quantity) return {};
+  return *quantity == machine::Quantity::cost ? currency : std::string(machine::declaration(*quantity).unit);
 }
 
 std::string solve_text(const MachineResult& result, const Style& style) {
@@ -169,11 +211,13 @@ std::string solve_text(const MachineResult& result, const Style& style) {
   const Design& design = result.designs.front();
   const std::string& objective = result.objectives.front();
   out += best_is_proved(result)
-             ? style.heading(best_word(objective) + " compliant build: " + both_totals(objective, design)) + "\n\n"
-             : style.heading("Best build found before the limit: " + both_totals(objective, design)) +
+             ? style.heading(best_word(objective) + " compliant build: " + all_totals(objective, design)) + "\n\n"
+             : style.heading("Best build found before the limit: " + all_totals(objective, design)) +
                    fmt::format("\n  proved so far: not below {}, gap {:.2f} %\n\n",
                                objective_text(objective, result.lower_bound, design.currency),
                                100.0 * result.gap);
+  if (result.fixed_objective && result.status == Status::optimal)
+    out += "  The moves state their times, so every build takes as long: this is the cheapest.\n\n";
   return out + parts_text(result, design, style) + dimensions_text(design, style) + alternatives_text(result, style) +
          governing_text(result, design, style) + checks_text(result, design, style) +
          outside_validity_text(design, style) + requirements_text(result, style) + assumptions_text(design, style) +
@@ -192,11 +236,13 @@ std::string front_text(const MachineResult& result, const Style& style) {
                                    result.status == Status::limit ? " found before the limit" : "",
                                    fmt::join(result.objectives, " and "))) +
          "\n";
-  TextTable table({{"", Align::right},
-                   {result.designs.front().currency, Align::right},
-                   {"kg", Align::right},
-                   {"supply", Align::right},
-                   {"changes against the line above", Align::left, 60}});
+  std::vector<TableColumn> columns{
+      {"", Align::right}, {result.designs.front().currency, Align::right}, {"kg", Align::right}};
+  for (const evaluation::CountedTotal& each : result.designs.front().counted)
+    columns.push_back({std::string(machine::declaration(each.quantity).name), Align::right});
+  columns.push_back({"supply", Align::right});
+  columns.push_back({"changes against the line above", Align::left, 60});
+  TextTable table(columns);
   for (std::size_t i = 0; i < result.designs.size(); ++i) {
     const Design& design = result.designs[i];
     std::string changes;
@@ -211,15 +257,17 @@ std::string front_text(const MachineResult& result, const Style& style) {
                              design.parts[k].slot,
                              design.parts[k].part_number);
     }
-    table.add({std::to_string(i + 1),
-               fmt::format("{:.2f}", design.cost),
-               fmt::format("{:.3f}", design.mass),
-               scalar::format(design.supply_voltage, scalar::Unit::of("V")),
-               changes});
+    std::vector<std::string> cells{
+        std::to_string(i + 1), fmt::format("{:.2f}", design.cost), fmt::format("{:.3f}", design.mass)};
+    for (const evaluation::CountedTotal& each : design.counted)
+      cells.push_back(quantity_text(each.quantity, each.value, design.currency));
+    cells.push_back(scalar::format(design.supply_voltage, scalar::Unit::of("V")));
+    cells.push_back(changes);
+    table.add(cells);
   }
   out += table.str(2, style) + "\n";
-  out += end_text(result, result.designs.front(), result.objectives.front(), style);
-  if (result.designs.size() > 1) out += end_text(result, result.designs.back(), result.objectives.back(), style);
+  for (std::size_t k = 0; k < result.objectives.size() && (k == 0 || result.designs.size() > 1); ++k)
+    out += end_text(result, best_in(result, result.objectives[k]), result.objectives[k], style);
   return out + assumptions_text(result.designs.front(), style) + certificate_text(result, style);
 }
 
@@ -235,9 +283,10 @@ std::string check_text(const MachineResult& result, const Style& style) {
                      : style.bad(fmt::format("It fails {} of {} checks.", failed, design.checks.size())) + "\n";
   if (result.completed)
     out += result.completion_is_optimal
-               ? "What it leaves open was chosen so that the build is the cheapest compliant one.\n"
+               ? fmt::format("What it leaves open was chosen so that the build is the {} compliant one.\n",
+                             in_sentence(best_word(result.objectives.front())))
                : "What it leaves open was filled with the cheapest parts that fit.\n";
-  out += fmt::format("Totals: {:.2f} {}, {:.3f} kg\n\n", design.cost, design.currency, design.mass);
+  out += fmt::format("Totals: {}\n\n", totals_text(design));
   return out + failures_text(result, design, style) + governing_text(result, design, style) +
          parts_text(result, design, style) + dimensions_text(design, style) + checks_text(result, design, style) +
          outside_validity_text(design, style) + requirements_text(result, style) + assumptions_text(design, style);

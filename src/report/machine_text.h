@@ -19,7 +19,10 @@ std::string front_text(const MachineResult& result, const Style& style);
 /// What fails, first; then what was used and every check.
 std::string check_text(const MachineResult& result, const Style& style);
 
-/// "612.34 USD", "41.2 kg": a value of the objective "cost" or "mass".
+/// "612.34 USD", "41.200 kg", "12.500 s": a value of an objective; of a weighted sum only its number.
 std::string objective_text(const std::string& objective, double value, const std::string& currency);
+
+/// The unit of an objective's values, empty for a weighted sum.
+std::string objective_unit(const std::string& objective, const std::string& currency);
 
 }  // namespace millwright::report

@@ -65,13 +65,14 @@ struct MachineResult {
   std::string currency;                     ///< of the problem
   machine::Steering steering;               ///< what was asked for beside the problem file
   std::vector<std::string> axes;            ///< in the order of the problem file
-  std::vector<std::string> objectives;      ///< "cost", "mass"
+  std::vector<std::string> objectives;      ///< by name, see machine/objective.h
   Status status = Status::infeasible;       ///< of solve and pareto
   std::vector<evaluation::Design> designs;  ///< none, one, the best first, or a front ascending in the first objective
   std::size_t builds_asked = 1;             ///< of solve
   std::size_t proved = 0;                   ///< of several asked for: so many designs, from the first on
-  double lower_bound = 0.0;                 ///< of a single objective, in its unit (currency or kg)
+  double lower_bound = 0.0;                 ///< of a single objective, in currency, SI or, weighted, neither
   double gap = 0.0;
+  bool fixed_objective = false;               ///< the same for every build, which is then the cheapest
   std::vector<RequirementLine> requirements;  ///< of the first design
   std::vector<MissingSlot> missing;
   std::vector<evaluation::UnmetCheck> unmet;  ///< why nothing is compliant, where single checks say so

@@ -193,6 +193,78 @@ TEST_CASE("The front of a small machine is ascending in cost and descending in m
         Approx(lightest.at("totals").at("mass").at("value").get<double>()));
 }
 
+TEST_CASE("A weighted sum says its value and its terms") {
+  const Workshop shop;
+  shop.write("m.toml", one_slide_with("\"cost\"", "\"cost + 25*mass\""));
+  const Outcome outcome = shop.run({"solve", "m.toml", "--json", "-"});
+  REQUIRE(outcome.exit_code == 0);
+  const Json json = Json::parse(outcome.out);
+  const double cost = json.at("totals").at("cost").at("value");
+  const double mass = json.at("totals").at("mass").at("value");
+  const Json& objective = json.at("objective");
+  CHECK(objective.at("name") == "cost + 25*mass");
+  CHECK(objective.at("unit") == "1");
+  CHECK(objective.at("value").get<double>() == Approx(cost + 25.0 * mass));
+  CHECK(objective.at("lower_bound").get<double>() == Approx(cost + 25.0 * mass).epsilon(2e-6));
+  CHECK(objective.at("terms")[1] ==
+        Json{{"name", "mass"}, {"weight", 25.0}, {"value", mass}, {"unit", "kg"}, {"weighted", 25.0 * mass}});
+  const Outcome text = shop.run({"solve", "m.toml"});
+  CHECK(text.prints("Best compliant build: cost + 25*mass = "));
+  CHECK(text.prints("Proved: no compliant build of these catalogues has less cost + 25*mass."));
+  // Neither end does better by the sum.
+  for (const char* end : {"cost", "mass"}) {
+    const Json other = Json::parse(shop.run({"solve", "m.toml", "--minimise", end, "--json", "-"}).out);
+    CHECK(other.at("totals").at("cost").at("value").get<double>() +
+              25.0 * other.at("totals").at("mass").at("value").get<double>() >=
+          (cost + 25.0 * mass) * (1.0 - 2e-6));
+  }
+}
+
+TEST_CASE("The fastest build, and the front of cost and time, say their times") {
+  const Workshop shop;
+  shop.write("m.toml", one_slide_with("time = \"20 s\"", "speed = \"20 mm/s\"\ndwell = \"1 s\""));
+  const Outcome fastest = shop.run({"solve", "m.toml", "--minimise", "cycle_time", "--json", "-"});
+  REQUIRE(fastest.exit_code == 0);
+  const Json json = Json::parse(fastest.out);
+  double ramp = 0.0;
+  for (const Json& line : json.at("build").at("dimensions"))
+    if (line.at("name") == "acceleration_time") ramp = line.at("value");
+  CHECK(ramp == Approx(0.1));  // nothing hinders the shortest
+  CHECK(json.at("objective").at("unit") == "s");
+  CHECK(json.at("objective").at("value").get<double>() == Approx(10.0 + ramp + 1.0));
+  CHECK(json.at("totals").at("cycle_time").at("value") == json.at("objective").at("value"));
+  CHECK(shop.run({"solve", "m.toml", "--minimise", "cycle_time"}).prints("Fastest compliant build: 11.100 s, "));
+  const Outcome front = shop.run({"pareto", "m.toml", "--minimise", "cost,cycle_time"});
+  CHECK(front.exit_code == 0);
+  CHECK(front.prints("that no other beats in cost and cycle_time"));
+  CHECK(front.prints("Cheapest: "));
+  const Json points = Json::parse(shop.run({"pareto", "m.toml", "--minimise", "cost,cycle_time", "--json", "-"}).out);
+  CHECK(points.at("front")[0].at("objectives").contains("cycle_time"));
+  CHECK(shop.run({"solve", "m.toml", "--minimise", "cost"}).out.find("Cycle time") == std::string::npos);
+}
+
+TEST_CASE("Where the moves state their times the fastest build is the cheapest, and that is said") {
+  const Workshop shop;
+  shop.write("m.toml", one_slide);
+  const Json fastest = Json::parse(shop.run({"solve", "m.toml", "--minimise", "cycle_time", "--json", "-"}).out);
+  const Json cheapest = Json::parse(shop.run({"solve", "m.toml", "--json", "-"}).out);
+  CHECK(fastest.at("objective").at("value").get<double>() == Approx(20.0));
+  CHECK(fastest.at("objective").at("lower_bound").get<double>() == Approx(20.0));
+  CHECK(fastest.at("objective").at("fixed") == true);
+  CHECK(fastest.at("build") == cheapest.at("build"));
+  CHECK(shop.run({"solve", "m.toml", "--minimise", "cycle_time"})
+            .prints("every build takes as long: this is the cheapest"));
+}
+
+TEST_CASE("Energy is called an estimate") {
+  const Workshop shop;
+  shop.write("m.toml", one_slide_with("\"cost\"", "\"cost + 0.01*energy\""));
+  const Json json = Json::parse(shop.run({"solve", "m.toml", "--json", "-"}).out);
+  CHECK(json.at("totals").at("energy").at("estimate") == true);
+  CHECK(json.at("totals").at("energy").at("unit") == "J");
+  CHECK(shop.run({"solve", "m.toml"}).prints("Energy is an estimate"));
+}
+
 TEST_CASE("An audit reports wrong figures and is done") {
   const Workshop shop;
   const std::string claims = MILLWRIGHT_SOURCE_DIR "/problems/papers/fdm-printer.toml";

@@ -157,6 +157,14 @@ machine::DriveReduction<Dimensioned> reduction() {
   return r;
 }
 
+/// What objectives count of a drive.
+template <class Drive>
+void check_objectives(const Drive& d) {
+  CHECK(machine::cycle_energy(d).dimension == dimension::energy);
+  for (const machine::Timed timed : {machine::Timed::axis, machine::Timed::machine})
+    CHECK(machine::moving_time(d.data->motion, d.acceleration_time, timed).dimension == dimension::time);
+}
+
 void check_screw_drive(
     machine::ScrewKind kind, bool vertical, bool geared, bool nut_rotates, std::set<std::string>& seen) {
   const machine::ScrewDriveData data{.motion = motion(vertical),
@@ -197,6 +205,7 @@ void check_screw_drive(
   d.acceleration_time = time(0.2);
   d.derive();
   CHECK(d.input_power.dimension == dimension::power_output);
+  check_objectives(d);
   CHECK(d.moved_mass.dimension == dimension::mass);
   machine::screw_drive_constraints(DimensionVisitor(d, seen));
 }
@@ -229,6 +238,7 @@ void check_belt_drive(bool vertical, bool geared, std::set<std::string>& seen) {
   d.acceleration_time = time(0.1);
   d.derive();
   CHECK(d.input_power.dimension == dimension::power_output);
+  check_objectives(d);
   machine::belt_drive_constraints(DimensionVisitor(d, seen));
 }
 
@@ -264,6 +274,7 @@ void check_rack_drive(bool vertical, bool geared, bool rides, std::set<std::stri
   d.acceleration_time = time(0.1);
   d.derive();
   CHECK(d.input_power.dimension == dimension::power_output);
+  check_objectives(d);
   CHECK(d.moved_mass.dimension == dimension::mass);
   machine::rack_drive_constraints(DimensionVisitor(d, seen));
 }
@@ -291,6 +302,7 @@ void check_rotary_drive(bool geared, std::set<std::string>& seen) {
   d.acceleration_time = time(0.1);
   d.derive();
   CHECK(d.input_power.dimension == dimension::power_output);
+  check_objectives(d);
   CHECK(d.cycle.travelled.dimension == dimension::angular);
   machine::rotary_drive_constraints(DimensionVisitor(d, seen));
 }
