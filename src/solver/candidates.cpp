@@ -6,6 +6,7 @@
 
 #include "solver/archive.h"
 #include "solver/relaxation.h"
+#include "solver/rest_curve.h"
 
 namespace millwright::solver {
 namespace {
@@ -119,6 +120,7 @@ class Search {
     read_bounds(plan_, desk_.bound(*plan_.stage, plan_.shared, question_.states, node.region), node.bounds);
     if (node.bounds.utilisation > 1.0) return;
     if (!below_staircase(question_.useful, node.bounds.score[0], plan_.criteria->second(node.bounds.score))) return;
+    if (!may_lead_on(node.bounds)) return;
     for (std::size_t h = 0; h < to_reference_.size(); ++h) {
       node.bounds.handed_on[h].lower += to_reference_[h].first;
       node.bounds.handed_on[h].upper += to_reference_[h].second;
@@ -131,6 +133,15 @@ class Search {
     for (std::size_t h = 0; h < question_.state_weight.size(); ++h)
       weighed_state += question_.state_weight[h] * node.bounds.handed_on[h].lower;
     heap_.push(std::move(node), weighed_state);
+  }
+
+  /// Whether the cheapest label with a design of these bounds, and what must follow then, is below some corner.
+  [[nodiscard]] bool may_lead_on(const Bounds& bounds) const {
+    if (plan_.curves.empty() || question_.corners.empty()) return true;
+    const double first = question_.least.first + bounds.score[0] + rest_after(plan_, 0, bounds.handed_on);
+    const double rest = plan_.criteria->objectives > 1 ? rest_after(plan_, 1, bounds.handed_on) : 0.0;
+    const double second = question_.least.second + plan_.criteria->second(bounds.score) + rest;
+    return below_staircase(question_.corners, first, second);
   }
 
   /// Values of the variables at which every utilisation is <= 1 over all of H, if some are found.

@@ -4,7 +4,7 @@
 //
 // H is a range of states that contains those of all the labels. Branch and bound over row sets, with bounds over H:
 //   - a region is dropped when it is infeasible at every state in H, or when what it adds to the first two scores is
-//     too much for every label (`useful`);
+//     too much for every label (`useful`; `corners`, with what must follow on what it hands on: rest_curve.h);
 //   - a design is *universal* when some fixed values of its variables (or all of them) keep every utilisation <= 1 over
 //     all of H: it is feasible for every label. A region is dropped when a universal design is at least as good in
 //     every coordinate of the comparison. Regions are taken in ascending order of a sum of all coordinates, so what
@@ -28,6 +28,8 @@ struct CandidateQuestion {
   const Comparison* comparison = nullptr;
   std::vector<Interval> states;  ///< H
   std::vector<Pair> useful;      ///< upper staircase of own shares of the first two scores
+  Pair least = {};               ///< of the labels' first two scores
+  std::vector<Pair> corners;     ///< upper staircase of totals: with `least`, and what must follow, below some of it
   std::function<bool()> stop;    ///< asked now and then
   /// For quick first answers, not for a proof: so many nodes at most, and what a handed-on component weighs in the
   /// order in which they are taken (empty: next to nothing).

@@ -221,6 +221,12 @@ std::vector<Frontier::Chunk> Frontier::make_chunks(std::size_t stage, const Comp
     chunk.question.plan = &plans_[stage];
     chunk.question.form = &form;
     chunk.question.comparison = &comparison;
+    chunk.question.least = {infinity, infinity};
+    for (const Pair& score : scores) {
+      chunk.question.least.first = std::min(chunk.question.least.first, score.first);
+      chunk.question.least.second = std::min(chunk.question.least.second, score.second);
+    }
+    chunk.question.corners = useful_.back();
     chunk.question.useful =
         difference_of_staircases(useful_[stage + 1], lower_staircase(std::move(scores)), staircase_points);
     if (hurried_weight_ > 0.0) {

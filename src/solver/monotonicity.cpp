@@ -15,6 +15,24 @@ constexpr double nothing = 1e-200;
 struct Part {
   Region region;
   std::vector<Interval> inherited;
+  double share = 1.0;  ///< of the whole: halved by every split
+};
+
+/// Whether a proof that has come so far is not worth more effort: where it succeeds it takes its parts at a steady
+/// pace. What is given up counts as not proved, so that nothing hangs on this but time.
+class Pace {
+ public:
+  [[nodiscard]] bool has_stalled(std::size_t nodes, double proved) {
+    constexpr std::size_t interval = 600;
+    constexpr double too_little = 1e-3, half = 0.5, growth = 1.01;
+    if (nodes == 0 || nodes % interval != 0) return false;
+    const bool stalled = proved < too_little || (proved < half && proved < growth * latest_);
+    latest_ = proved;
+    return stalled;
+  }
+
+ private:
+  double latest_ = 0.0;
 };
 
 bool is_zero(const Interval& slope) { return slope.lower >= -nothing && slope.upper <= nothing; }
@@ -154,21 +172,29 @@ bool Claim::split(const Part& part, bool carefully, Part& left, Part& right, Des
   for (std::size_t i = 0; i < part.inherited.size(); ++i) {
     offer(relative_width(part.inherited[i], question_.inherited[i]), slots + variables + i);
   }
-  if (found) halve(question_, part, choice, left, right);
+  if (found) {
+    halve(question_, part, choice, left, right);
+    left.share = right.share = 0.5 * part.share;
+  }
   return found;
 }
 
 bool Claim::prove(Desk& desk) const {
+  Pace pace;
+  double proved = 0.0;
   std::vector<Part> open;
   open.push_back({*question_.region, {question_.inherited.begin(), question_.inherited.end()}});
   // That something has no influence at all is seen at once or not at all.
   const std::size_t limit = direction_ == Direction::irrelevant ? 1 : question_.node_limit;
   constexpr std::size_t quick = 200;  // enough for most claims; others are worth a choice of what to split
   for (std::size_t nodes = 0; !open.empty(); ++nodes) {
-    if (nodes >= limit) return false;
+    if (nodes >= limit || pace.has_stalled(nodes, proved)) return false;
     const Part part = std::move(open.back());
     open.pop_back();
-    if (doubt(part, desk) == 0.0) continue;
+    if (doubt(part, desk) == 0.0) {
+      proved += part.share;
+      continue;
+    }
     Part left;
     Part right;
     if (!split(part, nodes >= quick, left, right, desk)) return false;
