@@ -51,6 +51,7 @@ class Frontier {
   [[nodiscard]] bool undecided() const { return undecided_; }
 
  private:
+  static constexpr std::size_t staircase_points = 600;
   struct Pass {
     bool with_states = true;
     double hurried_weight = 0.0;  ///< above 0: a beam search for a first answer, states weighed so much

@@ -106,7 +106,8 @@ TEST_CASE("An excluded part is nowhere, one after the other") {
   CHECK(text.prints("--without"));
   const Outcome front = shop.run({"pareto", "m.toml", "--without", seen[0], "--json", "-"});
   REQUIRE(front.exit_code == 0);
-  for (const Json& point : Json::parse(front.out).at("front"))
+  const Json json = Json::parse(front.out);
+  for (const Json& point : json.at("front"))
     for (const Json& each : point.at("build").at("parts")) CHECK(each.at("part_number") != seen[0]);
 }
 

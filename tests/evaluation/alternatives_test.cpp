@@ -143,7 +143,7 @@ TEST_CASE("The cheapest and the lightest builds of small machines are the first 
     };
     covered += candidates(model) > candidates(usual) ? 1 : 0;
   }
-  CHECK(covered > 1);  // there was something that is left out otherwise
+  CHECK(covered > (sanitized ? 0U : 1U));  // there was something that is left out otherwise
 }
 
 TEST_CASE("When there are fewer builds than asked for, all of them are found") {

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The labels before a stage in chunks of alike states, each with the question what designs can matter to it.
+#include <algorithm>
+#include <cmath>
+
+#include "solver/frontier.h"
+
+namespace millwright::solver {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t hurried_nodes = 1000;  // a chunk, in a quick pass with states
+constexpr std::size_t most_chunks = 8;       // of the labels before one stage
+constexpr double narrow = 0.02;              // relative width of a chunk's states
+
+}  // namespace
+
+/// Labels with alike states together, by the component that differs most among those that decide about feasibility.
+std::vector<Frontier::Chunk> Frontier::make_chunks(std::size_t stage, const Comparison& comparison) const {
+  const std::vector<Label>& labels = labels_[stage];
+  const StateForm& form = forms_[stage];
+  std::vector<Chunk> chunks;
+  if (labels.empty()) return chunks;
+  double widest = 0.0;
+  std::size_t component = 0;
+  for (std::size_t c = 0; c < form.influences.size(); ++c) {
+    if (!form.influences[c]) continue;
+    const auto [low, high] = std::minmax_element(
+        labels.begin(), labels.end(), [c](const Label& a, const Label& b) { return a.state[c] < b.state[c]; });
+    const double width = (high->state[c] - low->state[c]) / std::max(std::fabs(high->state[c]), 1e-9);
+    if (width > widest) {
+      widest = width;
+      component = c;
+    }
+  }
+  std::vector<std::uint32_t> order(labels.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return labels[a].state[component] < labels[b].state[component];
+  });
+  const double low = labels[order.front()].state[component];
+  const double high = labels[order.back()].state[component];
+  const double parts = std::clamp(std::ceil(widest / narrow), 1.0, static_cast<double>(most_chunks));
+  const double step = (high - low) / parts;
+  double end = -infinity;
+  for (const std::uint32_t index : order) {
+    const double value = labels[index].state[component];
+    if (chunks.empty() || value > end) {
+      chunks.emplace_back();
+      end = value + step;
+    }
+    chunks.back().labels.push_back(index);
+  }
+  for (Chunk& chunk : chunks) {
+    std::vector<Pair> scores;
+    std::map<std::vector<double>, std::uint32_t> groups;
+    for (const std::uint32_t index : chunk.labels) {
+      const Label& label = labels[index];
+      scores.push_back({label.score[0], criteria_.second(label.score)});
+      std::vector<double> deciding;
+      for (std::size_t c = 0; c < label.state.size(); ++c) {
+        if (form.influences[c]) deciding.push_back(label.state[c]);
+        if (scores.size() == 1)
+          chunk.question.states.emplace_back(label.state[c]);
+        else
+          chunk.question.states[c] = hull(chunk.question.states[c], label.state[c]);
+      }
+      chunk.group.push_back(groups.emplace(deciding, static_cast<std::uint32_t>(groups.size())).first->second);
+    }
+    chunk.question.plan = &plans_[stage];
+    chunk.question.form = &form;
+    chunk.question.comparison = &comparison;
+    chunk.question.least = {infinity, infinity};
+    for (const Pair& score : scores) {
+      chunk.question.least.first = std::min(chunk.question.least.first, score.first);
+      chunk.question.least.second = std::min(chunk.question.least.second, score.second);
+    }
+    chunk.question.corners = useful_.back();
+    chunk.question.useful =
+        difference_of_staircases(useful_[stage + 1], lower_staircase(std::move(scores)), staircase_points);
+    if (hurried_weight_ > 0.0) {
+      chunk.question.node_limit = hurried_nodes;
+      chunk.question.state_weight = state_weights(stage, hurried_weight_);
+    }
+    chunk.question.stop = [this] { return control_.time_is_up(); };
+  }
+  return chunks;
+}
+
+}  // namespace millwright::solver
