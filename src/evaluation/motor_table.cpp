@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "evaluation/drive_tables.h"
 
@@ -118,14 +119,128 @@ std::vector<double> settable_currents(const machine::Axis& axis, double rated_cu
 
 /// b is never better than a at this current: it gives the same, and is at least as dear, as heavy and as fussy about
 /// the voltage.
-bool covers(
-    const Driver& a, const Driver& b, double current, const std::vector<double>& voltages, double voltage_factor) {
+bool is_never_better(
+    const Driver& b, const Driver& a, double current, const std::vector<double>& voltages, double voltage_factor) {
   if (std::min(a.peak_current, current) != std::min(b.peak_current, current)) return false;
   if (a.price > b.price || a.mass > b.mass) return false;
   for (const double v : voltages)
     if (runs_at(b, v, voltage_factor) && !runs_at(a, v, voltage_factor)) return false;
   return a.price < b.price || a.mass < b.mass || a.row < b.row;
 }
+
+/// A motor of the catalogue, without driver and voltage.
+struct Motor {
+  int row;
+  machine::MotorFigures<double> figures;
+  double shaft, mass, price;
+};
+
+/// Nothing if the axis takes no such frame, or a figure is missing.
+std::optional<Motor> motor_of(const Table& motors, int row, const machine::Axis& axis, const PriceBook& prices) {
+  const auto number = [&](const char* name) { return motors.number(column(Family::steppers, name), row); };
+  const std::string_view frame = motors.text(column(Family::steppers, "frame"), row);
+  const std::vector<std::string>& frames = axis.motor.frames;
+  if (!frames.empty() && std::find(frames.begin(), frames.end(), frame) == frames.end()) return std::nullopt;
+  machine::MotorFigures<double> f;
+  f.holding_torque = number("holding_torque");
+  f.detent_torque = number("detent_torque");
+  if (std::isnan(f.detent_torque)) f.detent_torque = detent_share * f.holding_torque;
+  f.rated_current = number("rated_current");
+  f.resistance = number("phase_resistance");
+  f.inductance = number("phase_inductance");
+  f.rotor_inertia = number("rotor_inertia");
+  f.rotor_teeth = std::round(2.0 * 3.14159265358979323846 / number("step_angle") / 4.0);
+  const Motor motor{row, f, number("shaft_diameter"), number("mass"), prices.line(motors, row, 1.0, 0.0)};
+  const bool complete = !std::isnan(f.holding_torque + f.rated_current + f.resistance + f.inductance + f.rotor_inertia +
+                                    f.rotor_teeth + motor.shaft + motor.mass + motor.price);
+  return complete ? std::optional(motor) : std::nullopt;
+}
+
+/// Adds a motor with the drivers that are worth keeping, at each current that may be set.
+class MotorPairs {
+ public:
+  MotorPairs(const catalogue::Catalogue& catalogue,
+             const machine::Axis& axis,
+             const std::vector<double>& voltages,
+             const PriceBook& prices)
+      : motors_(catalogue.table(Family::steppers)),
+        axis_(axis),
+        voltages_(voltages),
+        drivers_(eligible_drivers(catalogue.table(Family::drivers), axis, prices)),
+        curves_(read_curves(catalogue.table(Family::stepper_curves))),
+        voltage_factor_(axis.require(machine::Requirement::driver_voltage_factor)) {}
+
+  void add(const Motor& motor) {
+    for (const double current : settable_currents(axis_, motor.figures.rated_current)) {
+      const std::size_t first = table.table.rows();
+      std::vector<const Driver*> kept;
+      for (const Driver& driver : drivers_) {
+        if (!axis_.keep_every_candidate && !worth_keeping(driver, current)) continue;
+        add(motor, driver, current);
+        kept.push_back(&driver);
+      }
+      if (axis_.keep_covered_candidates && !axis_.keep_every_candidate) note_covers(first, kept, current);
+    }
+  }
+
+  MotorTable table{SlotTable("motor", 0), {}};
+
+ private:
+  [[nodiscard]] bool covers(const Driver& a, const Driver& b, double current) const {
+    return a.row != b.row && is_never_better(b, a, current, voltages_, voltage_factor_);
+  }
+  [[nodiscard]] bool possible(const Driver& d, double current) const {
+    if (!axis_.motor.currents.empty() && d.peak_current < current) return false;  // it cannot be set there
+    return std::any_of(voltages_.begin(), voltages_.end(), [&](double v) { return runs_at(d, v, voltage_factor_); });
+  }
+  /// A driver that a bill names is judged, not passed over (C-DR-VOLT, F-DRIVER-VOLTAGE-MIN, C-DR-CURRENT).
+  [[nodiscard]] bool worth_keeping(const Driver& d, double current) const {
+    return possible(d, current) &&
+           (axis_.keep_covered_candidates ||
+            std::none_of(drivers_.begin(), drivers_.end(), [&](const Driver& a) { return covers(a, d, current); }));
+  }
+
+  void add(const Motor& motor, const Driver& driver, double current) {
+    MotorPair pair;
+    pair.shaft = motor.shaft;
+    machine::MotorFigures<double> f = motor.figures;
+    f.asked_current = current;
+    f.driver_peak_current = driver.peak_current;
+    f.driver_largest_voltage = driver.largest_voltage;
+    f.driver_least_voltage = driver.least_voltage;
+    const std::string maker(motors_.manufacturer(motor.row)), part(motors_.part_number(motor.row));
+    for (const double v : voltages_) {
+      f.voltage = v;
+      pair.at_voltage.push_back(f);
+      pair.fits_voltage.push_back(runs_at(driver, v, voltage_factor_));
+      pair.curve.push_back(governing_curve(curves_, maker, part, v, std::min(driver.peak_current, current)));
+      if (pair.curve.back() != nullptr) pair.torque_is_estimate = false;
+    }
+    Candidate candidate = candidate_of({{"motor", Family::steppers, motor.row, 1.0, 0.0, motor.price, motor.mass},
+                                        {"driver", Family::drivers, driver.row, 1.0, 0.0, driver.price, driver.mass}},
+                                       0.0,
+                                       driver.mass);
+    if (!axis_.motor.currents.empty()) candidate.settings.push_back({"motor_current", current, "A"});
+    table.table.add(std::move(candidate), {});
+    table.pairs.push_back(std::move(pair));
+  }
+
+  void note_covers(std::size_t first, const std::vector<const Driver*>& kept, double current) {
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+      std::vector<solver::Row> by;
+      for (std::size_t k = 0; k < kept.size(); ++k)
+        if (covers(*kept[k], *kept[i], current)) by.push_back(static_cast<solver::Row>(first + k));
+      table.table.cover(first + i, std::move(by));
+    }
+  }
+
+  const Table& motors_;
+  const machine::Axis& axis_;
+  const std::vector<double>& voltages_;
+  std::vector<Driver> drivers_;
+  Curves curves_;
+  double voltage_factor_;
+};
 
 }  // namespace
 
@@ -134,84 +249,10 @@ MotorTable motor_table(const catalogue::Catalogue& catalogue,
                        const std::vector<double>& voltages,
                        const PriceBook& prices) {
   const Table& motors = catalogue.table(Family::steppers);
-  const std::vector<Driver> drivers = eligible_drivers(catalogue.table(Family::drivers), axis, prices);
-  const Curves curves = read_curves(catalogue.table(Family::stepper_curves));
-  const double voltage_factor = axis.require(machine::Requirement::driver_voltage_factor);
-  const auto possible = [&](const Driver& d, double current) {
-    if (!axis.motor.currents.empty() && d.peak_current < current) return false;  // it cannot be set there
-    return std::any_of(voltages.begin(), voltages.end(), [&](double v) { return runs_at(d, v, voltage_factor); });
-  };
-  // A driver that a bill names is judged, not passed over (C-DR-VOLT, F-DRIVER-VOLTAGE-MIN, C-DR-CURRENT).
-  const auto worth_keeping = [&](const Driver& d, double current) {
-    return possible(d, current) &&
-           (axis.keep_covered_candidates || std::none_of(drivers.begin(), drivers.end(), [&](const Driver& a) {
-              return a.row != d.row && covers(a, d, current, voltages, voltage_factor);
-            }));
-  };
-  MotorTable result{SlotTable("motor", 0), {}};
-  for (int row = 0; row < motors.rows(); ++row) {
-    const auto number = [&](catalogue::Column c) { return motors.number(c, row); };
-    const std::string_view frame = motors.text(column(Family::steppers, "frame"), row);
-    if (!axis.motor.frames.empty() &&
-        std::find(axis.motor.frames.begin(), axis.motor.frames.end(), frame) == axis.motor.frames.end())
-      continue;
-    machine::MotorFigures<double> f;
-    f.holding_torque = number(column(Family::steppers, "holding_torque"));
-    f.detent_torque = number(column(Family::steppers, "detent_torque"));
-    if (std::isnan(f.detent_torque)) f.detent_torque = detent_share * f.holding_torque;
-    f.rated_current = number(column(Family::steppers, "rated_current"));
-    f.resistance = number(column(Family::steppers, "phase_resistance"));
-    f.inductance = number(column(Family::steppers, "phase_inductance"));
-    f.rotor_inertia = number(column(Family::steppers, "rotor_inertia"));
-    f.rotor_teeth = std::round(2.0 * 3.14159265358979323846 / number(column(Family::steppers, "step_angle")) / 4.0);
-    const double shaft = number(column(Family::steppers, "shaft_diameter"));
-    const double mass = number(column(Family::steppers, "mass"));
-    const double price = prices.line(motors, row, 1.0, 0.0);
-    if (std::isnan(f.holding_torque + f.rated_current + f.resistance + f.inductance + f.rotor_inertia + f.rotor_teeth +
-                   shaft + mass + price))
-      continue;
-    for (const double current : settable_currents(axis, f.rated_current)) {
-      f.asked_current = current;
-      const std::size_t first = result.table.rows();
-      std::vector<const Driver*> kept;
-      for (const Driver& d : drivers) {
-        if (!axis.keep_every_candidate && !worth_keeping(d, current)) continue;
-        MotorPair pair;
-        pair.shaft = shaft;
-        f.driver_peak_current = d.peak_current;
-        f.driver_largest_voltage = d.largest_voltage;
-        f.driver_least_voltage = d.least_voltage;
-        for (const double v : voltages) {
-          f.voltage = v;
-          pair.at_voltage.push_back(f);
-          pair.fits_voltage.push_back(runs_at(d, v, voltage_factor));
-          pair.curve.push_back(governing_curve(curves,
-                                               std::string(motors.manufacturer(row)),
-                                               std::string(motors.part_number(row)),
-                                               v,
-                                               std::min(d.peak_current, current)));
-          if (pair.curve.back() != nullptr) pair.torque_is_estimate = false;
-        }
-        Candidate candidate = candidate_of({{"motor", Family::steppers, row, 1.0, 0.0, price, mass},
-                                            {"driver", Family::drivers, d.row, 1.0, 0.0, d.price, d.mass}},
-                                           0.0,
-                                           d.mass);
-        if (!axis.motor.currents.empty()) candidate.settings.push_back({"motor_current", current, "A"});
-        result.table.add(std::move(candidate), {});
-        result.pairs.push_back(std::move(pair));
-        kept.push_back(&d);
-      }
-      if (!axis.keep_covered_candidates || axis.keep_every_candidate) continue;
-      for (std::size_t i = 0; i < kept.size(); ++i) {
-        std::vector<solver::Row> by;
-        for (std::size_t k = 0; k < kept.size(); ++k)
-          if (k != i && covers(*kept[k], *kept[i], current, voltages, voltage_factor))
-            by.push_back(static_cast<solver::Row>(first + k));
-        result.table.cover(first + i, std::move(by));
-      }
-    }
-  }
-  return result;
+  MotorPairs pairs(catalogue, axis, voltages, prices);
+  for (int row = 0; row < motors.rows(); ++row)
+    if (const auto motor = motor_of(motors, row, axis, prices)) pairs.add(*motor);
+  return std::move(pairs.table);
 }
 
 }  // namespace millwright::evaluation

@@ -7,7 +7,6 @@
 
 namespace millwright::report {
 
-using evaluation::Check;
 using evaluation::Design;
 
 namespace {

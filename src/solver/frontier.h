@@ -77,6 +77,7 @@ class Frontier {
   void find_rest();
   void update_useful();
   std::vector<Chunk> make_chunks(std::size_t stage, const Comparison& comparison) const;
+  void ask(std::size_t stage, const Comparison& comparison, Chunk& chunk) const;
   [[nodiscard]] bool may_matter(std::size_t stage, std::span<const double> score, std::span<const double> state) const;
   void combine(std::size_t stage, std::uint32_t index, const Chunk& chunk, const Comparison& comparison);
   void sort_combinations(const Comparison& comparison);

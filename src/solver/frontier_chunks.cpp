@@ -52,40 +52,45 @@ std::vector<Frontier::Chunk> Frontier::make_chunks(std::size_t stage, const Comp
     }
     chunks.back().labels.push_back(index);
   }
-  for (Chunk& chunk : chunks) {
-    std::vector<Pair> scores;
-    std::map<std::vector<double>, std::uint32_t> groups;
-    for (const std::uint32_t index : chunk.labels) {
-      const Label& label = labels[index];
-      scores.push_back({label.score[0], criteria_.second(label.score)});
-      std::vector<double> deciding;
-      for (std::size_t c = 0; c < label.state.size(); ++c) {
-        if (form.influences[c]) deciding.push_back(label.state[c]);
-        if (scores.size() == 1)
-          chunk.question.states.emplace_back(label.state[c]);
-        else
-          chunk.question.states[c] = hull(chunk.question.states[c], label.state[c]);
-      }
-      chunk.group.push_back(groups.emplace(deciding, static_cast<std::uint32_t>(groups.size())).first->second);
-    }
-    chunk.question.plan = &plans_[stage];
-    chunk.question.form = &form;
-    chunk.question.comparison = &comparison;
-    chunk.question.least = {infinity, infinity};
-    for (const Pair& score : scores) {
-      chunk.question.least.first = std::min(chunk.question.least.first, score.first);
-      chunk.question.least.second = std::min(chunk.question.least.second, score.second);
-    }
-    chunk.question.corners = useful_.back();
-    chunk.question.useful =
-        difference_of_staircases(useful_[stage + 1], lower_staircase(std::move(scores)), staircase_points);
-    if (hurried_weight_ > 0.0) {
-      chunk.question.node_limit = hurried_nodes;
-      chunk.question.state_weight = state_weights(stage, hurried_weight_);
-    }
-    chunk.question.stop = [this] { return control_.time_is_up(); };
-  }
+  for (Chunk& chunk : chunks) ask(stage, comparison, chunk);
   return chunks;
+}
+
+/// What designs of the stage can matter to the labels of a chunk; and which of these are alike in what decides.
+void Frontier::ask(std::size_t stage, const Comparison& comparison, Chunk& chunk) const {
+  const std::vector<Label>& labels = labels_[stage];
+  const StateForm& form = forms_[stage];
+  std::vector<Pair> scores;
+  std::map<std::vector<double>, std::uint32_t> groups;
+  for (const std::uint32_t index : chunk.labels) {
+    const Label& label = labels[index];
+    scores.push_back({label.score[0], criteria_.second(label.score)});
+    std::vector<double> deciding;
+    for (std::size_t c = 0; c < label.state.size(); ++c) {
+      if (form.influences[c]) deciding.push_back(label.state[c]);
+      if (scores.size() == 1)
+        chunk.question.states.emplace_back(label.state[c]);
+      else
+        chunk.question.states[c] = hull(chunk.question.states[c], label.state[c]);
+    }
+    chunk.group.push_back(groups.emplace(deciding, static_cast<std::uint32_t>(groups.size())).first->second);
+  }
+  chunk.question.plan = &plans_[stage];
+  chunk.question.form = &form;
+  chunk.question.comparison = &comparison;
+  chunk.question.least = {infinity, infinity};
+  for (const Pair& score : scores) {
+    chunk.question.least.first = std::min(chunk.question.least.first, score.first);
+    chunk.question.least.second = std::min(chunk.question.least.second, score.second);
+  }
+  chunk.question.corners = useful_.back();
+  chunk.question.useful =
+      difference_of_staircases(useful_[stage + 1], lower_staircase(std::move(scores)), staircase_points);
+  if (hurried_weight_ > 0.0) {
+    chunk.question.node_limit = hurried_nodes;
+    chunk.question.state_weight = state_weights(stage, hurried_weight_);
+  }
+  chunk.question.stop = [this] { return control_.time_is_up(); };
 }
 
 }  // namespace millwright::solver
