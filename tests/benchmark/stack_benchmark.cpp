@@ -89,8 +89,9 @@ int main(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) measure(std::filesystem::path(argv[i]).filename().string(), argv[i], runs);
   if (argc > 1) return 0;
   const auto folder = std::filesystem::temp_directory_path() / "millwright_stack_benchmark";
+  // Seeds with which sizing one axis after the other misses the optimum: there the axes have to be weighed together.
   for (const auto& [k, screws, motors, seed] :
-       {std::array{2, 20, 20, 1}, {3, 100, 100, 1}, {3, 500, 200, 1}, {3, 2000, 500, 1}, {3, 10000, 2000, 1}}) {
+       {std::array{2, 20, 20, 9}, {3, 100, 100, 2}, {3, 500, 200, 3}, {3, 2000, 500, 2}, {3, 10000, 2000, 3}}) {
     stack::write_instance(stack::random_instance(k, screws, motors, static_cast<std::uint64_t>(seed)), folder);
     measure(fmt::format("k{} ({}, {})", k, screws, motors), folder, runs);
   }
