@@ -151,7 +151,7 @@ TEST_CASE("Cost, mass and front of random stacks equal exhaustive enumeration") 
       ++greedy_fails;
   }
   CHECK(infeasible >= instances / 5);
-  CHECK(greedy_fails >= instances * 3 / 10);
+  CHECK(greedy_fails >= instances / 4);
   CHECK(priced >= instances / 10);
   CHECK(not_monotone >= instances / 5);
 }
