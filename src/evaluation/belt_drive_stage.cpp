@@ -29,12 +29,7 @@ BeltDriveStage::BeltDriveStage(const machine::Axis& axis,
                                const std::vector<double>& voltages,
                                const catalogue::Catalogue& catalogue,
                                const PriceBook& prices)
-    : data_(geared_drive_data(axis)),
-      place_(place),
-      drives_(axis.mechanism.drives),
-      load_share_(axis.mechanism.load_share),
-      acceleration_time_(axis.acceleration_time),
-      reduction_(axis, prices) {
+    : DriveStage(axis, place, prices), data_(geared_drive_data(axis)) {
   name_ = axis.name + ".drive";
   tables_.push_back(belt_table(catalogue, axis, prices));
   motors_ = std::make_unique<MotorSet>(motor_table(catalogue, axis, voltages, prices),

@@ -35,12 +35,7 @@ RackDriveStage::RackDriveStage(const machine::Axis& axis,
                                const std::vector<double>& voltages,
                                const catalogue::Catalogue& catalogue,
                                const PriceBook& prices)
-    : data_(geared_drive_data(axis)),
-      place_(place),
-      drives_(axis.mechanism.drives),
-      load_share_(axis.mechanism.load_share),
-      reduction_(axis, prices),
-      acceleration_time_(axis.acceleration_time) {
+    : DriveStage(axis, place, prices), data_(geared_drive_data(axis)) {
   name_ = axis.name + ".drive";
   tables_.push_back(rack_table(catalogue, axis, prices));
   tables_.push_back(pinion_table(catalogue, prices));

@@ -4,14 +4,12 @@
 // One variable, the ramp time, if it is not fixed.
 #pragma once
 
-#include <memory>
-
 #include "evaluation/screw_drive_stage.h"
 #include "machine/rack_drive_constraints.h"
 
 namespace millwright::evaluation {
 
-class RackDriveStage final : public ElementStage<RackDriveStage> {
+class RackDriveStage final : public DriveStage<RackDriveStage> {
  public:
   RackDriveStage(const machine::Axis& axis,
                  AxisPlace place,
@@ -21,14 +19,6 @@ class RackDriveStage final : public ElementStage<RackDriveStage> {
 
   template <class T>
   [[nodiscard]] machine::RackDrive<T> design(const Selection<T>& selection) const;
-  /// What motor and reduction read of their rows.
-  void read_more(std::span<const solver::Row> shared,
-                 std::size_t slot,
-                 std::span<const solver::Row> rows,
-                 std::vector<scalar::Interval>& readings) const {
-    if (slot == motor_slot) motors_->read(shared.empty() ? 0 : shared.front(), rows, readings);
-    if (reduction_.is(slot)) reduction_.read(rows, readings);
-  }
   template <class T>
   void answer(const Selection<T>& selection, solver::Answer<T>& out) const;
 
@@ -37,19 +27,12 @@ class RackDriveStage final : public ElementStage<RackDriveStage> {
                           solver::Row row_a,
                           std::size_t slot_b,
                           solver::Row row_b) const override;
-  [[nodiscard]] const MotorSet& motors() const { return *motors_; }
   [[nodiscard]] const machine::GearedDriveData& data() const { return data_; }
 
   enum SlotIndex : std::size_t { rack_slot, pinion_slot, motor_slot };
 
  private:
   machine::GearedDriveData data_;
-  AxisPlace place_;
-  double drives_ = 1.0;
-  double load_share_ = 1.0;  ///< of mass and forces, on the drive that is looked at
-  ReductionSlot reduction_;
-  machine::Range acceleration_time_;
-  std::unique_ptr<MotorSet> motors_;
 };
 
 extern template machine::RackDrive<double> RackDriveStage::design(const Selection<double>&) const;

@@ -10,11 +10,7 @@ RotaryDriveStage::RotaryDriveStage(const machine::Axis& axis,
                                    const std::vector<double>& voltages,
                                    const catalogue::Catalogue& catalogue,
                                    const PriceBook& prices)
-    : data_(geared_drive_data(axis)),
-      inertia_(axis.inertia),
-      place_(place),
-      reduction_(axis, prices),
-      acceleration_time_(axis.acceleration_time) {
+    : DriveStage(axis, place, prices), data_(geared_drive_data(axis)), inertia_(axis.inertia) {
   name_ = axis.name + ".drive";
   const auto [slow, fast] = constant_speed_range(axis);
   motors_ = std::make_unique<MotorSet>(

@@ -98,7 +98,8 @@ ScrewDriveStage::ScrewDriveStage(const machine::Axis& axis,
                                  const std::vector<double>& voltages,
                                  const catalogue::Catalogue& catalogue,
                                  const PriceBook& prices)
-    : data_{.motion = drive_motion_of(axis),
+    : DriveStage(axis, place, prices),
+      data_{.motion = drive_motion_of(axis),
             .require = axis.require,
             .stroke = axis.stroke,
             .microsteps = axis.motor.microsteps,
@@ -112,12 +113,7 @@ ScrewDriveStage::ScrewDriveStage(const machine::Axis& axis,
             .nut_rotates = axis.mechanism.nut_rotates,
             .nut_inertia = axis.mechanism.nut_inertia,
             .moved_share = axis.mechanism.load_share * axis.mechanism.drives},
-      place_(place),
-      drives_(axis.mechanism.drives),
-      load_share_(axis.mechanism.load_share),
-      acceleration_time_(axis.acceleration_time),
-      screws_(screw_table(catalogue, axis, prices)),
-      reduction_(axis, prices) {
+      screws_(screw_table(catalogue, axis, prices)) {
   name_ = axis.name + ".drive";
   const bool stiffness = stiffness_matters(axis);
   motors_ = std::make_unique<MotorSet>(motor_table(catalogue, axis, voltages, prices),

@@ -5,13 +5,7 @@
 // fixed.
 #pragma once
 
-#include <memory>
-
-#include "evaluation/axis_place.h"
-#include "evaluation/element_stage.h"
-#include "evaluation/motor_set.h"
-#include "evaluation/price_book.h"
-#include "evaluation/reduction_slot.h"
+#include "evaluation/drive_stage.h"
 #include "machine/geared_drive.h"
 #include "machine/screw_drive_constraints.h"
 
@@ -28,7 +22,7 @@ std::pair<double, double> constant_speed_range(const machine::Axis& axis);
 /// Edges of equal ratio between two positive numbers.
 std::vector<double> log_spaced(double from, double to);
 
-class ScrewDriveStage final : public ElementStage<ScrewDriveStage> {
+class ScrewDriveStage final : public DriveStage<ScrewDriveStage> {
  public:
   ScrewDriveStage(const machine::Axis& axis,
                   AxisPlace place,
@@ -38,14 +32,13 @@ class ScrewDriveStage final : public ElementStage<ScrewDriveStage> {
 
   template <class T>
   [[nodiscard]] machine::ScrewDrive<T> design(const Selection<T>& selection) const;
-  /// What motor and reduction read of their rows; of screws their kind as a number.
+  /// Of screws their kind as a number too.
   void read_more(std::span<const solver::Row> shared,
                  std::size_t slot,
                  std::span<const solver::Row> rows,
                  std::vector<scalar::Interval>& readings) const {
     if (slot == screw_slot) readings.push_back(kinds_of(rows));
-    if (slot == motor_slot) motors_->read(shared.empty() ? 0 : shared.front(), rows, readings);
-    if (reduction_.is(slot)) reduction_.read(rows, readings);
+    DriveStage::read_more(shared, slot, rows, readings);
   }
   template <class T>
   void answer(const Selection<T>& selection, solver::Answer<T>& out) const;
@@ -55,7 +48,6 @@ class ScrewDriveStage final : public ElementStage<ScrewDriveStage> {
                           solver::Row row_a,
                           std::size_t slot_b,
                           solver::Row row_b) const override;
-  [[nodiscard]] const MotorSet& motors() const { return *motors_; }
   [[nodiscard]] const machine::ScrewDriveData& data() const { return data_; }
   /// The readings of a screw with its nut, from its figures and not from the table.
   [[nodiscard]] machine::ScrewReading<double> reading_anew(solver::Row screw) const {
@@ -73,13 +65,7 @@ class ScrewDriveStage final : public ElementStage<ScrewDriveStage> {
   [[nodiscard]] bool free_support_fits(solver::Row screw, solver::Row support) const;
 
   machine::ScrewDriveData data_;
-  AxisPlace place_;
-  double drives_ = 1.0;
-  double load_share_ = 1.0;  ///< of mass and forces, on the drive that is looked at
-  machine::Range acceleration_time_;
   ScrewTable screws_;
-  ReductionSlot reduction_;
-  std::unique_ptr<MotorSet> motors_;
   std::optional<std::size_t> coupling_slot_, free_slot_;
   std::size_t fixed_slot_ = 0;
 };

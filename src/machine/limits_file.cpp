@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 
 #include "machine/option_word.h"
 #include "machine/quantity_reader.h"
@@ -27,9 +28,17 @@ std::vector<std::string> currencies_of(const Problem& problem) {
   return codes;
 }
 
+/// Where the letters begin that stand right behind an amount (400EUR), if they may be a currency; else npos.
+std::size_t letters_at_end(const std::string& text) {
+  constexpr std::size_t code = 3;
+  std::size_t from = text.size();
+  while (from > 0 && std::isalpha(static_cast<unsigned char>(text[from - 1])) != 0) --from;
+  return from > 0 && text.size() - from >= code ? from : std::string::npos;
+}
+
 /// An amount in a currency of the problem, in its own; with `bare` the currency may be left out.
 std::optional<double> read_amount(const std::string& text, const Problem& problem, bool bare, QuantityFault& fault) {
-  const std::size_t blank = std::min(text.find(' '), text.size());
+  const std::size_t blank = std::min({text.find(' '), letters_at_end(text), text.size()});
   const std::string number = text.substr(0, blank);
   const std::size_t unit = std::min(text.find_first_not_of(' ', blank), text.size());
   const std::string currency = text.substr(unit);
@@ -38,7 +47,9 @@ std::optional<double> read_amount(const std::string& text, const Problem& proble
   const auto amount = text::parse_number(number);
   if (!amount) {
     fault.message = text::quoted(number) + " is not a number";
-    fault.hint = text::number_hint(number);
+    fault.hint = number.find(',') == std::string::npos
+                     ? text::number_hint(number)
+                     : "decimals have a point, and nothing stands between thousands: write for example 1200.50";
     return std::nullopt;
   }
   if (!(*amount > 0.0)) {

@@ -112,6 +112,8 @@ std::string nothing_text(const MachineResult& result, const Style& style) {
   return style.bad("No compliant build exists") +
          fmt::format(" in these catalogues{}: every combination of parts fails at least one check.\n",
                      as_asked(result)) +
+         (result.has_budget ? "  The limit of cost or mass counts too: without it, 'solve' says what a build takes.\n"
+                            : "") +
          (result.unmet.empty() ? "  'check' with a bill of materials (and --complete) shows by how much.\n"
                                : unmet_text(result) + ways_out_text(result));
 }

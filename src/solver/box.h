@@ -54,11 +54,6 @@ struct Region {
     }
     return true;
   }
-  [[nodiscard]] double combinations() const {
-    double product = 1.0;
-    for (const RowSet& set : rows) product *= static_cast<double>(set->size());
-    return product;
-  }
 };
 
 /// One row of each slot, with these intervals for the variables.

@@ -66,7 +66,8 @@ BranchAndBound::Node BranchAndBound::pop() {
 
 bool BranchAndBound::useless(const Node& node) const {
   const Label& label = labels_[node.label];
-  if (!label.alive || incumbents_.hopeless(node.score, node.utilisation)) return true;
+  const bool can_end = node.score[0] < std::numeric_limits<double>::infinity();  // else no completion is feasible
+  if (!label.alive || !can_end || incumbents_.hopeless(node.score, node.utilisation)) return true;
   if (node.next_region != whole_stage || label.stage + 1 >= plans_.size()) return false;
   return label_sets_[label.stage + 1].dominates({node.reached, node.handed_on, node.utilisation});
 }

@@ -141,7 +141,7 @@ class Search {
     const double first = question_.least.first + bounds.score[0] + rest_after(plan_, 0, bounds.handed_on);
     const double rest = plan_.criteria->objectives > 1 ? rest_after(plan_, 1, bounds.handed_on) : 0.0;
     const double second = question_.least.second + plan_.criteria->second(bounds.score) + rest;
-    return below_staircase(question_.corners, first, second);
+    return std::isfinite(first) && below_staircase(question_.corners, first, second);
   }
 
   /// Values of the variables at which every utilisation is <= 1 over all of H, if some are found.

@@ -169,7 +169,7 @@ bool Frontier::may_matter(std::size_t stage, std::span<const double> score, std:
   if (plan.curves.empty()) return true;
   const double first = score[0] + rest_after(plan, 0, state);
   const double second = criteria_.second(score) + (criteria_.objectives > 1 ? rest_after(plan, 1, state) : 0.0);
-  return below_staircase(useful_.back(), first, second);
+  return first < infinity && below_staircase(useful_.back(), first, second);  // else no completion is feasible
 }
 
 /// Every label of a chunk with every candidate, as sums.

@@ -52,7 +52,6 @@ class ModelInput {
   [[nodiscard]] const T& variable(std::size_t i) const { return variables_[i]; }
   [[nodiscard]] const T& state(std::size_t i) const { return state_[i]; }
   [[nodiscard]] Row shared(std::size_t i) const { return shared_[i]; }
-  [[nodiscard]] std::size_t states() const { return state_.size(); }
 
   void set_row(std::size_t slot, const Number* numbers) { rows_[slot] = numbers; }
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t steps = 10;        // of a curve
-constexpr std::size_t node_limit = 300;  // looked at for one point of a curve
+constexpr std::size_t node_limit = 300;  // looked at for one curve
 constexpr std::size_t proof_boxes = 60;  // spent on a single design
 constexpr double worth_keeping = 1e-6;   // relative rise of a curve below which it says nothing
 

@@ -18,7 +18,8 @@ namespace millwright::solver {
 /// Fills StagePlan::curves of all stages, for the objectives.
 void find_rest_curves(std::vector<StagePlan>& plans, Desk& desk);
 
-/// What all later stages add at least to a score, given what is handed to them. `lower(component)` is the least that is
+/// What all later stages add at least to a score, given what is handed to them; infinity where none of their designs is
+/// feasible. `lower(component)` is the least that is
 /// handed on.
 template <class Lower>
 double rest_given(const StagePlan& plan, std::size_t score, Lower&& lower) {

@@ -70,6 +70,11 @@ TEST_CASE("A budget on the command line is a check, and the tighter of it and th
   CHECK(check(solved(shop, {"--limit", "cost=90"}), "C-SYS-COST").at("limit").get<double>() == Approx(90.0));
   CHECK(check(solved(shop, {"--limit", "cost=60 EUR"}), "C-SYS-COST").at("limit").get<double>() == Approx(100.0));
   CHECK(shop.run({"solve", "m.toml", "--limit", "mass=2 kg"}).prints("--limit  mass  2 kg"));
+  CHECK(check(solved(shop, {"--limit", "cost=90USD"}), "C-SYS-COST").at("limit").get<double>() == Approx(90.0));
+  // Nothing for a euro: the budget is named as one of the reasons.
+  const Outcome poor = shop.run({"solve", "m.toml", "--limit", "cost=1 EUR"});
+  CHECK(poor.exit_code == 1);
+  CHECK(poor.prints("The limit of cost or mass counts too"));
 }
 
 TEST_CASE("A bill of materials is held to a budget too") {
@@ -178,6 +183,8 @@ TEST_CASE("Bad budgets are all reported at once, each at its word") {
            "1:9: error: the limit of cost is given twice",
            "note: first given here"});
   refuses({"--limit", "cost=5 GBP"}, {"1:16: error: cost: the problem has no rate for 'GBP'", "its currencies: USD"});
+  refuses({"--limit", "cost=400EURO"}, {"1:17: error: cost: the problem has no rate for 'EURO'"});
+  refuses({"--limit", "cost=1,200 USD"}, {"1:14: error: cost: '1,200' is not a number", "decimals have a point"});
   refuses({"--limit", "mass=3 s"}, {"1:16: error: mass: 's' (s) does not fit: 'kg' (kg) is wanted"});
   refuses({"--limit", "cost"}, {"1:9: error: '=' is missing", "hint: write --limit cost='400 USD'"});
   refuses({"--limit", "mass="}, {"error: there is nothing behind '='"});

@@ -172,6 +172,28 @@ TEST_CASE("Bounds of a model contain its answers, with rows read beforehand or n
   }
 }
 
+TEST_CASE("A model sees what all stages share") {
+  // Two sizes of a rod that pulls 1000 N; the shared choice is its material: twice as strong at three times the price.
+  const Columns rods{"rod", 2, {400.0, 1.0, 900.0, 2.0}};  // strength [N], price
+  const auto stage = model_stage("rod", {&rods}, {}, 1, [](const auto& in, auto& out) {
+    const double material = in.shared(0) == 1 ? 2.0 : 1.0;
+    out.utilisation.push_back(1000.0 / (in.row(0, 0) * material));
+    out.resources.push_back(in.row(0, 1) * (material == 2.0 ? 3.0 : 1.0));
+    out.handed_on.push_back(in.state(0));
+  });
+  Problem problem;
+  problem.shared = {{"material", 2}};
+  problem.first_state = {0.0};
+  problem.stages = {&stage};
+  problem.resources = {{"price"}};
+  const Summary found = solve(problem, {});
+  REQUIRE(found.status == Status::optimal);
+  // 900 N are too few of the weak material, 2 * 400 N of the strong one too; 2 * 900 N cost 3 * 2.
+  CHECK(found.builds.front().shared == std::vector<Row>{1});
+  CHECK(found.builds.front().stages.front().rows == std::vector<Row>{1});
+  CHECK(found.builds.front().resources.front() == 6.0);
+}
+
 TEST_CASE("A model with more slots than it may have is refused") {
   const Columns table{"part", 1, {1.0}};
   const auto model = [](const auto&, auto&) {};
