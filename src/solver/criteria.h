@@ -20,11 +20,17 @@
 
 namespace millwright::solver {
 
-/// Monotone rounding to 40 binary digits: the last 12 bits of the fraction are rounded away.
-inline double rounded(double x) {
-  constexpr std::uint64_t half = 0x800;
-  constexpr std::uint64_t dropped = 0xFFF;
+/// Monotone rounding to so many binary digits of the fraction: the last ones, at least one, are rounded away.
+inline double rounded(double x, int digits) {
+  constexpr int all = 52;
+  const std::uint64_t half = std::uint64_t{1} << (all - digits - 1);
+  const std::uint64_t dropped = 2 * half - 1;
   return std::bit_cast<double>((std::bit_cast<std::uint64_t>(x) + half) & ~dropped);
+}
+/// To 40 binary digits.
+inline double rounded(double x) {
+  constexpr int exact_digits = 40;
+  return rounded(x, exact_digits);
 }
 
 struct Criteria {

@@ -13,7 +13,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t front_nodes = 3000;                        // spent on the least front of one stage
-constexpr std::size_t hurried_labels = 200;                      // kept before each stage in such a pass
+constexpr std::size_t hurried_labels = 30;                       // kept before each stage in such a pass
+constexpr int hurried_digits = 6;                                // binary, of what is compared there
 constexpr std::size_t most_combinations = std::size_t{1} << 22;  // kept at a time
 
 /// Room for the rounding of sums, so that bounds stay bounds.
@@ -46,10 +47,10 @@ bool Frontier::run() {
   find_rest();
   if (!pass({.with_states = false})) return false;
   // Where what is cheap first leaves too little of a shared allowance to what comes later, nothing is found that way.
-  const bool found = !incumbents_.builds().empty();
-  for (const double weight : {1.0, 0.3, 0.1, 0.03}) {
-    if (found) break;
-    if (!pass({.hurried_weight = weight})) return false;
+  for (const double weight : {0.03, 0.1, 0.3, 1.0}) {
+    if (!incumbents_.builds().empty()) break;
+    if (!pass({.hurried_weight = weight, .hurried_nodes = 100})) return false;
+    if (!pass({.hurried_weight = weight, .hurried_nodes = 1000})) return false;
   }
   if (!pass({})) return false;
   return !undecided_;
@@ -122,11 +123,13 @@ void Frontier::update_useful() {
 
 bool Frontier::pass(const Pass& pass) {
   hurried_weight_ = pass.hurried_weight;
+  hurried_nodes_ = pass.hurried_nodes;
   update_useful();
   labels_.assign(plans_.size() + 1, {});
   labels_[0].push_back(first_label(problem_, criteria_));
   for (std::size_t stage = 0; stage < plans_.size(); ++stage) {
-    const Comparison comparison(criteria_, plans_[stage].after, pass.with_states);
+    const int digits = hurried_weight_ > 0.0 ? hurried_digits : Comparison::exact_digits;
+    const Comparison comparison(criteria_, plans_[stage].after, pass.with_states, digits);
     if (!(plans_[stage].any_priced ? advance_priced(stage, comparison) : advance(stage, comparison))) return false;
     if (hurried_weight_ > 0.0) keep_best(stage, hurried_weight_);
   }

@@ -54,7 +54,8 @@ class Frontier {
   static constexpr std::size_t staircase_points = 600;
   struct Pass {
     bool with_states = true;
-    double hurried_weight = 0.0;  ///< above 0: a beam search for a first answer, states weighed so much
+    double hurried_weight = 0.0;    ///< above 0: a beam search for a first answer, states weighed so much
+    std::size_t hurried_nodes = 0;  ///< then: looked at for the designs of a chunk
   };
   std::vector<double> state_weights(std::size_t stage, double share) const;
   void keep_best(std::size_t stage, double share);
@@ -109,6 +110,7 @@ class Frontier {
   bool applicable_ = true;
   bool undecided_ = false;
   double hurried_weight_ = 0.0;  ///< of the pass under way
+  std::size_t hurried_nodes_ = 0;
 };
 
 }  // namespace millwright::solver

@@ -10,9 +10,8 @@ namespace millwright::solver {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t hurried_nodes = 1000;  // a chunk, in a quick pass with states
-constexpr std::size_t most_chunks = 8;       // of the labels before one stage
-constexpr double narrow = 0.02;              // relative width of a chunk's states
+constexpr std::size_t most_chunks = 8;  // of the labels before one stage
+constexpr double narrow = 0.02;         // relative width of a chunk's states
 
 }  // namespace
 
@@ -87,7 +86,7 @@ void Frontier::ask(std::size_t stage, const Comparison& comparison, Chunk& chunk
   chunk.question.useful =
       difference_of_staircases(useful_[stage + 1], lower_staircase(std::move(scores)), staircase_points);
   if (hurried_weight_ > 0.0) {
-    chunk.question.node_limit = hurried_nodes;
+    chunk.question.node_limit = hurried_nodes_;
     chunk.question.state_weight = state_weights(stage, hurried_weight_);
   }
   chunk.question.stop = [this] { return control_.time_is_up(); };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace millwright::solver {
 namespace {
@@ -15,7 +16,8 @@ constexpr double nothing = 1e-200;
 struct Part {
   Region region;
   std::vector<Interval> inherited;
-  double share = 1.0;  ///< of the whole: halved by every split
+  double share = 1.0;           ///< of the whole: halved by every split
+  std::optional<double> doubt;  ///< if it has been looked at
 };
 
 /// Whether a proof that has come so far is not worth more effort: where it succeeds it takes its parts at a steady
@@ -23,7 +25,7 @@ struct Part {
 class Pace {
  public:
   [[nodiscard]] bool has_stalled(std::size_t nodes, double proved) {
-    constexpr std::size_t interval = 600;
+    constexpr std::size_t interval = 100;
     constexpr double too_little = 1e-3, half = 0.5, growth = 1.01;
     if (nodes == 0 || nodes % interval != 0) return false;
     const bool stalled = proved < too_little || (proved < half && proved < growth * latest_);
@@ -43,9 +45,10 @@ class Claim {
   Claim(const MonotonicityQuestion& question, std::size_t component, Direction direction)
       : question_(question), component_(component), direction_(direction) {}
 
-  bool prove(Desk& desk) const;
+  bool prove(Desk& desk);
 
  private:
+  void find_influences(Desk& desk);
   /// +1 when the slope has to be >= 0, -1 when <= 0, 0 when it has to vanish.
   [[nodiscard]] bool right(const Interval& slope, int sign) const {
     if (direction_ == Direction::irrelevant || sign == 0) return is_zero(slope);
@@ -55,12 +58,23 @@ class Claim {
   /// 0 when `right`, else above 0 and at most 1: how much of the slope is on the wrong side.
   [[nodiscard]] double wrong_share(const Interval& slope, int sign) const;
   [[nodiscard]] double doubt(const Part& part, Desk& desk) const;
-  [[nodiscard]] bool split(const Part& part, bool carefully, Part& left, Part& right, Desk& desk) const;
+  [[nodiscard]] bool split(const Part& part, Part& left, Part& right, Desk& desk) const;
 
   const MonotonicityQuestion& question_;
   std::size_t component_;
   Direction direction_;
+  std::vector<bool> influences_;  ///< [inherited component]: some utilisation depends on it
 };
+
+/// Halving a state component that no utilisation depends on proves nothing; there are many of them in a long chain.
+void Claim::find_influences(Desk& desk) {
+  for (std::size_t i = 0; i < question_.inherited.size(); ++i) {
+    const Input input{Input::Kind::inherited, i};
+    const auto& slopes = desk.slopes(*question_.stage, question_.shared, question_.inherited, *question_.region, input);
+    influences_.push_back(i == component_ ||
+                          !std::all_of(slopes.utilisation.begin(), slopes.utilisation.end(), is_zero));
+  }
+}
 
 double Claim::wrong_share(const Interval& slope, int sign) const {
   if (right(slope, sign)) return 0.0;
@@ -82,26 +96,35 @@ int sign_of(Direction next) {
   }
 }
 
+/// While a range is wide its slopes say little, whatever is halved; what makes it narrower is on the way to a proof.
+double spread(const Interval& utilisation) {
+  constexpr double weight = 0.1, least = 1e-3, most = 1e9;
+  return weight * std::log10(std::clamp(utilisation.upper, least, most) / std::clamp(utilisation.lower, least, most));
+}
+
 /// How far the claim is from proved over the part: 0 when it holds there, else a share of wrong slope for each
-/// constraint, resource or state that stands against it.
+/// constraint, resource or state that stands against it, and how wide such a constraint's range is.
 double Claim::doubt(const Part& part, Desk& desk) const {
   const Stage& stage = *question_.stage;
-  const auto& values = desk.bound(stage, question_.shared, part.inherited, part.region);
-  if (worst_lower(values.utilisation) > 1.0) return 0.0;
-  thread_local std::vector<bool> satisfied;
-  satisfied.assign(values.utilisation.size(), false);
-  for (std::size_t c = 0; c < satisfied.size(); ++c) satisfied[c] = values.utilisation[c].upper <= 1.0;
   const Input input{Input::Kind::inherited, component_};
   const auto& slopes = desk.slopes(stage, question_.shared, part.inherited, part.region, input);
   double sum = 0.0;
-  for (std::size_t c = 0; c < satisfied.size(); ++c) {
-    if (!satisfied[c]) sum += wrong_share(slopes.utilisation[c], 1);
-  }
   for (std::size_t r = 0; r < slopes.resources.size(); ++r) {
     if (question_.criteria->reads(r)) sum += wrong_share(slopes.resources[r], 1);
   }
   for (std::size_t s = 0; s < slopes.handed_on.size(); ++s) {
     if (question_.next[s] != Direction::irrelevant) sum += wrong_share(slopes.handed_on[s], sign_of(question_.next[s]));
+  }
+  thread_local std::vector<double> wrong;  // [constraint]
+  wrong.clear();
+  for (const Interval& slope : slopes.utilisation) wrong.push_back(wrong_share(slope, 1));
+  const auto is_right = [](double share) { return share == 0.0; };
+  if (sum == 0.0 && std::all_of(wrong.begin(), wrong.end(), is_right)) return 0.0;
+
+  const auto& values = desk.bound(stage, question_.shared, part.inherited, part.region);
+  if (worst_lower(values.utilisation) > 1.0) return 0.0;
+  for (std::size_t c = 0; c < wrong.size(); ++c) {
+    if (wrong[c] > 0.0 && !(values.utilisation[c].upper <= 1.0)) sum += wrong[c] + spread(values.utilisation[c]);
   }
   return sum;
 }
@@ -121,7 +144,8 @@ void halve(const Interval& whole, Interval& left, Interval& right) {
 /// One of the inputs of a part, cut in two.
 void halve(const MonotonicityQuestion& question, const Part& part, std::size_t index, Part& left, Part& right) {
   left = part;
-  right = part;
+  left.doubt.reset();
+  right = left;
   const std::size_t slots = part.region.rows.size();
   const std::size_t variables = part.region.variables.size();
   if (index < slots) {
@@ -141,26 +165,26 @@ void halve(const MonotonicityQuestion& question, const Part& part, std::size_t i
   }
 }
 
-/// Halves what is still largest relative to the whole question, or `carefully` what leaves the least doubt; false when
-/// nothing is left to split.
-bool Claim::split(const Part& part, bool carefully, Part& left, Part& right, Desk& desk) const {
+/// Halves what leaves the least doubt, the largest among equals; false when nothing is left to split.
+bool Claim::split(const Part& part, Part& left, Part& right, Desk& desk) const {
   constexpr double smallest = 1e-3;  // a narrower interval will not decide what this one did not
   const std::size_t slots = part.region.rows.size();
   const std::size_t variables = part.region.variables.size();
   double best = std::numeric_limits<double>::infinity();
   bool found = false;
-  std::size_t choice = 0;
   const auto offer = [&](double size, std::size_t index) {
     if (!(size > smallest)) return;
-    double value = -size;
-    if (carefully) {
-      halve(question_, part, index, left, right);
-      value = doubt(left, desk) + doubt(right, desk) - 1e-6 * size;
-    }
+    Part first;
+    Part second;
+    halve(question_, part, index, first, second);
+    first.doubt = doubt(first, desk);
+    second.doubt = doubt(second, desk);
+    const double value = *first.doubt + *second.doubt - 1e-6 * size;
     if (found && !(value < best)) return;
     found = true;
     best = value;
-    choice = index;
+    left = std::move(first);
+    right = std::move(second);
   };
   for (std::size_t s = 0; s < slots; ++s) {
     const double size = static_cast<double>(part.region.rows[s]->size());
@@ -170,34 +194,32 @@ bool Claim::split(const Part& part, bool carefully, Part& left, Part& right, Des
     offer(relative_width(part.region.variables[v], question_.region->variables[v]), slots + v);
   }
   for (std::size_t i = 0; i < part.inherited.size(); ++i) {
-    offer(relative_width(part.inherited[i], question_.inherited[i]), slots + variables + i);
+    if (influences_[i]) offer(relative_width(part.inherited[i], question_.inherited[i]), slots + variables + i);
   }
-  if (found) {
-    halve(question_, part, choice, left, right);
-    left.share = right.share = 0.5 * part.share;
-  }
-  return found;
+  if (!found) return false;
+  left.share = right.share = 0.5 * part.share;
+  return true;
 }
 
-bool Claim::prove(Desk& desk) const {
+bool Claim::prove(Desk& desk) {
+  find_influences(desk);
   Pace pace;
   double proved = 0.0;
   std::vector<Part> open;
-  open.push_back({*question_.region, {question_.inherited.begin(), question_.inherited.end()}});
+  open.push_back({*question_.region, {question_.inherited.begin(), question_.inherited.end()}, 1.0, std::nullopt});
   // That something has no influence at all is seen at once or not at all.
   const std::size_t limit = direction_ == Direction::irrelevant ? 1 : question_.node_limit;
-  constexpr std::size_t quick = 200;  // enough for most claims; others are worth a choice of what to split
   for (std::size_t nodes = 0; !open.empty(); ++nodes) {
     if (nodes >= limit || pace.has_stalled(nodes, proved)) return false;
     const Part part = std::move(open.back());
     open.pop_back();
-    if (doubt(part, desk) == 0.0) {
+    if ((part.doubt ? *part.doubt : doubt(part, desk)) == 0.0) {
       proved += part.share;
       continue;
     }
     Part left;
     Part right;
-    if (!split(part, nodes >= quick, left, right, desk)) return false;
+    if (!split(part, left, right, desk)) return false;
     open.push_back(std::move(left));
     open.push_back(std::move(right));
   }

@@ -134,20 +134,25 @@ class Solve {
   void search() {
     std::vector<Combination> combinations = combinations_of(problem_, criteria_, control_.desk(0));
     std::vector<OpenSearch> open;
-    // A single objective looks at every combination briefly first: what is found in one settles much of the others.
+    // A single objective looks at every combination briefly first, and goes on with the most promising one: what is
+    // found in one settles much of the others.
     for (const Combination& combination : combinations) {
       if (control_.time_is_up()) return leave_open(combination.score[0]);
       if (incumbents_.hopeless(combination.score, 0.0)) continue;
       if (auto started = start(combination)) open.push_back(std::move(*started));
     }
-    for (OpenSearch& search : open) finish(search);
+    std::stable_sort(open.begin(), open.end(), [](const auto& a, const auto& b) { return a.score[0] < b.score[0]; });
+    for (OpenSearch& search : open) {
+      if (!incumbents_.hopeless(search.score, 0.0)) finish(search);
+    }
   }
 
   /// A combination that has been begun; `search` points into `plans`.
   struct OpenSearch {
     std::unique_ptr<std::vector<StagePlan>> plans;
     std::unique_ptr<BranchAndBound> search;
-    double lower_bound = 0.0;
+    std::vector<double> score;    ///< lower bounds
+    std::uint64_t questions = 0;  ///< asked to prepare it
   };
 
   /// A point that stands for designs a little better than itself may be too heavy for a later stage where they are not.
@@ -165,12 +170,14 @@ class Solve {
 
   /// Empty when the combination is settled.
   std::optional<OpenSearch> start(const Combination& combination) {
+    const std::uint64_t before = control_.evaluations();
     OpenSearch open{
         std::make_unique<std::vector<StagePlan>>(make_plans(problem_, combination.shared, criteria_, control_.desk(0))),
         nullptr,
-        combination.score[0]};
+        combination.score};
     std::vector<StagePlan>& plans = *open.plans;
     if (plans.empty()) return std::nullopt;
+    open.questions = control_.evaluations() - before;
     priced_stages_.resize(plans.size());
     for (std::size_t i = 0; i < plans.size(); ++i) {
       priced_ = priced_ || plans[i].any_priced;
@@ -183,19 +190,31 @@ class Solve {
     set_tolerance();
     open.search = label_by_label(plans, first_leaf_tolerance());
     if (criteria_.objectives > 1) return open;
-    SearchResult result = open.search->run(std::min(control_.options().patience, easy_nodes));
-    if (!result.complete && !control_.time_is_up()) {
-      find_rest_curves(plans, control_.desk(0));
-      open.search = label_by_label(plans, first_leaf_tolerance());
-      result = open.search->run(control_.options().patience);
-    }
+    const SearchResult result = open.search->run(std::min(control_.options().patience, easy_nodes));
     if (result.complete) return std::nullopt;
-    open.lower_bound = result.lower_bound;
+    open.score[0] = std::max(open.score[0], result.lower_bound);
     return open;
   }
 
+  /// Searches a single objective label by label while that has cost no more than preparing it did: what is not done
+  /// then is better done stage by stage. True when it is settled.
+  bool settle_briefly(OpenSearch& open) {
+    if (control_.time_is_up()) return false;
+    find_rest_curves(*open.plans, control_.desk(0));
+    open.search = label_by_label(*open.plans, first_leaf_tolerance());
+    constexpr std::uint64_t nodes_at_once = 500;
+    const std::uint64_t before = control_.evaluations();
+    for (std::uint64_t nodes = 0; nodes < control_.options().patience; nodes += nodes_at_once) {
+      const SearchResult result = open.search->run(nodes_at_once);
+      if (result.complete) return true;
+      open.score[0] = std::max(open.score[0], result.lower_bound);
+      if (control_.time_is_up() || control_.evaluations() - before > open.questions) break;
+    }
+    return false;
+  }
+
   void finish(OpenSearch& open) {
-    if (criteria_.objectives == 1 && stage_by_stage(*open.plans, open.lower_bound)) return;
+    if (criteria_.objectives == 1 && (settle_briefly(open) || stage_by_stage(*open.plans, open.score[0]))) return;
     set_tolerance();
     constexpr int refinements = 4;
     constexpr double finer = 1.0 / 16.0;

@@ -36,8 +36,8 @@ StateForm find_state_form(const StagePlan& plan, Desk& desk) {
   return form;
 }
 
-Comparison::Comparison(const Criteria& criteria, std::span<const Direction> directions, bool with_states)
-    : scores_(with_states ? criteria.size() - criteria.guides : criteria.objectives) {
+Comparison::Comparison(const Criteria& criteria, std::span<const Direction> directions, bool with_states, int digits)
+    : scores_(with_states ? criteria.size() - criteria.guides : criteria.objectives), digits_(digits) {
   if (!with_states) return;
   for (std::size_t c = 0; c < directions.size(); ++c) {
     const Direction direction = directions[c];
@@ -48,14 +48,14 @@ Comparison::Comparison(const Criteria& criteria, std::span<const Direction> dire
 }
 
 void Comparison::key(std::span<const double> score, std::span<const double> state, double* out) const {
-  for (std::size_t k = 0; k < scores_; ++k) *out++ = rounded(score[k]);
-  for (const Coordinate& c : states_) *out++ = rounded(c.falling ? -state[c.component] : state[c.component]);
+  for (std::size_t k = 0; k < scores_; ++k) *out++ = rounded(score[k], digits_);
+  for (const Coordinate& c : states_) *out++ = rounded(c.falling ? -state[c.component] : state[c.component], digits_);
 }
 
 void Comparison::best_key(std::span<const double> score, std::span<const Interval> state, double* out) const {
-  for (std::size_t k = 0; k < scores_; ++k) *out++ = rounded(score[k]);
+  for (std::size_t k = 0; k < scores_; ++k) *out++ = rounded(score[k], digits_);
   for (const Coordinate& c : states_) {
-    *out++ = rounded(c.falling ? -state[c.component].upper : state[c.component].lower);
+    *out++ = rounded(c.falling ? -state[c.component].upper : state[c.component].lower, digits_);
   }
 }
 

@@ -39,8 +39,13 @@ StateForm find_state_form(const StagePlan& plan, Desk& desk);
 
 class Comparison {
  public:
-  /// Without states only scores are compared: enough for a bound or a quick first answer, not for a proof.
-  Comparison(const Criteria& criteria, std::span<const Direction> directions, bool with_states);
+  static constexpr int exact_digits = 40;
+  /// Without states only scores are compared, with fewer digits what is nearly as good counts as equal: enough for a
+  /// quick first answer, not for a proof.
+  Comparison(const Criteria& criteria,
+             std::span<const Direction> directions,
+             bool with_states,
+             int digits = exact_digits);
 
   [[nodiscard]] std::size_t dimensions() const { return scores_ + states_.size(); }
   [[nodiscard]] std::size_t scores() const { return scores_; }
@@ -54,6 +59,7 @@ class Comparison {
     bool falling = false;  ///< larger is better
   };
   std::size_t scores_ = 0;
+  int digits_ = exact_digits;
   std::vector<Coordinate> states_;
 };
 
