@@ -23,19 +23,37 @@ namespace rounding {
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 inline constexpr double largest = std::numeric_limits<double>::max();
 
-/// The next double below x; -infinity for -infinity and NaN.
-inline double down(double x) {
+/// Whether x -+ |x| * beyond_half_ulp is the neighbour of x: not near the ends of the range of double.
+inline bool has_plain_neighbours(double size) { return size > 1e-250 && size <= largest; }
+/// A little more than half of the last digit's weight, relative to a number: added to it, it rounds to the next one.
+inline constexpr double beyond_half_ulp = 0x1.0000000000001p-53;
+
+[[gnu::noinline]] inline double down_at_the_ends(double x) {
   if (!(x > -infinity)) return -infinity;
   if (x == 0.0) return -std::numeric_limits<double>::denorm_min();
   const auto bits = std::bit_cast<std::int64_t>(x);
   return std::bit_cast<double>(x > 0.0 ? bits - 1 : bits + 1);
 }
-/// The next double above x; infinity for infinity and NaN.
-inline double up(double x) {
+[[gnu::noinline]] inline double up_at_the_ends(double x) {
   if (!(x < infinity)) return infinity;
   if (x == 0.0) return std::numeric_limits<double>::denorm_min();
   const auto bits = std::bit_cast<std::int64_t>(x);
   return std::bit_cast<double>(x > 0.0 ? bits + 1 : bits - 1);
+}
+
+/// The next double below x; -infinity for -infinity and NaN.
+inline double down(double x) {
+  const double size = std::fabs(x);
+  if (has_plain_neighbours(size)) [[likely]]
+    return x - size * beyond_half_ulp;
+  return down_at_the_ends(x);
+}
+/// The next double above x; infinity for infinity and NaN.
+inline double up(double x) {
+  const double size = std::fabs(x);
+  if (has_plain_neighbours(size)) [[likely]]
+    return x + size * beyond_half_ulp;
+  return up_at_the_ends(x);
 }
 
 /// What the rounding of a + b dropped (Knuth's two-sum); NaN or infinite when the sum overflows.
@@ -43,14 +61,21 @@ inline double sum_error(double a, double b, double sum) {
   const double part = sum - a;
   return (a - (sum - part)) + (b - part);
 }
+/// A sum without error is not widened. Which of the two it is cannot be foreseen, so that nothing branches on it.
 inline double sum_down(double a, double b) {
   const double sum = a + b;
   const double error = sum_error(a, b, sum);
+  const double size = std::fabs(sum);
+  if (has_plain_neighbours(size)) [[likely]]
+    return sum - size * (error < 0.0 ? beyond_half_ulp : 0.0);
   return error >= 0.0 && error <= largest ? sum : down(sum);
 }
 inline double sum_up(double a, double b) {
   const double sum = a + b;
   const double error = sum_error(a, b, sum);
+  const double size = std::fabs(sum);
+  if (has_plain_neighbours(size)) [[likely]]
+    return sum + size * (error > 0.0 ? beyond_half_ulp : 0.0);
   return error <= 0.0 && error >= -largest ? sum : up(sum);
 }
 /// Products of bounds: 0 times infinity is 0, because an infinite bound stands for arbitrarily large finite numbers.
@@ -72,6 +97,13 @@ struct Interval {
   constexpr Interval(double l, double u)
       : lower(l == l ? l : -rounding::infinity), upper(u == u ? u : rounding::infinity) {}
 
+  /// Of bounds that are known not to be NaN.
+  static constexpr Interval of(double l, double u) {
+    Interval result;
+    result.lower = l;
+    result.upper = u;
+    return result;
+  }
   static constexpr Interval entire() { return {-rounding::infinity, rounding::infinity}; }
   /// The interval between two numbers in any order.
   static constexpr Interval between(double a, double b) { return a <= b ? Interval(a, b) : Interval(b, a); }
@@ -120,15 +152,16 @@ inline bool certainly_below(const Interval& a, const Interval& b) { return a.upp
 inline bool possibly_below(const Interval& a, const Interval& b) { return a.lower < b.upper; }
 
 inline Interval operator+(const Interval& a) { return a; }
-inline Interval operator-(const Interval& a) { return {-a.upper, -a.lower}; }
+inline Interval operator-(const Interval& a) { return Interval::of(-a.upper, -a.lower); }
 inline Interval operator+(const Interval& a, const Interval& b) {
-  return {rounding::sum_down(a.lower, b.lower), rounding::sum_up(a.upper, b.upper)};
+  return Interval::of(rounding::sum_down(a.lower, b.lower), rounding::sum_up(a.upper, b.upper));
 }
 inline Interval operator-(const Interval& a, const Interval& b) {
-  return {rounding::sum_down(a.lower, -b.upper), rounding::sum_up(a.upper, -b.lower)};
+  return Interval::of(rounding::sum_down(a.lower, -b.upper), rounding::sum_up(a.upper, -b.lower));
 }
 
-inline Interval operator*(const Interval& a, const Interval& b) {
+/// Where a factor may be negative, or the product is near the ends of the range of double.
+[[gnu::noinline]] inline Interval product_of_any_sign(const Interval& a, const Interval& b) {
   using rounding::product_down;
   using rounding::product_up;
   if (a.lower >= 0.0) {
@@ -145,6 +178,16 @@ inline Interval operator*(const Interval& a, const Interval& b) {
   if (b.upper <= 0.0) return {product_down(a.upper, b.lower), product_up(a.lower, b.lower)};
   return {smaller(product_down(a.lower, b.upper), product_down(a.upper, b.lower)),
           larger(product_up(a.lower, b.lower), product_up(a.upper, b.upper))};
+}
+inline Interval operator*(const Interval& a, const Interval& b) {
+  if (a.lower > 0.0 && b.lower > 0.0) [[likely]] {
+    const double lower = a.lower * b.lower;
+    const double upper = a.upper * b.upper;
+    if (rounding::has_plain_neighbours(lower) && upper <= rounding::largest) [[likely]] {
+      return Interval::of(lower - lower * rounding::beyond_half_ulp, upper + upper * rounding::beyond_half_ulp);
+    }
+  }
+  return product_of_any_sign(a, b);
 }
 
 /// Exact for a power of two as long as nothing overflows or becomes subnormal.
@@ -164,7 +207,7 @@ inline Interval operator*(const Interval& a, double b) {
 inline Interval operator*(double a, const Interval& b) { return b * a; }
 
 /// By an interval with 0 inside: the entire line; with 0 at its end: a half line, if the dividend keeps its sign.
-inline Interval operator/(const Interval& a, const Interval& b) {
+[[gnu::noinline]] inline Interval quotient_of_any_sign(const Interval& a, const Interval& b) {
   using rounding::quotient_down;
   using rounding::quotient_up;
   if (b.lower > 0.0) {
@@ -187,6 +230,18 @@ inline Interval operator/(const Interval& a, const Interval& b) {
                     : Interval(quotient_down(a.upper, end), rounding::infinity);
   }
   return Interval::entire();
+}
+inline Interval operator/(const Interval& a, const Interval& b) {
+  if (a.lower > 0.0 && b.lower > 0.0) [[likely]] {
+    const double lower = a.lower / b.upper;
+    const double upper = a.upper / b.lower;
+    // Quotients of equal numbers are exact.
+    if (rounding::has_plain_neighbours(lower) && upper <= rounding::largest && a.lower != b.upper && a.upper != b.lower)
+        [[likely]] {
+      return Interval::of(lower - lower * rounding::beyond_half_ulp, upper + upper * rounding::beyond_half_ulp);
+    }
+  }
+  return quotient_of_any_sign(a, b);
 }
 inline Interval operator/(const Interval& a, double b) {
   const bool power_of_two = (std::bit_cast<std::uint64_t>(b) & 0x000fffffffffffffULL) == 0;

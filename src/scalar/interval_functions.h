@@ -49,11 +49,13 @@ struct Constants<Interval> {
 };
 
 inline Interval square(const Interval& x) {
+  if (x.lower > 0.0) return x * x;
   const double low = mignitude(x);
   const double high = magnitude(x);
   return {larger(rounding::product_down(low, low), 0.0), rounding::product_up(high, high)};
 }
 inline Interval cube(const Interval& x) {
+  if (x.lower > 0.0) return x * x * x;
   using rounding::down;
   using rounding::up;
   const auto low = [](double v) {

@@ -103,6 +103,19 @@ class Desk {
     stage.bound(box(shared, inherited, region, variables), interval);
     return interval;
   }
+  /// As above with other rows in one slot.
+  const Answer<Interval>& bound_with(const Stage& stage,
+                                     std::span<const Row> shared,
+                                     std::span<const Interval> inherited,
+                                     const Region& region,
+                                     std::size_t slot,
+                                     const RowsAlive& rows) {
+    ++bounds;
+    const Box all = box(shared, inherited, region, region.variables);
+    spans_[slot] = rows;
+    stage.bound(all, interval);
+    return interval;
+  }
   const Answer<Interval>& slopes(const Stage& stage,
                                  std::span<const Row> shared,
                                  std::span<const Interval> inherited,

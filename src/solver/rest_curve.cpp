@@ -11,17 +11,17 @@ namespace millwright::solver {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t steps = 10;        // of a curve
-constexpr std::size_t node_limit = 300;  // looked at for one curve
-constexpr std::size_t proof_boxes = 60;  // spent on a single design
-constexpr double worth_keeping = 1e-6;   // relative rise of a curve below which it says nothing
+constexpr std::size_t steps = 10;         // of a curve
+constexpr std::size_t node_limit = 1000;  // looked at for one curve
+constexpr std::size_t proof_boxes = 60;   // spent on a single design
+constexpr double worth_keeping = 1e-6;    // relative rise of a curve below which it says nothing
 
 /// R_i(s) for one stage, component and score, for rising s. What is infeasible or dear at one s is so at the next, so
 /// the search goes on from where it stood: regions are bounded again only when they come up.
 class LeastFrom {
  public:
-  LeastFrom(const StagePlan& plan, std::size_t score, std::size_t component, Desk& desk)
-      : plan_(plan), score_(score), component_(component), desk_(desk), inherited_(plan.best_inherited) {
+  LeastFrom(const StagePlan& plan, std::size_t score, std::size_t component, double most, Desk& desk)
+      : plan_(plan), score_(score), component_(component), most_(most), desk_(desk), inherited_(plan.best_inherited) {
     for (const OpenRegion& region : plan_.frontier) {
       Node node;
       node.value = value_of(region.bounds);
@@ -35,6 +35,7 @@ class LeastFrom {
     ++step_;
     while (!heap_.empty() && nodes_ < node_limit) {
       if (heap_.front().settled && heap_.front().step == step_) break;
+      if (heap_.front().value > most_) break;
       ++nodes_;
       look_at(pop());
     }
@@ -96,21 +97,23 @@ class LeastFrom {
 
   const StagePlan& plan_;
   std::size_t score_, component_;
+  double most_;
   Desk& desk_;
   std::vector<Interval> inherited_;
   std::vector<Node> heap_;
   std::size_t order_ = 0, step_ = 0, nodes_ = 0;
 };
 
-/// The curve before a stage; empty where the component tells nothing.
-RestCurve curve_before(const StagePlan& plan, std::size_t score, std::size_t component, double rest, Desk& desk) {
+/// The curve before a stage, up to `most`; empty where the component tells nothing.
+RestCurve curve_before(
+    const StagePlan& plan, std::size_t score, std::size_t component, double rest, double most, Desk& desk) {
   RestCurve curve{score, component, {}, {}};
   const Interval& whole = plan.inherited[component];
   const double best = plan.best_inherited[component].lower;
   if (!(whole.upper > best) || !std::isfinite(whole.upper)) return curve;
-  LeastFrom least(plan, score, component, desk);
+  LeastFrom least(plan, score, component, most, desk);
   double known = rest;
-  for (std::size_t i = 0; i < steps && known < infinity; ++i) {
+  for (std::size_t i = 0; i < steps && known < infinity && known <= most; ++i) {
     const double share = i == 0 ? 0.0 : std::exp2(static_cast<double>(i) - static_cast<double>(steps));
     const double state = best + share * (whole.upper - best);
     const double from_here = least.at(state);
@@ -124,9 +127,18 @@ RestCurve curve_before(const StagePlan& plan, std::size_t score, std::size_t com
 
 }  // namespace
 
-void find_rest_curves(std::vector<StagePlan>& plans, Desk& desk) {
+void find_rest_curves(std::vector<StagePlan>& plans, std::span<const double> most, Desk& desk) {
   if (plans.empty()) return;
   const Criteria& criteria = *plans.front().criteria;
+  // What may be left for a stage and all after it: the stages before it take their least at least.
+  std::vector<std::vector<double>> left(plans.size());
+  for (std::size_t i = 0; i < plans.size(); ++i) {
+    for (std::size_t score = 0; score < criteria.objectives; ++score) {
+      constexpr double slack = 1e-9;
+      left[i].push_back(i == 0 ? most[score] + slack * std::fabs(most[score])
+                               : left[i - 1][score] - plans[i - 1].least[score]);
+    }
+  }
   for (std::size_t i = plans.size(); i-- > 1;) {
     const StagePlan& plan = plans[i];
     StagePlan& before = plans[i - 1];
@@ -136,7 +148,7 @@ void find_rest_curves(std::vector<StagePlan>& plans, Desk& desk) {
       before.rest[score] = std::max(before.rest[score], rest);
       for (std::size_t component = 0; component < plan.before.size(); ++component) {
         if (plan.before[component] != Direction::smaller_is_better) continue;
-        RestCurve curve = curve_before(plan, score, component, before.rest[score], desk);
+        RestCurve curve = curve_before(plan, score, component, before.rest[score], left[i][score], desk);
         if (!curve.from.empty()) before.curves.push_back(std::move(curve));
       }
     }

@@ -15,8 +15,9 @@
 
 namespace millwright::solver {
 
-/// Fills StagePlan::curves of all stages, for the objectives.
-void find_rest_curves(std::vector<StagePlan>& plans, Desk& desk);
+/// Fills StagePlan::curves of all stages, for the objectives. `most[score]` is a total above which nothing matters: a
+/// curve need not be known where it leads beyond that (infinity: everything matters).
+void find_rest_curves(std::vector<StagePlan>& plans, std::span<const double> most, Desk& desk);
 
 /// What all later stages add at least to a score, given what is handed to them; infinity where none of their designs is
 /// feasible. `lower(component)` is the least that is

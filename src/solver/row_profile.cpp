@@ -2,13 +2,25 @@
 #include "solver/row_profile.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
 
 namespace millwright::solver {
 namespace {
 
+/// Nearly the logarithm to base 2: exact at powers of two, a straight line between them.
+double nearly_log2(double x) {
+  constexpr double fraction = 0x1p-52, bias = 1023.0;
+  return static_cast<double>(std::bit_cast<std::int64_t>(x)) * fraction - bias;
+}
+
 /// Utilisations are compared as logarithms, between one per mille and a thousand.
-float log_utilisation(double u) { return static_cast<float>(std::log(std::clamp(u == u ? u : 1e3, 1e-3, 1e3))); }
+float log_utilisation(double u) {
+  return static_cast<float>(std::numbers::ln2 * nearly_log2(std::clamp(u == u ? u : 1e3, 1e-3, 1e3)));
+}
 
 float finite(double x) { return static_cast<float>(std::clamp(x == x ? x : 0.0, -1e30, 1e30)); }
 
@@ -23,13 +35,35 @@ RowProfile::RowProfile(const Stage& stage, std::span<const Row> shared, std::siz
 
 void RowProfile::record(
     std::size_t slot, Row row, std::size_t rows, std::span<const double> score, const Answer<Interval>& answer) {
-  std::vector<float>& table = features_[slot];
-  table.resize(rows * width_);
-  float* out = table.data() + row * width_;
+  Features& features = features_[slot];
+  if (features.index.empty()) {
+    features.index.resize(width_);
+    std::iota(features.index.begin(), features.index.end(), std::uint16_t{0});
+    features.numbers.resize(rows * width_);
+  }
+  float* out = features.numbers.data() + row * width_;
   for (const double value : score) *out++ = finite(value);
   for (const Interval& u : answer.utilisation) {
     *out++ = log_utilisation(u.lower);
     *out++ = log_utilisation(u.upper);
+  }
+}
+
+void RowProfile::find_ranges(const Features& features,
+                             const Rows& rows,
+                             std::vector<float>& low,
+                             std::vector<float>& high) {
+  const std::size_t width = features.index.size();
+  low.assign(width, std::numeric_limits<float>::infinity());
+  high.assign(width, -std::numeric_limits<float>::infinity());
+  float* const least = low.data();
+  float* const most = high.data();
+  for (const Row row : rows) {
+    const float* const numbers = features.numbers.data() + row * width;
+    for (std::size_t i = 0; i < width; ++i) {
+      least[i] = numbers[i] < least[i] ? numbers[i] : least[i];
+      most[i] = numbers[i] > most[i] ? numbers[i] : most[i];
+    }
   }
 }
 
@@ -41,54 +75,59 @@ void RowProfile::finish(const Region& region, std::span<const double> score_scal
     weight_[k] = score_weight / std::max(std::fabs(score_scale[k]), 1e-12);
     if (k > 0) weight_[k] *= 0.25;
   }
-  relevant_.resize(features_.size());
+  std::vector<float> low;
+  std::vector<float> high;
   for (std::size_t slot = 0; slot < features_.size(); ++slot) {
-    for (std::size_t index = 0; index < width_; ++index) {
-      float middle = 0.0F;
-      if (spread(region, slot, index, middle) > 1e-6) relevant_[slot].push_back(static_cast<std::uint16_t>(index));
+    const Features all = std::move(features_[slot]);
+    Features& relevant = features_[slot];
+    relevant = {};
+    find_ranges(all, *region.rows[slot], low, high);
+    for (std::size_t i = 0; i < all.index.size(); ++i) {
+      const double spread = static_cast<double>(high[i]) - static_cast<double>(low[i]);
+      if (weight_[i] * spread > 1e-6) relevant.index.push_back(all.index[i]);
+    }
+    const std::size_t width = relevant.index.size();
+    relevant.numbers.resize((region.rows[slot]->all().back() + std::size_t{1}) * width);
+    for (const Row row : *region.rows[slot]) {
+      const float* const from = all.numbers.data() + row * width_;
+      float* const to = relevant.numbers.data() + row * width;
+      for (std::size_t i = 0; i < width; ++i) to[i] = from[relevant.index[i]];
     }
   }
 }
 
-double RowProfile::spread(const Region& region, std::size_t slot, std::size_t index, float& middle) const {
-  float low = std::numeric_limits<float>::infinity();
-  float high = -low;
-  const float* column = features_[slot].data() + index;
-  for (const Row row : *region.rows[slot]) {
-    const float value = column[row * width_];
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-  middle = 0.5F * low + 0.5F * high;
-  return weight_[index] * (static_cast<double>(high) - static_cast<double>(low));
-}
-
 RowProfile::Split RowProfile::split(const Region& region, std::uint64_t open) const {
+  thread_local std::vector<float> low;
+  thread_local std::vector<float> high;
   double largest = 0.0;
   std::size_t chosen_slot = region.rows.size();
-  std::size_t chosen_index = 0;
+  std::size_t chosen = 0;
   float cut = 0.0F;
   for (std::size_t slot = 0; slot < region.rows.size(); ++slot) {
     if (region.rows[slot]->size() < 2) continue;
     if (chosen_slot == region.rows.size()) chosen_slot = slot;  // in case nothing differs any more
-    for (const std::size_t index : relevant_[slot]) {
+    const Features& features = features_[slot];
+    find_ranges(features, *region.rows[slot], low, high);
+    for (std::size_t i = 0; i < features.index.size(); ++i) {
+      const std::size_t index = features.index[i];
       if (index >= scores_ && ((open >> (((index - scores_) / 2) % 64)) & 1U) == 0) continue;
-      float middle = 0.0F;
-      const double size = spread(region, slot, index, middle);
+      const double size = weight_[index] * (static_cast<double>(high[i]) - static_cast<double>(low[i]));
       if (size > largest) {
         largest = size;
         chosen_slot = slot;
-        chosen_index = index;
-        cut = middle;
+        chosen = i;
+        cut = 0.5F * low[i] + 0.5F * high[i];
       }
     }
   }
+  const Features& features = features_[chosen_slot];
+  const auto number = [&](Row row) { return features.numbers[row * features.index.size() + chosen]; };
   const std::vector<Row>& rows = region.rows[chosen_slot]->all();
   std::vector<Row> left;
   std::vector<Row> right;
   for (const Row row : rows) {
-    const bool low = largest > 0.0 ? feature(chosen_slot, row, chosen_index) <= cut : left.size() < rows.size() / 2;
-    (low ? left : right).push_back(row);
+    const bool goes_left = largest > 0.0 ? number(row) <= cut : left.size() < rows.size() / 2;
+    (goes_left ? left : right).push_back(row);
   }
   if (left.empty() || right.empty()) {  // the spread is below the resolution of the middle
     left.assign(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(rows.size() / 2));

@@ -34,18 +34,23 @@ class RowProfile {
   [[nodiscard]] Split split(const Region& region, std::uint64_t open) const;
 
  private:
-  [[nodiscard]] float feature(std::size_t slot, Row row, std::size_t index) const {
-    return features_[slot][row * width_ + index];
-  }
-  [[nodiscard]] double spread(const Region& region, std::size_t slot, std::size_t index, float& middle) const;
+  /// The numbers of one slot's rows, row by row; `finish` keeps those that differ between rows.
+  struct Features {
+    std::vector<std::uint16_t> index;  ///< what each is: a score, or a constraint's least or largest utilisation
+    std::vector<float> numbers;        ///< [row * index.size() + i]
+  };
+  /// The least and the largest of every number among these rows.
+  static void find_ranges(const Features& features,
+                          const Rows& rows,
+                          std::vector<float>& low,
+                          std::vector<float>& high);
 
   const Stage* stage_ = nullptr;
   std::span<const Row> shared_;
   std::size_t scores_ = 0;
   std::size_t width_ = 0;
-  std::vector<std::vector<float>> features_;          ///< [slot][row * width_ + index]
-  std::vector<std::vector<std::uint16_t>> relevant_;  ///< [slot]: indices that differ between rows of the slot
-  std::vector<double> weight_;                        ///< [index]
+  std::vector<Features> features_;  ///< [slot]
+  std::vector<double> weight_;      ///< [index]
 };
 
 }  // namespace millwright::solver

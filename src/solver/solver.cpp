@@ -184,7 +184,7 @@ class Solve {
       priced_stages_[i] = priced_stages_[i] || plans[i].any_priced;
     }
     if (criteria_.objectives > 1) {
-      find_rest_curves(plans, control_.desk(0));
+      find_rest_curves(plans, what_matters(), control_.desk(0));
       if (stage_by_stage(plans, combination.score[0])) return std::nullopt;
     }
     set_tolerance();
@@ -196,11 +196,21 @@ class Solve {
     return open;
   }
 
+  /// Totals of the objectives above which nothing can belong to the answer.
+  [[nodiscard]] std::vector<double> what_matters() const {
+    std::vector<double> most(criteria_.objectives, infinity);
+    for (std::size_t k = 0; k < most.size() && criteria_.objectives < 3 && !incumbents_.builds().empty(); ++k) {
+      most[k] = -infinity;
+      for (const RankedBuild& build : incumbents_.builds()) most[k] = std::max(most[k], build.score[k]);
+    }
+    return most;
+  }
+
   /// Searches a single objective label by label while that has cost no more than preparing it did: what is not done
   /// then is better done stage by stage. True when it is settled.
   bool settle_briefly(OpenSearch& open) {
     if (control_.time_is_up()) return false;
-    find_rest_curves(*open.plans, control_.desk(0));
+    find_rest_curves(*open.plans, what_matters(), control_.desk(0));
     open.search = label_by_label(*open.plans, first_leaf_tolerance());
     constexpr std::uint64_t nodes_at_once = 500;
     const std::uint64_t before = control_.evaluations();

@@ -53,10 +53,12 @@ bool bearable(const StagePlan& plan, const Answer<Interval>& answer) {
   return true;
 }
 
+bool hopeless(const StagePlan& plan, const Answer<Interval>& answer) {
+  return worst_lower(answer.utilisation) > 1.0 || !bearable(plan, answer);
+}
 /// Whether no design of the region is feasible, or leads to one, at any of the inherited states.
 bool hopeless(const StagePlan& plan, std::span<const Interval> inherited, const Region& region, Desk& desk) {
-  const auto& answer = desk.bound(*plan.stage, plan.shared, inherited, region);
-  return worst_lower(answer.utilisation) > 1.0 || !bearable(plan, answer);
+  return hopeless(plan, desk.bound(*plan.stage, plan.shared, inherited, region));
 }
 
 }  // namespace
@@ -98,18 +100,21 @@ bool cut_variables(
 
 bool shave(StagePlan& plan, std::span<const Interval> inherited, Desk& desk, const RowSeen& seen) {
   const std::size_t slots = plan.region.rows.size();
+  std::vector<Interval> readings;
   for (bool again = true; again;) {
     again = false;
     for (std::size_t slot = 0; slot < slots; ++slot) {
       const RowSet all = plan.region.rows[slot];
-      Region trial = plan.region;
       std::vector<Row> kept;
-      for (const Row row : *all) {
-        trial.rows[slot] = only(*plan.stage, plan.shared, slot, row);
-        if (hopeless(plan, inherited, trial, desk)) continue;
-        if (seen) seen(slot, row, desk.interval);
+      for (const Row& row : *all) {
+        const std::span<const Row> alone(&row, 1);
+        plan.stage->read(plan.shared, slot, alone, readings);
+        const auto& answer = desk.bound_with(*plan.stage, plan.shared, inherited, plan.region, slot, {alone, readings});
+        if (hopeless(plan, answer)) continue;
+        if (seen) seen(slot, row, answer);
         if (!plan.fits.everything_fits()) {
-          Region partners = trial;
+          Region partners = plan.region;
+          partners.rows[slot] = only(*plan.stage, plan.shared, slot, row);
           if (!plan.fits.filter(partners, slot)) continue;
         }
         kept.push_back(row);
@@ -149,7 +154,6 @@ bool find_states(const Problem& problem, std::vector<StagePlan>& plans, Desk& de
   for (StagePlan& plan : plans) {
     plan.inherited = state;
     if (!plan.fits.filter(plan.region, plan.region.rows.size())) return false;
-    if (!shave(plan, plan.inherited, desk, {})) return false;
     state = desk.bound(*plan.stage, plan.shared, plan.inherited, plan.region).handed_on;
   }
   return true;

@@ -88,7 +88,7 @@ TEST_CASE("No completion of a design costs less than the rest curves say") {
     std::vector<StagePlan> plans = make_plans(problem, shared, criteria, desk);
     if (plans.empty()) continue;
     const std::vector<StagePlan> plain = plans;
-    find_rest_curves(plans, desk);
+    find_rest_curves(plans, std::vector<double>(criteria.size(), std::numeric_limits<double>::infinity()), desk);
     for (const StagePlan& plan : plans) curves += plan.curves.size();
     Chains(problem).run(shared, [&](std::size_t stage, const std::vector<double>& state, double later) {
       const double rest = rest_after(plans[stage], 0, std::span<const double>(state));
