@@ -36,7 +36,8 @@ struct BadBytes {
 
 BadBytes count_bad_bytes(std::string_view text, std::size_t stop_after) {
   BadBytes bad;
-  for (auto at = find_bad_byte(text); at && bad.count <= stop_after; at = find_bad_byte(text, *at + 1)) {
+  for (auto at = find_bad_byte(text, plain_prefix(text)); at && bad.count <= stop_after;
+       at = find_bad_byte(text, *at + 1)) {
     if (bad.count == 0) bad.first = *at;
     ++bad.count;
     if (is_control(static_cast<unsigned char>(text[*at]))) ++bad.controls;
@@ -65,6 +66,22 @@ void report_not_text(const std::shared_ptr<const SourceText>& text, const BadByt
 }
 
 }  // namespace
+
+std::size_t plain_prefix(std::string_view text) {
+  // Without a branch inside, compilers turn a block into a few wide instructions.
+  constexpr std::size_t block = 256;
+  std::size_t at = 0;
+  for (; at + block <= text.size(); at += block) {
+    unsigned char odd = 0;
+    for (std::size_t i = 0; i < block; ++i) {
+      const auto byte = static_cast<unsigned char>(text[at + i]);
+      const auto unprintable = static_cast<unsigned char>(static_cast<unsigned char>(byte - 0x20U) > 0x5EU);
+      odd |= static_cast<unsigned char>(unprintable & static_cast<unsigned char>(byte != '\n'));
+    }
+    if (odd != 0) break;
+  }
+  return at;
+}
 
 std::optional<std::size_t> find_bad_byte(std::string_view text, std::size_t from) {
   std::size_t at = from;
