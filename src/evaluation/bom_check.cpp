@@ -171,36 +171,32 @@ BomCheck check(const machine::Problem& problem,
   for (const machine::BomLine& line : bom.lines)
     if (!line.is_dimension() && (only_origin.empty() || line.origin == only_origin))
       given.insert({line.axis, line.slot});
-  // A first look, at all voltages, tells which voltage is held and whether the parts exist.
-  auto model = std::make_unique<const MachineModel>(at_voltage, catalogue, given);
-  HeldParts held = hold_parts(*model, bom, only_origin);
-  result.empty_slots = model->empty_slots();
+  // At the voltage that is held, where one is: a model at all of the problem's takes as much longer to make.
+  if (const auto stated = stated_voltage(bom, catalogue, only_origin))
+    for (const double volts : problem.supply_voltages)
+      if (std::abs(volts - stated->volts) < 1e-6) at_voltage.supply_voltages = {volts};
+  const MachineModel model(at_voltage, catalogue, given);
+  const HeldParts held = hold_parts(model, bom, only_origin);
+  result.empty_slots = model.empty_slots();
   result.problems = held.problems;
   if (!result.empty_slots.empty() && result.problems.empty())
     for (const EmptySlot& slot : result.empty_slots)
       result.problems.push_back({machine::SourceSpan{}, slot.reason, "see 'catalogue list'"});
-  if (!complete && only_origin.empty()) report_missing(*model, held, bom, result.problems);
+  if (!complete && only_origin.empty()) report_missing(model, held, bom, result.problems);
   if (!result.problems.empty()) return result;
   result.completed = std::any_of(held.stages.begin(), held.stages.end(), [](const HeldStage& s) {
     return std::find(s.named.begin(), s.named.end(), false) != s.named.end();
   });
-  if (held.voltage && problem.supply_voltages.size() > 1) {
-    at_voltage.supply_voltages = {problem.supply_voltages[*held.voltage]};
-    model = std::make_unique<const MachineModel>(at_voltage, catalogue, given);
-    held = hold_parts(*model, bom, only_origin);
-    result.problems = held.problems;  // at the supply's voltage a part may no longer do
-    if (!result.problems.empty()) return result;
-  }
-  const solver::RestrictedProblem restricted(model->problem(), restriction_of(*model, held));
-  const solver::Summary summary = solver::solve(restricted.problem(), solver_options(*model, options));
+  const solver::RestrictedProblem restricted(model.problem(), restriction_of(model, held));
+  const solver::Summary summary = solver::solve(restricted.problem(), solver_options(model, options));
   if (!summary.builds.empty()) {
-    result.design = model->design(restricted.whole_build(summary.builds.front()));
+    result.design = model.design(restricted.whole_build(summary.builds.front()));
     result.complete_is_optimal = summary.status == solver::Status::optimal;
   } else {
     Design best;
     std::vector<double> least{std::numeric_limits<double>::infinity()};
     for (Row v = 0; v < at_voltage.supply_voltages.size(); ++v) {
-      Design design = model->design(cheapest_build(*model, held, restricted, v));
+      Design design = model.design(cheapest_build(model, held, restricted, v));
       std::vector<double> utilisations;
       for (const Check& c : design.checks)
         if (c.kind != machine::ConstraintKind::soft)
