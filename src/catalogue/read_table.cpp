@@ -11,6 +11,7 @@
 #include "catalogue/column_unit.h"
 #include "catalogue/header.h"
 #include "text/csv.h"
+#include "text/large_pages.h"
 
 namespace millwright::catalogue {
 namespace {
@@ -123,6 +124,7 @@ class TableFileReader {
     std::vector<Wanted> wanted;
     for (std::size_t index = 0; index < column_count(family_); ++index) {
       if (field(at(index)) < 0 || declaration(at(index)).kind != Kind::text) continue;
+      text::reserve_large(columns_.texts[index], csv_.row_count());
       columns_.texts[index].resize(csv_.row_count());
       wanted.push_back({cell_column(at(index)), &columns_.texts[index]});
     }

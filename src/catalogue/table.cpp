@@ -7,6 +7,8 @@
 #include <functional>
 #include <iterator>
 
+#include "text/large_pages.h"
+
 namespace millwright::catalogue {
 namespace {
 
@@ -73,14 +75,17 @@ std::pair<std::size_t, std::size_t> field_range(std::string_view contents,
 template <class T>
 void append_column(std::vector<T>& to, std::vector<T>&& from, std::size_t rows, std::size_t more, const T& filler) {
   if (to.empty() && from.empty()) return;
-  to.resize(rows, filler);
-  if (from.empty()) {
-    to.resize(rows + more, filler);
-  } else if (to.empty()) {
+  if (rows == 0) {
     to = std::move(from);
-  } else {
-    to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+    return;
   }
+  std::vector<T> both;
+  text::reserve_large(both, rows + more);
+  both.insert(both.end(), to.begin(), to.end());
+  both.resize(rows, filler);
+  both.insert(both.end(), from.begin(), from.end());
+  both.resize(rows + more, filler);
+  to = std::move(both);
 }
 
 template <class T>

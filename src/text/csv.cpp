@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "text/large_pages.h"
 #include "text/number.h"
 
 namespace millwright::text {
@@ -87,7 +88,7 @@ class CsvTable::NumberColumn {
  public:
   NumberColumn(const CsvTable& table, std::size_t column, Diagnostics& diagnostics)
       : table_(table), column_(column), check_marks_(table.separator_ == ';'), diagnostics_(diagnostics) {
-    values_.reserve(table.row_count());
+    reserve_large(values_, table.row_count());
   }
 
   void read(std::size_t row) {

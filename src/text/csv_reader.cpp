@@ -10,6 +10,7 @@
 #include "text/csv.h"
 #include "text/csv_header.h"
 #include "text/csv_scanner.h"
+#include "text/large_pages.h"
 #include "text/text_check.h"
 
 namespace millwright::text {
@@ -158,7 +159,7 @@ class CsvReader {
     const auto lines = static_cast<std::size_t>(std::count(head.begin(), head.end(), '\n')) + 1;
     const double records =
         static_cast<double>(lines) * static_cast<double>(rest.size()) / static_cast<double>(head.size() + 1);
-    table_.starts_.reserve(static_cast<std::size_t>(1.1 * records + 1.0) * (table_.columns_.size() + 1));
+    reserve_large(table_.starts_, static_cast<std::size_t>(1.1 * records + 1.0) * (table_.columns_.size() + 1));
   }
 
   /// Judges a record with a first cell that may be empty or of another length than the header; cuts empty surplus cells

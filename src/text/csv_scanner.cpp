@@ -101,19 +101,20 @@ bool CsvScanner::next(std::vector<std::uint32_t>& starts) {
 /// Checks a quoted cell and goes on behind its closing quote.
 bool CsvScanner::quoted_cell(std::size_t cell_begin, std::size_t quote) {
   const std::string_view before = bytes_.substr(cell_begin, quote - cell_begin);
-  if (before.find_first_not_of(" \t") != std::string_view::npos) {
+  if (!before.empty() && before.find_first_not_of(" \t") != std::string_view::npos) {
     diagnostics_.error(span_at(text_, quote, 1),
                        "quote inside a cell that is not quoted",
                        "put the whole cell in quotes and write each quote inside it twice");
     return give_up_line(quote);
   }
   bool doubled = false;
-  std::size_t closing = bytes_.find('"', quote + 1);
-  while (closing != std::string_view::npos && bytes_.substr(closing + 1, 1) == "\"") {
+  std::size_t closing = next_quote();
+  while (closing + 1 < bytes_.size() && bytes_[closing + 1] == '"') {
     doubled = true;
-    closing = bytes_.find('"', closing + 2);
+    next_special();  // the second of the two
+    closing = next_quote();
   }
-  if (closing == std::string_view::npos) {
+  if (closing >= bytes_.size()) {
     diagnostics_.error(span_at(text_, quote, 1), "quote is never closed", "add a closing quote at the end of the cell");
     if (++unclosed_ < unclosed_limit) return give_up_line(quote);
     seek(bytes_.size());
@@ -121,12 +122,18 @@ bool CsvScanner::quoted_cell(std::size_t cell_begin, std::size_t quote) {
   }
   if (!check_after_quote(quote, closing)) return give_up_line(closing);
   if (doubled) unescape(cell_begin, quote, closing);
-  seek(closing + 1);
   return true;
+}
+
+std::size_t CsvScanner::next_quote() {
+  std::size_t found = next_special();
+  while (found < bytes_.size() && bytes_[found] != '"') found = next_special();
+  return found;
 }
 
 /// Only blanks may stand between a closing quote and the end of the cell.
 bool CsvScanner::check_after_quote(std::size_t opening, std::size_t closing) {
+  if (closing + 1 == bytes_.size() || bytes_[closing + 1] == separator_) return true;
   const std::size_t behind = bytes_.find_first_not_of(" \t", closing + 1);
   if (behind == std::string_view::npos) return true;
   const char c = bytes_[behind];

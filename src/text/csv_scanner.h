@@ -34,6 +34,7 @@ class CsvScanner {
  private:
   std::uint64_t mask_at(std::size_t offset) const;
   std::size_t next_special();
+  std::size_t next_quote();
   void seek(std::size_t offset);
   bool quoted_cell(std::size_t cell_begin, std::size_t quote);
   bool check_after_quote(std::size_t opening, std::size_t closing);

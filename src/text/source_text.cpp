@@ -3,18 +3,17 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <cstddef>
 #include <cstring>
 #include <limits>
 #include <new>
 
 #include "text/diagnostic.h"
+#include "text/large_pages.h"
 #include "text/text_check.h"
 #include "text/utf8.h"
 
@@ -60,16 +59,10 @@ class File {
   int descriptor_;
 };
 
-/// Room for `bytes` bytes. Large ones in large pages where the system has them: touching each small page for the first
-/// time took a fifth of the reading of a large file.
 std::shared_ptr<char> room_for(std::size_t bytes) {
-  constexpr std::size_t large_page = std::size_t{2} << 20U;
-  const auto alignment = std::align_val_t(bytes < 4 * large_page ? alignof(std::max_align_t) : large_page);
-  char* const begin = static_cast<char*>(::operator new(bytes, alignment));
-#ifdef MADV_HUGEPAGE
-  if (bytes >= 4 * large_page) ::madvise(begin, bytes, MADV_HUGEPAGE);  // a wish; nothing is lost without
-#endif
-  return {begin, [alignment](char* at) { ::operator delete(at, alignment); }};
+  const std::shared_ptr<char> room(static_cast<char*>(::operator new(bytes)), [](char* at) { ::operator delete(at); });
+  prefer_large_pages(room.get(), bytes);
+  return room;
 }
 
 std::string_view without_mark(std::string_view bytes) {

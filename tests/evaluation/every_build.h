@@ -31,7 +31,7 @@ class EveryBuild {
   explicit EveryBuild(const evaluation::MachineModel& model, std::size_t most = 500000)
       : problem_(model.problem()), left_(most) {
     while (!try_all()) front_.clear();
-    std::sort(front_.begin(), front_.end(), [](const Value& a, const Value& b) { return a.cost < b.cost; });
+    merge_equals();
   }
 
   /// Ascending in cost, strictly falling in mass.
@@ -46,6 +46,19 @@ class EveryBuild {
  private:
   using State = std::vector<double>;
   using Labels = std::map<State, std::vector<Value>>;
+
+  /// Sums of the same parts in another order differ in the last digits: such builds are one.
+  void merge_equals() {
+    constexpr double rounding = 1e-9;
+    std::sort(front_.begin(), front_.end(), [](const Value& a, const Value& b) { return a.cost < b.cost; });
+    std::vector<Value> merged;
+    for (const Value& value : front_) {
+      if (!merged.empty() && value.mass > merged.back().mass * (1.0 - rounding)) continue;
+      if (!merged.empty() && value.cost < merged.back().cost * (1.0 + rounding)) merged.pop_back();
+      merged.push_back(value);
+    }
+    front_ = std::move(merged);
+  }
 
   static void keep(std::vector<Value>& front, const Value& value) {
     for (const Value& there : front)

@@ -108,6 +108,7 @@ class Trial {
     INFO("front of all builds: " << front.size() << ", tried " << every->tried());
     if (front.empty()) ++counts_.infeasible;
     if (looks_at_one()) {
+      for (const Value& value : front) fmt::print("{:.17g} {:.17g} kg\n", value.cost, value.mass);
       for (const auto& slot : model.empty_slots()) fmt::print("{} {}: {}\n", slot.axis, slot.slot, slot.reason);
       for (const auto& unmet : evaluation::unmet_checks(model))
         fmt::print("{} {} at least {}\n", unmet.axis, unmet.id, unmet.least_utilisation);
