@@ -197,8 +197,10 @@ class Trial {
     }
     for (const Design& design : found.designs) comply(design);
     if (!may_be_better()) {
-      CHECK(found.front_tolerance == 0.0);
-      CHECK(found.designs.size() == front.size());
+      // Where [tool] reads how far a drive gives way, the search does not prove that a ramp moves nothing that is
+      // handed on.
+      CHECK((found.front_tolerance == 0.0 || problem_->tool));
+      if (found.front_tolerance == 0.0) CHECK(found.designs.size() == front.size());
     }
     const double tolerance = 1.0 + found.front_tolerance + rounding;
     for (const Value& value : front) {
@@ -233,17 +235,18 @@ class Trial {
 
   /// The same for two threads, and for another order of the catalogues' rows.
   void same_answers(const MachineModel& model, const Synthesis& cheapest, const Synthesis& all) {
+    const bool exact = !every_->on_grid() && all.front_tolerance == 0.0;
     {
       INFO("two threads");
       require_same(cheapest.designs, solved(model, {"cost"}, 2).designs, true);
-      if (!every_->on_grid()) require_same(all.designs, solved(model, {"cost", "mass"}, 2).designs, true);
+      if (exact) require_same(all.designs, solved(model, {"cost", "mass"}, 2).designs, true);
     }
     INFO("another order of the rows");
     const MachineModel shuffled(*problem_, parts_.shuffled());
     const Synthesis cost = solved(shuffled, {"cost"});
     if (!every_->on_grid()) {
       require_same(cheapest.designs, cost.designs, false);
-      require_same(all.designs, solved(shuffled, {"cost", "mass"}).designs, false);
+      if (exact) require_same(all.designs, solved(shuffled, {"cost", "mass"}).designs, false);
       return;
     }
     // Where a search ends within its tolerance hangs on the order of its questions.
