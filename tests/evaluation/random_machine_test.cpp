@@ -246,7 +246,15 @@ class Trial {
     const Synthesis cost = solved(shuffled, {"cost"});
     if (!every_->on_grid()) {
       require_same(cheapest.designs, cost.designs, false);
-      if (exact) require_same(all.designs, solved(shuffled, {"cost", "mass"}).designs, false);
+      if (!exact) return;
+      // Which of builds equal in cost and mass stands on a front still hangs on the order of the rows (machine 6139:
+      // two supports change places), so these two figures are compared, and no parts.
+      const Synthesis both = solved(shuffled, {"cost", "mass"});
+      REQUIRE(both.designs.size() == all.designs.size());
+      for (std::size_t i = 0; i < both.designs.size(); ++i) {
+        CHECK(both.designs[i].cost == Approx(all.designs[i].cost).epsilon(rounding));
+        CHECK(both.designs[i].mass == Approx(all.designs[i].mass).epsilon(rounding));
+      }
       return;
     }
     // Where a search ends within its tolerance hangs on the order of its questions.
