@@ -35,18 +35,6 @@ std::optional<BillOfMaterials> read_bom(const Options& options,
   return std::nullopt;
 }
 
-/// Slots for which there is no candidate although the bill of materials does not fill them, or fills them with a part
-/// that no check can take.
-std::vector<evaluation::EmptySlot> empty_slots(const MachineInput& input,
-                                               const BillOfMaterials& bom,
-                                               const std::string& only_origin) {
-  evaluation::GivenSlots given;
-  for (const BomLine& line : bom.lines)
-    if (!line.is_dimension() && (only_origin.empty() || line.origin == only_origin))
-      given.insert({line.axis, line.slot});
-  return evaluation::MachineModel(input.problem, input.catalogue, given).empty_slots();
-}
-
 report::MachineResult check(const Options& options,
                             const MachineInput& input,
                             const BillOfMaterials& bom,
@@ -55,8 +43,6 @@ report::MachineResult check(const Options& options,
   result.bom_file = options.bom;
   result.objectives = {input.problem.objective};
   const Stopwatch watch;
-  result.missing = missing_slots(empty_slots(input, bom, options.hold_origin));
-  if (!result.missing.empty()) return result;
   evaluation::SearchOptions how = search_options(options, result.objectives);
   const StopSignal stop;
   how.stop = stop.stopped();
@@ -67,6 +53,8 @@ report::MachineResult check(const Options& options,
     const bool complete = options.complete || !options.hold_origin.empty();
     outcome = evaluation::check(input.problem, input.catalogue, bom, complete, how, options.hold_origin);
   }
+  result.missing = missing_slots(outcome.empty_slots);
+  if (!result.missing.empty()) return result;
   for (const evaluation::BomProblem& problem : outcome.problems)
     diagnostics.error(problem.where, problem.message, problem.hint);
   if (!outcome.problems.empty()) return result;

@@ -4,12 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 
 #include "catalogue/column_unit.h"
 #include "catalogue/header.h"
 #include "text/csv.h"
+#include "text/large_pages.h"
 
 namespace millwright::catalogue {
 namespace {
@@ -25,11 +27,11 @@ class TableFileReader {
 
   Table read(int layer) {
     read_numbers();
+    read_texts();
     for (std::size_t index = 0; index < column_count(family_); ++index) {
       const Column each = at(index);
       if (field(each) < 0) continue;
       const Kind kind = declaration(each).kind;
-      if (kind == Kind::text) read_texts(each);
       if (kind == Kind::flag) read_flags(each);
       if (kind == Kind::number || kind == Kind::money) check_numbers(each);
       if (declaration(each).need == Need::required) check_required(each);
@@ -72,7 +74,7 @@ class TableFileReader {
     std::vector<std::vector<double>> values = csv_.number_columns(fields, diagnostics_);
     for (std::size_t i = 0; i < wanted.size(); ++i) {
       const scalar::Unit& unit = *header_.units[wanted[i].index];
-      for (double& value : values[i]) value = unit.to_si(value);
+      unit.to_si(values[i]);
       columns_.numbers[wanted[i].index] = std::move(values[i]);
     }
   }
@@ -102,7 +104,7 @@ class TableFileReader {
     const ColumnDeclaration& declared = declaration(column);
     for (std::size_t row = 0; row < csv_.row_count(); ++row) {
       const bool is_text = declared.kind == Kind::text;
-      if (is_text ? !columns_.texts[column.index][row].empty() : !std::isnan(columns_.numbers[column.index][row]))
+      if (is_text ? columns_.texts[column.index][row].length > 0 : !std::isnan(columns_.numbers[column.index][row]))
         continue;
       if (!csv_.is_empty(row, cell_column(column))) continue;
       refuse(
@@ -113,19 +115,34 @@ class TableFileReader {
     }
   }
 
-  void read_texts(Column column) {
-    std::vector<std::string_view> texts = csv_.text_column(cell_column(column));
+  /// All texts, record by record: a column at a time would go through the whole file for each.
+  void read_texts() {
+    struct Wanted {
+      std::size_t field;
+      std::vector<TextCell>* cells;
+    };
+    std::vector<Wanted> wanted;
+    for (std::size_t index = 0; index < column_count(family_); ++index) {
+      if (field(at(index)) < 0 || declaration(at(index)).kind != Kind::text) continue;
+      text::reserve_large(columns_.texts[index], csv_.row_count());
+      columns_.texts[index].resize(csv_.row_count());
+      wanted.push_back({cell_column(at(index)), &columns_.texts[index]});
+    }
+    for (std::size_t row = 0; row < csv_.row_count(); ++row) {
+      for (const Wanted& each : wanted) (*each.cells)[row] = text_cell(csv_.cell(row, each.field));
+    }
+  }
+
+  TextCell text_cell(std::string_view content) {
+    if (content.empty()) return {};
     const std::string_view all = csv_.text()->contents();
     const std::less<const char*> before;
-    for (std::string_view& each : texts) {
-      if (each.empty()) {
-        each = {};
-      } else if (before(each.data(), all.data()) || !before(each.data(), all.data() + all.size())) {
-        if (!unescaped_) unescaped_ = std::make_shared<std::deque<std::string>>();
-        each = unescaped_->emplace_back(each);
-      }
+    if (!before(content.data(), all.data()) && before(content.data(), all.data() + all.size())) {
+      return {static_cast<std::uint32_t>(content.data() - all.data()), static_cast<std::uint32_t>(content.size())};
     }
-    columns_.texts[column.index] = std::move(texts);
+    if (!unescaped_) unescaped_ = std::make_shared<std::deque<std::string>>();
+    unescaped_->emplace_back(content);
+    return {static_cast<std::uint32_t>(unescaped_->size() - 1), TextCell::unescaped};
   }
 
   void read_flags(Column column) {
@@ -153,22 +170,17 @@ class TableFileReader {
     const FamilyDeclaration& sold = declaration(family_);
     if (!sold.priced()) return;
     const Column currency = column(family_, "currency");
-    const auto price_missing = [&](bool wanted, std::string_view name, std::size_t row) {
-      if (!wanted || !std::isnan(columns_.numbers[column(family_, name).index][row])) return;
-      if (!keep_[row] || !csv_.is_empty(row, cell_column(column(family_, name)))) return;
-      if (diagnostics_.is_full(csv_.text().get())) return;
-      diagnostics_.warning(csv_.cell_span(row, cell_column(column(family_, name))),
-                           fmt::format("{} is not known, so this part cannot be chosen", name),
-                           "write a price, 0 if you own it");
-    };
+    const bool is_sold[] = {sold.priced_per_piece, sold.priced_per_length, sold.priced_per_mass};
+    const Column prices[] = {
+        column(family_, "price"), column(family_, "price_per_length"), column(family_, "price_per_mass")};
     for (std::size_t row = 0; row < csv_.row_count(); ++row) {
-      price_missing(sold.priced_per_piece, "price", row);
-      price_missing(sold.priced_per_length, "price_per_length", row);
-      price_missing(sold.priced_per_mass, "price_per_mass", row);
-      const std::string_view code = columns_.texts[currency.index][row];
+      for (std::size_t way = 0; way < std::size(prices); ++way) {
+        if (is_sold[way] && std::isnan(columns_.numbers[prices[way].index][row])) price_missing(prices[way], row);
+      }
+      const std::string_view code = text_of(currency, row);
       if (code.empty()) {
         refuse(row, currency, "currency is missing", "for example USD");
-      } else if (code.size() != 3 || code.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ") != code.npos) {
+      } else if (code.size() != 3 || !std::all_of(code.begin(), code.end(), is_capital)) {
         refuse(row,
                currency,
                fmt::format("{} is not a currency", text::quoted(code)),
@@ -177,23 +189,27 @@ class TableFileReader {
     }
   }
 
-  /// The byte at which each record begins, from where its first cell lies (a quote before it belongs to the record).
+  void price_missing(Column price, std::size_t row) {
+    if (!keep_[row] || !csv_.is_empty(row, cell_column(price))) return;
+    if (diagnostics_.is_full(csv_.text().get())) return;
+    diagnostics_.warning(csv_.cell_span(row, cell_column(price)),
+                         fmt::format("{} is not known, so this part cannot be chosen", declaration(price).name),
+                         "write a price, 0 if you own it");
+  }
+
+  static bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
+
+  std::string_view text_of(Column column, std::size_t row) const {
+    const TextCell cell = columns_.texts[column.index][row];
+    if (cell.length == 0) return {};
+    if (cell.length == TextCell::unescaped) return (*unescaped_)[cell.begin];
+    return csv_.text()->contents().substr(cell.begin, cell.length);
+  }
+
   std::vector<std::uint32_t> record_offsets() const {
-    const std::string_view all = csv_.text()->contents();
-    const std::less_equal<const char*> in_order;
     std::vector<std::uint32_t> offsets(csv_.row_count());
-    for (std::size_t row = 0; row < offsets.size(); ++row) {
-      const std::string_view first = csv_.cell(row, 0);
-      std::size_t offset = 0;
-      if (first.data() != nullptr && in_order(all.data(), first.data()) &&
-          in_order(first.data(), all.data() + all.size())) {
-        offset = static_cast<std::size_t>(first.data() - all.data());
-        if (offset > 0 && all[offset - 1] == '"') --offset;
-      } else {
-        offset = static_cast<std::size_t>(csv_.text()->line(csv_.row_span(row).line).data() - all.data());
-      }
-      offsets[row] = static_cast<std::uint32_t>(offset);
-    }
+    for (std::size_t row = 0; row < offsets.size(); ++row)
+      offsets[row] = static_cast<std::uint32_t>(csv_.record_offset(row));
     return offsets;
   }
 
@@ -233,9 +249,16 @@ void drop_duplicates(Table& table, text::Diagnostics& diagnostics) {
   RowIndex seen(static_cast<std::size_t>(table.rows()));
   std::vector<bool> keep(static_cast<std::size_t>(table.rows()), true);
   bool all_kept = true;
+  // Where the rows of a block belong lies anywhere in memory, so it is sent for before it is needed.
+  constexpr int block = 32;
+  std::array<std::uint64_t, block> hashes{};
   for (int row = 0; row < table.rows(); ++row) {
+    for (int i = 0; row % block == 0 && i < std::min(block, table.rows() - row); ++i) {
+      hashes[static_cast<std::size_t>(i)] = table.part_hash(row + i, Identity::point);
+      seen.prefetch(hashes[static_cast<std::size_t>(i)]);
+    }
     const auto same = [&](int there) { return table.same_part(row, table, there, Identity::point); };
-    const int first = seen.insert(table.part_hash(row, Identity::point), row, same);
+    const int first = seen.insert(hashes[static_cast<std::size_t>(row % block)], row, same);
     if (first == RowIndex::none) continue;
     keep[static_cast<std::size_t>(row)] = all_kept = false;
     text::Diagnostic duplicate;

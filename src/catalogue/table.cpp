@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "catalogue/table.h"
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <functional>
 #include <iterator>
+
+#include "text/large_pages.h"
 
 namespace millwright::catalogue {
 namespace {
@@ -24,8 +27,29 @@ std::uint64_t mix(std::uint64_t hash, std::uint64_t value) {
 
 std::uint64_t hash_of(std::string_view text) { return mix(0, std::hash<std::string_view>()(text)); }
 
-bool takes_part(const ColumnDeclaration& declared, Identity level) {
-  return declared.identity == Identity::group || (level == Identity::point && declared.identity == Identity::point);
+/// The columns that say which row this is.
+std::vector<Column> identity_columns(Family family, Identity level) {
+  std::vector<Column> columns;
+  for (std::size_t index = 0; index < column_count(family); ++index) {
+    const Column each{family, static_cast<std::uint8_t>(index)};
+    const Identity identity = declaration(each).identity;
+    if (identity == Identity::group || (level == Identity::point && identity == Identity::point))
+      columns.push_back(each);
+  }
+  return columns;
+}
+
+/// The same, worked out once: they are looked at for every row that is read.
+const std::vector<Column>& identity_columns_of(Family family, Identity level) {
+  static const std::array<std::array<std::vector<Column>, 2>, family_count> all = [] {
+    std::array<std::array<std::vector<Column>, 2>, family_count> columns;
+    for (const FamilyDeclaration& each : families) {
+      auto& of_family = columns[static_cast<std::size_t>(each.family)];
+      of_family = {identity_columns(each.family, Identity::group), identity_columns(each.family, Identity::point)};
+    }
+    return columns;
+  }();
+  return all[static_cast<std::size_t>(family)][level == Identity::point ? 1 : 0];
 }
 
 /// Byte range of field `wanted` of the record that begins at `offset`.
@@ -51,14 +75,17 @@ std::pair<std::size_t, std::size_t> field_range(std::string_view contents,
 template <class T>
 void append_column(std::vector<T>& to, std::vector<T>&& from, std::size_t rows, std::size_t more, const T& filler) {
   if (to.empty() && from.empty()) return;
-  to.resize(rows, filler);
-  if (from.empty()) {
-    to.resize(rows + more, filler);
-  } else if (to.empty()) {
+  if (rows == 0) {
     to = std::move(from);
-  } else {
-    to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+    return;
   }
+  std::vector<T> both;
+  text::reserve_large(both, rows + more);
+  both.insert(both.end(), to.begin(), to.end());
+  both.resize(rows, filler);
+  both.insert(both.end(), from.begin(), from.end());
+  both.resize(rows + more, filler);
+  to = std::move(both);
 }
 
 template <class T>
@@ -84,7 +111,7 @@ Table::Table(Family family, TableColumns columns)
   numbers_.resize(column_count(family));
   texts_.resize(column_count(family));
   files_.push_back(std::move(columns.file));
-  index_parts();
+  fill_absent_columns();
 }
 
 void Table::check(Column column, bool wants_text) const {
@@ -108,8 +135,13 @@ std::optional<bool> Table::flag(Column column, int row) const {
 
 std::string_view Table::text(Column column, int row) const {
   check(column, true);
-  const auto& texts = texts_[column.index];
-  return texts.empty() ? std::string_view() : texts[static_cast<std::size_t>(row)];
+  const std::vector<TextCell>& cells = texts_[column.index];
+  const auto at = static_cast<std::size_t>(row);
+  if (cells.empty() || cells[at].length == 0) return {};
+  const TextCell cell = cells[at];
+  const SourceFile& file = files_[file_of_[at]];
+  if (cell.length == TextCell::unescaped) return (*file.unescaped)[cell.begin];
+  return file.text->contents().substr(cell.begin, cell.length);
 }
 
 std::string_view Table::manufacturer(int row) const { return text(Column{family_, manufacturer_index}, row); }
@@ -155,12 +187,9 @@ text::SourceSpan Table::where(int row, Column column) const {
 }
 
 bool Table::same_part(int row, const Table& other, int other_row, Identity level) const {
-  for (std::size_t index = 0; index < numbers_.size(); ++index) {
-    const Column each{family_, static_cast<std::uint8_t>(index)};
-    const ColumnDeclaration& declared = declaration(each);
-    if (!takes_part(declared, level)) continue;
-    if (is_text(declared) ? text(each, row) != other.text(each, other_row)
-                          : number(each, row) != other.number(each, other_row)) {
+  for (const Column each : identity_columns_of(family_, level)) {
+    if (is_text(declaration(each)) ? text(each, row) != other.text(each, other_row)
+                                   : number(each, row) != other.number(each, other_row)) {
       return false;
     }
   }
@@ -169,12 +198,10 @@ bool Table::same_part(int row, const Table& other, int other_row, Identity level
 
 std::uint64_t Table::part_hash(int row, Identity level) const {
   std::uint64_t hash = 0;
-  for (std::size_t index = 0; index < numbers_.size(); ++index) {
-    const Column each{family_, static_cast<std::uint8_t>(index)};
-    const ColumnDeclaration& declared = declaration(each);
-    if (!takes_part(declared, level)) continue;
-    hash =
-        mix(hash, is_text(declared) ? hash_of(text(each, row)) : std::bit_cast<std::uint64_t>(number(each, row) + 0.0));
+  for (const Column each : identity_columns_of(family_, level)) {
+    hash = mix(
+        hash,
+        is_text(declaration(each)) ? hash_of(text(each, row)) : std::bit_cast<std::uint64_t>(number(each, row) + 0.0));
   }
   return hash;
 }
@@ -184,7 +211,7 @@ void Table::keep_only(const std::vector<bool>& keep) {
   for (auto& values : texts_) keep_in(values, keep);
   keep_in(offsets_, keep);
   keep_in(file_of_, keep);
-  index_parts();
+  parts_.forget();
 }
 
 void Table::append(Table&& other) {
@@ -192,61 +219,54 @@ void Table::append(Table&& other) {
   const std::size_t more = other.offsets_.size();
   for (std::size_t index = 0; index < numbers_.size(); ++index) {
     append_column(numbers_[index], std::move(other.numbers_[index]), rows, more, not_known);
-    append_column(texts_[index], std::move(other.texts_[index]), rows, more, std::string_view());
+    append_column(texts_[index], std::move(other.texts_[index]), rows, more, TextCell());
   }
   offsets_.insert(offsets_.end(), other.offsets_.begin(), other.offsets_.end());
   const auto first_file = static_cast<std::uint32_t>(files_.size());
   for (const std::uint32_t file : other.file_of_) file_of_.push_back(first_file + file);
   for (SourceFile& file : other.files_) files_.push_back(std::move(file));
-  index_parts();
+  fill_absent_columns();
+  parts_.forget();
 }
 
 void Table::overlay(Table&& upper) {
-  RowIndex replaced(static_cast<std::size_t>(upper.rows()));
-  for (int row = 0; row < upper.rows(); ++row) {
-    replaced.insert(upper.part_hash(row, Identity::group), row, [&](int there) {
-      return upper.same_part(row, upper, there, Identity::group);
-    });
+  if (empty()) {
+    *this = std::move(upper);
+    return;
   }
-  std::vector<bool> keep(offsets_.size(), true);
+  // The rows below are indexed, which are few (the shipped ones) when those above are many.
+  RowIndex groups(offsets_.size());
+  std::vector<std::int32_t> first_of_group(offsets_.size());
   for (int row = 0; row < rows(); ++row) {
-    const auto same = [&](int there) { return same_part(row, upper, there, Identity::group); };
-    keep[static_cast<std::size_t>(row)] = replaced.find(part_hash(row, Identity::group), same) == RowIndex::none;
+    const auto same = [&](int there) { return same_part(row, *this, there, Identity::group); };
+    const std::int32_t first = groups.insert(part_hash(row, Identity::group), row, same);
+    first_of_group[static_cast<std::size_t>(row)] = first == RowIndex::none ? row : first;
   }
-  keep_only(keep);
+  std::vector<bool> replaced(offsets_.size(), false);
+  bool any_replaced = false;
+  for (int row = 0; row < upper.rows(); ++row) {
+    const auto same = [&](int there) { return upper.same_part(row, *this, there, Identity::group); };
+    const std::int32_t first = groups.find(upper.part_hash(row, Identity::group), same);
+    if (first != RowIndex::none) replaced[static_cast<std::size_t>(first)] = any_replaced = true;
+  }
+  if (any_replaced) {
+    std::vector<bool> keep(offsets_.size());
+    for (std::size_t row = 0; row < keep.size(); ++row)
+      keep[row] = !replaced[static_cast<std::size_t>(first_of_group[row])];
+    keep_only(keep);
+  }
   append(std::move(upper));
 }
 
-void Table::index_parts() {
-  const std::size_t count = offsets_.size();
-  for (std::size_t index = 0; index < numbers_.size(); ++index) {  // absent columns answer NaN to the hot path
+void Table::fill_absent_columns() {
+  for (std::size_t index = 0; index < numbers_.size(); ++index) {  // they answer NaN without being asked for
     const Column each{family_, static_cast<std::uint8_t>(index)};
-    if (!is_text(declaration(each))) numbers_[index].resize(count, not_known);
-  }
-  first_of_part_ = RowIndex(count);
-  next_row_.assign(count, RowIndex::none);
-  std::vector<std::int32_t> last(count, RowIndex::none);
-  for (std::int32_t row = 0; row < rows(); ++row) {
-    const std::string_view part = part_number(row);
-    const auto same = [&](std::int32_t there) { return part_number(there) == part; };
-    const std::int32_t first = first_of_part_.insert(hash_of(part), row, same);
-    if (first == RowIndex::none) {
-      last[static_cast<std::size_t>(row)] = row;
-    } else {
-      next_row_[static_cast<std::size_t>(last[static_cast<std::size_t>(first)])] = row;
-      last[static_cast<std::size_t>(first)] = row;
-    }
+    if (!is_text(declaration(each))) numbers_[index].resize(offsets_.size(), not_known);
   }
 }
 
 std::vector<int> Table::rows_of(std::string_view part_number_wanted) const {
-  std::vector<int> found;
-  const auto same = [&](std::int32_t there) { return part_number(there) == part_number_wanted; };
-  for (std::int32_t row = first_of_part_.find(hash_of(part_number_wanted), same); row != RowIndex::none;
-       row = next_row_[static_cast<std::size_t>(row)]) {
-    found.push_back(row);
-  }
-  return found;
+  return parts_.find(part_number_wanted, rows(), [&](int row) { return part_number(row); });
 }
 
 }  // namespace millwright::catalogue

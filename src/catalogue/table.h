@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "catalogue/family.h"
-#include "catalogue/row_index.h"
+#include "catalogue/part_index.h"
 #include "catalogue/standing.h"
 #include "text/source_text.h"
 
@@ -51,11 +51,19 @@ struct SourceFile {
       unescaped;  ///< texts that are not verbatim in the file (doubled quotes)
 };
 
+/// Where a text stands: bytes of SourceFile::text, or an element of SourceFile::unescaped. A text of no length is not
+/// given. A view would be twice as long, and texts are half of a catalogue.
+struct TextCell {
+  std::uint32_t begin = 0;  ///< byte, or index of the unescaped text
+  std::uint32_t length = 0;
+  static constexpr std::uint32_t unescaped = std::numeric_limits<std::uint32_t>::max();  ///< as the length
+};
+
 /// What a reader hands over: one vector a column (by Column.index; empty = column not given), all of the same length.
 struct TableColumns {
-  std::vector<std::vector<double>> numbers;          ///< SI; flags 1 and 0; NaN = not known
-  std::vector<std::vector<std::string_view>> texts;  ///< views into SourceFile::text or SourceFile::unescaped
-  std::vector<std::uint32_t> offsets;                ///< byte where each record begins
+  std::vector<std::vector<double>> numbers;  ///< SI; flags 1 and 0; NaN = not known
+  std::vector<std::vector<TextCell>> texts;
+  std::vector<std::uint32_t> offsets;  ///< byte where each record begins
   SourceFile file;
 };
 
@@ -119,19 +127,18 @@ class Table {
 
  private:
   void check(Column column, bool wants_text) const;
-  void index_parts();
+  void fill_absent_columns();
   std::vector<int> rows_of(std::string_view part_number) const;
   std::vector<int> rows_by_alias(std::string_view name) const;
   std::string_view basis(int row, Column column) const;
 
   Family family_;
   std::vector<std::vector<double>> numbers_;
-  std::vector<std::vector<std::string_view>> texts_;
+  std::vector<std::vector<TextCell>> texts_;
   std::vector<std::uint32_t> offsets_;
   std::vector<std::uint32_t> file_of_;
   std::vector<SourceFile> files_;
-  RowIndex first_of_part_;              // by part number alone: its first row ...
-  std::vector<std::int32_t> next_row_;  // ... and for each row the next of the same part number
+  PartIndex parts_;  // by part number alone
 };
 
 }  // namespace millwright::catalogue

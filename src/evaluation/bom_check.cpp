@@ -171,25 +171,22 @@ BomCheck check(const machine::Problem& problem,
   for (const machine::BomLine& line : bom.lines)
     if (!line.is_dimension() && (only_origin.empty() || line.origin == only_origin))
       given.insert({line.axis, line.slot});
-  // A first look, at all voltages, tells which voltage is held and whether the parts exist.
-  {
-    const MachineModel model(at_voltage, catalogue, given);
-    const HeldParts held = hold_parts(model, bom, only_origin);
-    result.problems = held.problems;
-    for (const EmptySlot& slot : model.empty_slots())
-      if (result.problems.empty())
-        result.problems.push_back({machine::SourceSpan{}, slot.reason, "see 'catalogue list'"});
-    if (!complete && only_origin.empty()) report_missing(model, held, bom, result.problems);
-    if (!result.problems.empty()) return result;
-    if (held.voltage) at_voltage.supply_voltages = {problem.supply_voltages[*held.voltage]};
-    result.completed = std::any_of(held.stages.begin(), held.stages.end(), [](const HeldStage& s) {
-      return std::find(s.named.begin(), s.named.end(), false) != s.named.end();
-    });
-  }
+  // At the voltage that is held, where one is: a model at all of the problem's takes as much longer to make.
+  if (const auto stated = stated_voltage(bom, catalogue, only_origin))
+    for (const double volts : problem.supply_voltages)
+      if (std::abs(volts - stated->volts) < 1e-6) at_voltage.supply_voltages = {volts};
   const MachineModel model(at_voltage, catalogue, given);
   const HeldParts held = hold_parts(model, bom, only_origin);
-  result.problems = held.problems;  // at the supply's voltage a part may no longer do
+  result.empty_slots = model.empty_slots();
+  result.problems = held.problems;
+  if (!result.empty_slots.empty() && result.problems.empty())
+    for (const EmptySlot& slot : result.empty_slots)
+      result.problems.push_back({machine::SourceSpan{}, slot.reason, "see 'catalogue list'"});
+  if (!complete && only_origin.empty()) report_missing(model, held, bom, result.problems);
   if (!result.problems.empty()) return result;
+  result.completed = std::any_of(held.stages.begin(), held.stages.end(), [](const HeldStage& s) {
+    return std::find(s.named.begin(), s.named.end(), false) != s.named.end();
+  });
   const solver::RestrictedProblem restricted(model.problem(), restriction_of(model, held));
   const solver::Summary summary = solver::solve(restricted.problem(), solver_options(model, options));
   if (!summary.builds.empty()) {

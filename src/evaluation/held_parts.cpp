@@ -43,7 +43,7 @@ class Holder {
          const machine::BillOfMaterials& bom,
          const std::string& only_origin,
          bool wishes_count)
-      : model_(model), wishes_count_(wishes_count) {
+      : bom_(bom), only_origin_(only_origin), model_(model), wishes_count_(wishes_count) {
     for (const BomLine& line : bom.lines)
       if (only_origin.empty() || line.origin == only_origin) lines_.push_back(&line);
   }
@@ -185,32 +185,22 @@ class Holder {
   }
 
   void hold_voltage() {
+    const auto stated = stated_voltage(bom_, model_.catalogue(), only_origin_);
+    if (!stated) return;
     const auto& voltages = model_.machine().supply_voltages;
-    if (const BomLine* line = line_for("machine", "supply_voltage"); line != nullptr && line->value) {
-      for (std::size_t i = 0; i < voltages.size(); ++i)
-        if (std::abs(voltages[i] - *line->value) < 1e-6) result_.voltage = static_cast<solver::Row>(i);
-      if (!result_.voltage)
-        result_.problems.push_back({line->where,
-                                    fmt::format("supply voltage {} V is not among those of the problem", *line->value),
-                                    "add it to [supply] voltage"});
-      return;
-    }
-    const BomLine* supply = line_for("machine", "supply");
-    if (supply == nullptr) return;
-    const catalogue::Table& table = model_.catalogue().table(catalogue::Family::power_supplies);
-    const catalogue::Found found = table.find(supply->part_number, supply->manufacturer);
-    if (!found || found.rows.empty()) return;
-    const double volts =
-        table.number(catalogue::column(catalogue::Family::power_supplies, "output_voltage"), found.rows.front());
     for (std::size_t i = 0; i < voltages.size(); ++i)
-      if (std::abs(voltages[i] - volts) < 1e-6) result_.voltage = static_cast<solver::Row>(i);
-    if (!result_.voltage)
-      result_.problems.push_back(
-          {supply->where,
-           fmt::format("the supply gives {} V, which is not among the problem's supply voltages", volts),
-           "add it to [supply] voltage"});
+      if (std::abs(voltages[i] - stated->volts) < 1e-6) result_.voltage = static_cast<solver::Row>(i);
+    if (result_.voltage) return;
+    result_.problems.push_back(
+        {stated->line->where,
+         stated->line->slot == "supply"
+             ? fmt::format("the supply gives {} V, which is not among the problem's supply voltages", stated->volts)
+             : fmt::format("supply voltage {} V is not among those of the problem", stated->volts),
+         "add it to [supply] voltage"});
   }
 
+  const machine::BillOfMaterials& bom_;
+  const std::string& only_origin_;
   const MachineModel& model_;
   bool wishes_count_;
   std::vector<const BomLine*> lines_;
@@ -224,6 +214,23 @@ HeldParts hold_parts(const MachineModel& model,
                      const std::string& only_origin,
                      bool wishes_count) {
   return Holder(model, bom, only_origin, wishes_count).hold();
+}
+
+std::optional<StatedVoltage> stated_voltage(const machine::BillOfMaterials& bom,
+                                            const catalogue::Catalogue& catalogue,
+                                            const std::string& only_origin) {
+  const BomLine* supply = nullptr;
+  for (const BomLine& line : bom.lines) {
+    if (line.axis != "machine" || (!only_origin.empty() && line.origin != only_origin)) continue;
+    if (line.slot == "supply_voltage" && line.value) return StatedVoltage{*line.value, &line};
+    if (line.slot == "supply" && supply == nullptr) supply = &line;
+  }
+  if (supply == nullptr) return std::nullopt;
+  const catalogue::Table& table = catalogue.table(catalogue::Family::power_supplies);
+  const catalogue::Found found = table.find(supply->part_number, supply->manufacturer);
+  if (!found || found.rows.empty()) return std::nullopt;
+  constexpr catalogue::Column volts = catalogue::column(catalogue::Family::power_supplies, "output_voltage");
+  return StatedVoltage{table.number(volts, found.rows.front()), supply};
 }
 
 solver::Restriction restriction_of(const MachineModel& model, const HeldParts& held) {

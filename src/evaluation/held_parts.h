@@ -33,6 +33,15 @@ HeldParts hold_parts(const MachineModel& model,
                      const std::string& only_origin,
                      bool wishes_count = false);
 
+/// The supply voltage [V] that a bill of materials says, or that its supply gives, and the line that says so.
+struct StatedVoltage {
+  double volts = 0.0;
+  const machine::BomLine* line = nullptr;
+};
+std::optional<StatedVoltage> stated_voltage(const machine::BillOfMaterials& bom,
+                                            const catalogue::Catalogue& catalogue,
+                                            const std::string& only_origin);
+
 /// What is held, as the solver takes it; shared choices are left open.
 solver::Restriction restriction_of(const MachineModel& model, const HeldParts& held);
 

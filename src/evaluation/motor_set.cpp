@@ -12,10 +12,11 @@ MotorSet::MotorSet(MotorTable motors,
                    const machine::Requirements& require,
                    std::size_t voltages,
                    std::vector<double> speeds)
-    : motors_(std::move(motors)), require_(require), speeds_(std::move(speeds)) {
+    : motors_(std::move(motors)),
+      require_(require),
+      speeds_(std::move(speeds)),
+      torque_table_(voltages * motors_.pairs.size()) {
   readings_.resize(voltages);
-  torque_table_.resize(voltages);
-  const std::size_t ranges = speeds_.size() - 1;
   for (std::size_t v = 0; v < voltages; ++v) {
     for (const MotorPair& pair : motors_.pairs) {
       // A margin that the problem states holds for curve and model alike; else the model, an estimate, gets the smaller
@@ -28,10 +29,24 @@ MotorSet::MotorSet(MotorTable motors,
       const auto keep = [&](const double& x) { readings_[v].push_back(x); };
       visit_motor_reading(reading, keep);
       visit_shown_motor_reading(reading, keep);
-      for (std::size_t r = 0; r < ranges; ++r)
-        torque_table_[v].push_back(available_torque<Interval>(pair, v, Interval(speeds_[r], speeds_[r + 1])));
     }
   }
+}
+
+const std::vector<Interval>& MotorSet::torque_ranges(std::size_t voltage, solver::Row row) const {
+  TorqueRanges& of_motor = torque_table_[voltage * motors_.pairs.size() + row];
+  std::call_once(of_motor.known, [&] {
+    for (std::size_t r = 0; r + 1 < speeds_.size(); ++r)
+      of_motor.torque.push_back(
+          available_torque<Interval>(motors_.pairs[row], voltage, Interval(speeds_[r], speeds_[r + 1])));
+  });
+  return of_motor.torque;
+}
+
+Interval MotorSet::torque_in_range(std::span<const solver::Row> rows, std::size_t voltage, std::size_t range) const {
+  Interval torque = torque_ranges(voltage, rows.front())[range];
+  for (const solver::Row row : rows.subspan(1)) torque = hull(torque, torque_ranges(voltage, row)[range]);
+  return torque;
 }
 
 void MotorSet::read(std::size_t voltage, std::span<const solver::Row> rows, std::vector<Interval>& readings) const {
@@ -40,11 +55,7 @@ void MotorSet::read(std::size_t voltage, std::span<const solver::Row> rows, std:
   readings.push_back(range_of(rows, [&](solver::Row row) { return motors_.pairs[row].shaft; }));
   readings.push_back(range_of(rows, [&](solver::Row row) { return motors_.table.candidate(row).standing_mass; }));
   const std::size_t ranges = speeds_.size() - 1;
-  for (std::size_t range = 0; range < ranges; ++range) {
-    Interval torque = torque_table_[voltage][rows.front() * ranges + range];
-    for (const solver::Row row : rows) torque = hull(torque, torque_table_[voltage][row * ranges + range]);
-    readings.push_back(torque);
-  }
+  for (std::size_t range = 0; range < ranges; ++range) readings.push_back(torque_in_range(rows, voltage, range));
 }
 
 Interval MotorSet::torque_bounds(const RowsAlive& alive, std::size_t voltage, const Interval& speed) const {
@@ -63,9 +74,7 @@ Interval MotorSet::torque_bounds(const RowsAlive& alive, std::size_t voltage, co
   const std::size_t last = range_of(speed.upper);
   const auto of_range = [&](std::size_t range) {
     if (torque_reading + range < alive.readings.size()) return alive.readings[torque_reading + range];
-    Interval torque = torque_table_[voltage][alive.front() * ranges + range];
-    for (const solver::Row row : alive) torque = hull(torque, torque_table_[voltage][row * ranges + range]);
-    return torque;
+    return torque_in_range(alive, voltage, range);
   };
   Interval result = of_range(first);
   for (std::size_t range = first + 1; range <= last; ++range) result = hull(result, of_range(range));

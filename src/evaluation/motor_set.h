@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A set of motors (each with its driver) at one supply voltage, on any scalar: hulls of their readings, and their
-// available torque at a speed. Bounds of the torque over many motors come from a table made once: for each motor and
-// each of a few speed ranges the interval of its torque there, so that the hull over a set is a few comparisons.
+// available torque at a speed. Bounds of the torque over many motors come from a table: for each motor and each of a
+// few speed ranges the interval of its torque there, worked out when it is first asked for, so that the hull over a set
+// is a few comparisons, and a design that is only evaluated costs nothing.
 #pragma once
 
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -111,7 +113,16 @@ class MotorSet {
   machine::Requirements require_;
   std::vector<std::vector<double>> readings_;  ///< per voltage
   std::vector<double> speeds_;
-  std::vector<std::vector<scalar::Interval>> torque_table_;  ///< per voltage: row * ranges + range
+  /// The torque in each range of speed of one motor.
+  struct TorqueRanges {
+    std::once_flag known;
+    std::vector<scalar::Interval> torque;
+  };
+  [[nodiscard]] const std::vector<scalar::Interval>& torque_ranges(std::size_t voltage, solver::Row row) const;
+  [[nodiscard]] scalar::Interval torque_in_range(std::span<const solver::Row> rows,
+                                                 std::size_t voltage,
+                                                 std::size_t range) const;
+  mutable std::vector<TorqueRanges> torque_table_;  ///< voltage * rows + row
 };
 
 }  // namespace millwright::evaluation

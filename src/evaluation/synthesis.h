@@ -47,9 +47,10 @@ Synthesis synthesise(const MachineModel& model, const SearchOptions& options);
 /// What a bill of materials amounts to.
 struct BomCheck {
   std::vector<BomProblem>
-      problems;   ///< unknown parts, parts that do not go together, missing slots: nothing was evaluated if any
-  Design design;  ///< with every check, satisfied or not
-  bool completed = false;  ///< something was chosen by us
+      problems;  ///< unknown parts, parts that do not go together, missing slots: nothing was evaluated if any
+  std::vector<EmptySlot> empty_slots;  ///< no catalogue row can fill these, which is a problem
+  Design design;                       ///< with every check, satisfied or not
+  bool completed = false;              ///< something was chosen by us
   bool complete_is_optimal =
       false;  ///< the completion is the cheapest compliant one (else the cheapest that fits, not compliant)
 };

@@ -105,6 +105,8 @@ void GearedDrive<T>::derive_phases(const T& output_inertia) {
   angular_speeds.clear();
   torque_ratios.clear();
   std::vector<T> governing_forces, governing_torques, governing_accelerations, output_torques;
+  make_room(cycle.phases.size(), axial_forces, motor_torques, angular_speeds, torque_ratios);
+  make_room(cycle.phases.size(), governing_forces, governing_torques, governing_accelerations);
   const T no_torque = in_unit<T>(0.0, dimension::torque);
   const T ratio = reduction.ratio_or_one();
   T sum = in_unit<T>(0.0, dimension::torque * dimension::torque * dimension::time);

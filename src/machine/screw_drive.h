@@ -152,6 +152,8 @@ void ScrewDrive<T>::derive_phases(const T& turning) {
   angular_speeds.clear();
   torque_ratios.clear();
   std::vector<T> governing_forces, governing_torques, governing_accelerations, output_torques;
+  make_room(cycle.phases.size(), axial_forces, motor_torques, angular_speeds, torque_ratios);
+  make_room(cycle.phases.size(), governing_forces, governing_torques, governing_accelerations);
   const auto torque =
       [&](const T& force, const T& inertia, const T& alpha, const T& dragging, const T& i, const T& eta) {
         return act::screw_motor_torque(

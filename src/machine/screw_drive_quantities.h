@@ -61,6 +61,7 @@ T ball_screw_mean_load(const ScrewDrive<T>& d) {
     return cbrt(weighted / turns);
   } else {
     std::vector<T> forces, speeds, durations;
+    make_room(phases.size(), forces, speeds, durations);
     for (std::size_t i = 0; i < phases.size(); ++i) {
       forces.push_back(bs::raceway_load(d.axial_forces[i], d.screw.preload, d.data->preloaded));
       speeds.push_back(angular_speed(phases[i]));

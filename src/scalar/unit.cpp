@@ -126,6 +126,10 @@ const std::string& Unit::currency() const { return definition_->currency; }
 double Unit::to_si(double value) const {
   return value * definition_->numerator / definition_->denominator + definition_->offset;
 }
+void Unit::to_si(std::span<double> values) const {
+  const double numerator = definition_->numerator, denominator = definition_->denominator, offset = definition_->offset;
+  for (double& value : values) value = value * numerator / denominator + offset;
+}
 double Unit::from_si(double si) const {
   return (si - definition_->offset) * definition_->denominator / definition_->numerator;
 }

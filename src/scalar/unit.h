@@ -13,6 +13,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -53,6 +54,8 @@ class Unit {
   /// The ISO 4217 code of a currency, "" for every other kind.
   [[nodiscard]] const std::string& currency() const;
   [[nodiscard]] double to_si(double value) const;
+  /// The same for many numbers, in place.
+  void to_si(std::span<double> values) const;
   [[nodiscard]] double from_si(double si) const;
   /// Whether a quantity given in this unit may stand where `expected` is wanted; if not, why and what to write.
   [[nodiscard]] bool fits(const Unit& expected, std::string& reason) const;

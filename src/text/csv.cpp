@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "text/large_pages.h"
 #include "text/number.h"
 
 namespace millwright::text {
@@ -43,8 +44,16 @@ std::string_view CsvTable::raw(std::size_t row, std::size_t column) const {
 
 std::string_view CsvTable::cell(std::size_t row, std::size_t column) const {
   const Trimmed trimmed = trim(raw(row, column));
-  if (!trimmed.is_quoted || trimmed.content.find('"') == std::string_view::npos) return trimmed.content;
-  return unescaped_.at(starts_[row * (columns_.size() + 1) + column]);
+  if (!trimmed.is_quoted || unescaped_.empty()) return trimmed.content;
+  const auto found = unescaped_.find(starts_[row * (columns_.size() + 1) + column]);
+  return found == unescaped_.end() ? trimmed.content : found->second;
+}
+
+std::size_t CsvTable::record_offset(std::size_t row) const {
+  const std::string_view contents = text_->contents();
+  std::size_t offset = starts_[row * (columns_.size() + 1)];
+  while (offset < contents.size() && (contents[offset] == ' ' || contents[offset] == '\t')) ++offset;
+  return offset;
 }
 
 SourceSpan CsvTable::cell_span(std::size_t row, std::size_t column) const {
@@ -79,7 +88,7 @@ class CsvTable::NumberColumn {
  public:
   NumberColumn(const CsvTable& table, std::size_t column, Diagnostics& diagnostics)
       : table_(table), column_(column), check_marks_(table.separator_ == ';'), diagnostics_(diagnostics) {
-    values_.reserve(table.row_count());
+    reserve_large(values_, table.row_count());
   }
 
   void read(std::size_t row) {

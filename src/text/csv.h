@@ -63,7 +63,13 @@ class CsvTable {
 
   /// The content of a cell: blanks around it and quotes removed. `row` counts records from 0.
   std::string_view cell(std::size_t row, std::size_t column) const;
-  bool is_empty(std::size_t row, std::size_t column) const { return cell(row, column).empty(); }
+  bool is_empty(std::size_t row, std::size_t column) const {
+    const std::size_t at = row * (columns_.size() + 1) + column;
+    return starts_[at + 1] - starts_[at] == 1 || cell(row, column).empty();  // most often there is not even a blank
+  }
+
+  /// The byte of the text at which a record begins, blanks before its first cell left out.
+  std::size_t record_offset(std::size_t row) const;
 
   /// Where the cell stands (inside its quotes and blanks; an empty cell: where it would).
   SourceSpan cell_span(std::size_t row, std::size_t column) const;

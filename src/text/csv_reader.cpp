@@ -10,6 +10,7 @@
 #include "text/csv.h"
 #include "text/csv_header.h"
 #include "text/csv_scanner.h"
+#include "text/large_pages.h"
 #include "text/text_check.h"
 
 namespace millwright::text {
@@ -64,7 +65,8 @@ class CsvReader {
   }
 
   void check_line_ends(std::string_view contents) {
-    for (std::size_t at = contents.find('\r'); at != std::string_view::npos; at = contents.find('\r', at + 1)) {
+    for (std::size_t at = contents.find('\r', plain_prefix(contents)); at != std::string_view::npos;
+         at = contents.find('\r', at + 1)) {
       if (at + 1 == contents.size() || contents[at + 1] == '\n') continue;
       error(span_at(table_.text_, at, 1),
             "carriage return inside a line",
@@ -135,6 +137,7 @@ class CsvReader {
     std::vector<std::uint32_t>& starts = table_.starts_;
     const std::size_t columns = table_.columns_.size();
     const std::string_view contents = table_.text_->contents();
+    reserve(scanner.position());
     while (!scanner.at_end()) {
       const std::size_t before = starts.size();
       const char lead = contents[scanner.position()];
@@ -144,6 +147,19 @@ class CsvReader {
       if (good && cells == columns && !first_is_empty) continue;
       if (!good || !accept(before, cells)) starts.resize(before);
     }
+  }
+
+  /// Makes room for the records from `begin` on, as many as there are lines like the first ones: growing step by step
+  /// would copy what is read, and touch twice the memory.
+  void reserve(std::size_t begin) {
+    constexpr std::size_t looked_at = std::size_t{64} << 10U;
+    const std::string_view contents = table_.text_->contents();
+    const std::string_view rest = contents.substr(std::min(begin, contents.size()));
+    const std::string_view head = rest.substr(0, looked_at);
+    const auto lines = static_cast<std::size_t>(std::count(head.begin(), head.end(), '\n')) + 1;
+    const double records =
+        static_cast<double>(lines) * static_cast<double>(rest.size()) / static_cast<double>(head.size() + 1);
+    reserve_large(table_.starts_, static_cast<std::size_t>(1.1 * records + 1.0) * (table_.columns_.size() + 1));
   }
 
   /// Judges a record with a first cell that may be empty or of another length than the header; cuts empty surplus cells

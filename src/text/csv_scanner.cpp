@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "text/csv_scanner.h"
 
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
+#include <array>
 #include <bit>
 #include <cstring>
 #include <utility>
@@ -9,19 +14,30 @@ namespace millwright::text {
 
 namespace {
 
-constexpr std::uint64_t ones = 0x0101010101010101U;
-constexpr std::uint64_t low_bits = 0x7F7F7F7F7F7F7F7FU;
-constexpr std::size_t word_size = sizeof(std::uint64_t);
+constexpr std::size_t block_size = 64;
 /// After so many quotes that never close, the rest of the file is not worth reading.
 constexpr int unclosed_limit = 3;
 
-/// The high bit of each byte of `word` that equals the byte repeated in `pattern` (exact: no false neighbours).
-std::uint64_t equal_bytes(std::uint64_t word, std::uint64_t pattern) {
-  const std::uint64_t difference = word ^ pattern;
-  return ~(((difference & low_bits) + low_bits) | difference | low_bits);
+/// For each of the 64 bytes at `bytes` a bit: whether it is `a`, `b` or `c`.
+std::uint64_t matches(const char* bytes, char a, char b, char c) {
+  std::uint64_t mask = 0;
+#ifdef __SSE2__
+  const __m128i all_a = _mm_set1_epi8(a), all_b = _mm_set1_epi8(b), all_c = _mm_set1_epi8(c);
+  for (std::size_t i = 0; i < block_size; i += sizeof(__m128i)) {
+    __m128i part;
+    std::memcpy(&part, bytes + i, sizeof part);
+    const __m128i a_or_b = _mm_or_si128(_mm_cmpeq_epi8(part, all_a), _mm_cmpeq_epi8(part, all_b));
+    const int hits = _mm_movemask_epi8(_mm_or_si128(a_or_b, _mm_cmpeq_epi8(part, all_c)));
+    mask |= static_cast<std::uint64_t>(static_cast<std::uint32_t>(hits)) << i;
+  }
+#else
+  for (std::size_t i = 0; i < block_size; ++i) {
+    const bool hit = bytes[i] == a || bytes[i] == b || bytes[i] == c;
+    mask |= static_cast<std::uint64_t>(hit) << i;
+  }
+#endif
+  return mask;
 }
-
-std::uint64_t repeated(char c) { return ones * static_cast<unsigned char>(c); }
 
 std::uint32_t narrow(std::size_t offset) { return static_cast<std::uint32_t>(offset); }
 
@@ -34,31 +50,26 @@ CsvScanner::CsvScanner(std::shared_ptr<const SourceText> text,
     : text_(std::move(text)),
       bytes_(text_->contents()),
       diagnostics_(diagnostics),
-      separators_(repeated(separator)),
       separator_(separator),
       position_(begin) {
   seek(begin);
 }
 
 std::uint64_t CsvScanner::mask_at(std::size_t offset) const {
-  std::uint64_t word = 0;
-  if (offset + word_size <= bytes_.size()) {
-    std::memcpy(&word, bytes_.data() + offset, word_size);
-  } else if (offset < bytes_.size()) {
-    std::memcpy(&word, bytes_.data() + offset, bytes_.size() - offset);
-  }
-  if constexpr (std::endian::native == std::endian::big) word = __builtin_bswap64(word);
-  return equal_bytes(word, separators_) | equal_bytes(word, repeated('\n')) | equal_bytes(word, repeated('"'));
+  if (offset + block_size <= bytes_.size()) return matches(bytes_.data() + offset, separator_, '\n', '"');
+  std::array<char, block_size> rest{};  // of zeros, which no text holds
+  if (offset < bytes_.size()) std::memcpy(rest.data(), bytes_.data() + offset, bytes_.size() - offset);
+  return matches(rest.data(), separator_, '\n', '"');
 }
 
 /// The offset of the next separator, line end or quote; the size of the text if there is none.
 std::size_t CsvScanner::next_special() {
   while (mask_ == 0) {
-    block_ += word_size;
+    block_ += block_size;
     if (block_ >= bytes_.size()) return bytes_.size();
     mask_ = mask_at(block_);
   }
-  const std::size_t found = block_ + static_cast<std::size_t>(std::countr_zero(mask_)) / 8;
+  const std::size_t found = block_ + static_cast<std::size_t>(std::countr_zero(mask_));
   mask_ &= mask_ - 1;
   return found;
 }
@@ -90,19 +101,20 @@ bool CsvScanner::next(std::vector<std::uint32_t>& starts) {
 /// Checks a quoted cell and goes on behind its closing quote.
 bool CsvScanner::quoted_cell(std::size_t cell_begin, std::size_t quote) {
   const std::string_view before = bytes_.substr(cell_begin, quote - cell_begin);
-  if (before.find_first_not_of(" \t") != std::string_view::npos) {
+  if (!before.empty() && before.find_first_not_of(" \t") != std::string_view::npos) {
     diagnostics_.error(span_at(text_, quote, 1),
                        "quote inside a cell that is not quoted",
                        "put the whole cell in quotes and write each quote inside it twice");
     return give_up_line(quote);
   }
   bool doubled = false;
-  std::size_t closing = bytes_.find('"', quote + 1);
-  while (closing != std::string_view::npos && bytes_.substr(closing + 1, 1) == "\"") {
+  std::size_t closing = next_quote();
+  while (closing + 1 < bytes_.size() && bytes_[closing + 1] == '"') {
     doubled = true;
-    closing = bytes_.find('"', closing + 2);
+    next_special();  // the second of the two
+    closing = next_quote();
   }
-  if (closing == std::string_view::npos) {
+  if (closing >= bytes_.size()) {
     diagnostics_.error(span_at(text_, quote, 1), "quote is never closed", "add a closing quote at the end of the cell");
     if (++unclosed_ < unclosed_limit) return give_up_line(quote);
     seek(bytes_.size());
@@ -110,12 +122,18 @@ bool CsvScanner::quoted_cell(std::size_t cell_begin, std::size_t quote) {
   }
   if (!check_after_quote(quote, closing)) return give_up_line(closing);
   if (doubled) unescape(cell_begin, quote, closing);
-  seek(closing + 1);
   return true;
+}
+
+std::size_t CsvScanner::next_quote() {
+  std::size_t found = next_special();
+  while (found < bytes_.size() && bytes_[found] != '"') found = next_special();
+  return found;
 }
 
 /// Only blanks may stand between a closing quote and the end of the cell.
 bool CsvScanner::check_after_quote(std::size_t opening, std::size_t closing) {
+  if (closing + 1 == bytes_.size() || bytes_[closing + 1] == separator_) return true;
   const std::size_t behind = bytes_.find_first_not_of(" \t", closing + 1);
   if (behind == std::string_view::npos) return true;
   const char c = bytes_[behind];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the cells of CSV records begin and end. Most bytes of a table are plain; they are skipped eight at a time, and
+// Where the cells of CSV records begin and end. Most bytes of a table are plain; they are skipped 64 at a time, and
 // only separators, line ends and quotes are looked at.
 #pragma once
 
@@ -34,6 +34,7 @@ class CsvScanner {
  private:
   std::uint64_t mask_at(std::size_t offset) const;
   std::size_t next_special();
+  std::size_t next_quote();
   void seek(std::size_t offset);
   bool quoted_cell(std::size_t cell_begin, std::size_t quote);
   bool check_after_quote(std::size_t opening, std::size_t closing);
@@ -43,7 +44,6 @@ class CsvScanner {
   std::shared_ptr<const SourceText> text_;
   std::string_view bytes_;
   Diagnostics& diagnostics_;
-  std::uint64_t separators_;
   char separator_;
   std::size_t position_;
   std::size_t block_ = 0;

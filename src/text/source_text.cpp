@@ -10,8 +10,10 @@
 #include <cerrno>
 #include <cstring>
 #include <limits>
+#include <new>
 
 #include "text/diagnostic.h"
+#include "text/large_pages.h"
 #include "text/text_check.h"
 #include "text/utf8.h"
 
@@ -39,25 +41,33 @@ class File {
   bool is_open() const { return descriptor_ >= 0; }
   int descriptor() const { return descriptor_; }
 
-  /// Appends up to `wanted` bytes; fewer only at the end of the file. False on a read error.
-  bool append_to(std::string& bytes, std::size_t wanted) const {
-    const std::size_t before = bytes.size();
-    bytes.resize(before + wanted);
-    std::size_t got = 0;
-    while (got < wanted) {
-      const ssize_t step = ::read(descriptor_, bytes.data() + before + got, wanted - got);
+  /// Appends what is there, up to `room` bytes in all; `at_end` tells whether the file ended. False on a read error.
+  bool append_to(SourceText::Buffer& buffer, std::size_t room, bool& at_end) const {
+    at_end = false;
+    while (buffer.size < room) {
+      const ssize_t step = ::read(descriptor_, buffer.bytes.get() + buffer.size, room - buffer.size);
       if (step < 0 && errno == EINTR) continue;
       if (step < 0) return false;
-      if (step == 0) break;
-      got += static_cast<std::size_t>(step);
+      at_end = step == 0;
+      if (at_end) break;
+      buffer.size += static_cast<std::size_t>(step);
     }
-    bytes.resize(before + got);
     return true;
   }
 
  private:
   int descriptor_;
 };
+
+std::shared_ptr<char> room_for(std::size_t bytes) {
+  const std::shared_ptr<char> room(static_cast<char*>(::operator new(bytes)), [](char* at) { ::operator delete(at); });
+  prefer_large_pages(room.get(), bytes);
+  return room;
+}
+
+std::string_view without_mark(std::string_view bytes) {
+  return bytes.substr(0, 3) == "\xEF\xBB\xBF" ? bytes.substr(3) : bytes;
+}
 
 std::string kind_of(mode_t mode) {
   if (S_ISDIR(mode)) return "a directory";
@@ -68,9 +78,13 @@ std::string kind_of(mode_t mode) {
 
 }  // namespace
 
-SourceText::SourceText(std::string path, std::string contents) : path_(std::move(path)), bytes_(std::move(contents)) {
-  if (bytes_.compare(0, 3, "\xEF\xBB\xBF") == 0) begin_ = 3;
-}
+SourceText::SourceText(std::string path, std::string contents)
+    : path_(std::move(path)), bytes_(std::move(contents)), contents_(without_mark(bytes_)) {}
+
+SourceText::SourceText(std::string path, Buffer contents)
+    : path_(std::move(path)),
+      buffer_(std::move(contents)),
+      contents_(without_mark({buffer_.bytes.get(), buffer_.size})) {}
 
 std::shared_ptr<const SourceText> SourceText::from_string(std::string path, std::string contents) {
   return std::make_shared<const SourceText>(std::move(path), std::move(contents));
@@ -89,25 +103,30 @@ std::shared_ptr<const SourceText> SourceText::load(const std::string& path,
   if (::fstat(file.descriptor(), &status) != 0) return refuse(std::strerror(errno));
   if (!S_ISREG(status.st_mode)) return refuse("is " + kind_of(status.st_mode) + ", not a file");
 
-  std::string bytes;
-  if (!file.append_to(bytes, sniffed_bytes)) return refuse(fmt::format("cannot be read: {}", std::strerror(errno)));
-  const bool complete = bytes.size() < sniffed_bytes;
-  if (!looks_like_text(from_string(path, bytes), complete, diagnostics)) return nullptr;
-  const auto size = std::max<std::uintmax_t>(static_cast<std::uintmax_t>(status.st_size), bytes.size());
+  const auto unreadable = [&] { return refuse(fmt::format("cannot be read: {}", std::strerror(errno))); };
+  // The size may be out of date (a file that grows, or one in /proc), so read until the end or the limit.
+  const auto size = static_cast<std::uintmax_t>(std::max<off_t>(status.st_size, 0));
+  std::size_t room = static_cast<std::size_t>(std::min(size, size_limit)) + sniffed_bytes;
+  Buffer buffer{room_for(room), 0};
+  bool at_end = false;
+  if (!file.append_to(buffer, sniffed_bytes, at_end)) return unreadable();
+  if (!looks_like_text(from_string(path, {buffer.bytes.get(), buffer.size}), at_end, diagnostics)) return nullptr;
   const auto too_large = [&](std::uintmax_t found) {
     return refuse(fmt::format("is too large: {} bytes or more, the limit is {}", found, size_limit),
                   "is this the right file?");
   };
   if (size > size_limit) return too_large(size);
-  // The size may be out of date (a file that grows, or one in /proc), so read until the end or the limit.
-  bytes.reserve(static_cast<std::size_t>(size) + 1);
-  for (std::size_t before = 0; before != bytes.size();) {
-    before = bytes.size();
-    const std::size_t missing = size > before ? static_cast<std::size_t>(size) - before : sniffed_bytes;
-    if (!file.append_to(bytes, missing)) return refuse(fmt::format("cannot be read: {}", std::strerror(errno)));
-    if (bytes.size() > size_limit) return too_large(bytes.size());
+  while (!at_end) {
+    if (buffer.size == room) {
+      room *= 2;
+      Buffer larger{room_for(room), buffer.size};
+      std::memcpy(larger.bytes.get(), buffer.bytes.get(), buffer.size);
+      buffer = std::move(larger);
+    }
+    if (!file.append_to(buffer, room, at_end)) return unreadable();
+    if (buffer.size > size_limit) return too_large(buffer.size);
   }
-  return from_string(path, std::move(bytes));
+  return std::make_shared<const SourceText>(path, std::move(buffer));
 }
 
 void SourceText::index_lines() const {

@@ -40,7 +40,14 @@ class SourceText {
   /// Files above this are refused: a catalogue is a few megabytes, what is larger is the wrong file.
   static constexpr std::uintmax_t default_size_limit = std::uintmax_t{256} << 20U;
 
+  /// Bytes that nothing is written to before they are read into.
+  struct Buffer {
+    std::shared_ptr<char> bytes;
+    std::size_t size = 0;
+  };
+
   SourceText(std::string path, std::string contents);
+  SourceText(std::string path, Buffer contents);
   static std::shared_ptr<const SourceText> from_string(std::string path, std::string contents);
 
   /// Reads a regular file. Reports one error and returns null when it is not there, unreadable, a directory or device,
@@ -51,7 +58,7 @@ class SourceText {
                                                 std::uintmax_t size_limit = default_size_limit);
 
   const std::string& path() const { return path_; }
-  std::string_view contents() const { return std::string_view(bytes_).substr(begin_); }
+  std::string_view contents() const { return contents_; }
   int line_count() const;
 
   /// Line `number` (from 1) without its line end; empty outside the text.
@@ -66,7 +73,8 @@ class SourceText {
 
   std::string path_;
   std::string bytes_;
-  std::size_t begin_ = 0;
+  Buffer buffer_;
+  std::string_view contents_;  ///< in one of the two, behind a byte order mark
   mutable std::once_flag indexed_;
   mutable std::vector<std::size_t> line_begins_;
 };

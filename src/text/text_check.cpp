@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 
@@ -66,27 +67,48 @@ void report_not_text(const std::shared_ptr<const SourceText>& text, const BadByt
 
 }  // namespace
 
+std::size_t plain_prefix(std::string_view text) {
+  // Without a branch inside, compilers turn a block into a few wide instructions.
+  constexpr std::size_t block = 256;
+  std::size_t at = 0;
+  for (; at + block <= text.size(); at += block) {
+    unsigned char odd = 0;
+    for (std::size_t i = 0; i < block; ++i) {
+      const auto byte = static_cast<unsigned char>(text[at + i]);
+      const auto unprintable = static_cast<unsigned char>(static_cast<unsigned char>(byte - 0x20U) > 0x5EU);
+      odd |= static_cast<unsigned char>(unprintable & static_cast<unsigned char>(byte != '\n'));
+    }
+    if (odd != 0) break;
+  }
+  return at;
+}
+
 std::optional<std::size_t> find_bad_byte(std::string_view text, std::size_t from) {
+  constexpr std::size_t looked_at_closely = 256;
   std::size_t at = from;
   while (at < text.size()) {
-    std::uint64_t word = 0;
-    while (at + sizeof word <= text.size()) {
-      std::memcpy(&word, text.data() + at, sizeof word);
-      if (!is_plain(word)) break;
-      at += sizeof word;
-    }
-    // One word, character by character: it holds a line end, a character beyond ASCII, or a bad byte.
-    const std::size_t end = at + sizeof word < text.size() ? at + sizeof word : text.size();
-    while (at < end) {
-      const auto byte = static_cast<unsigned char>(text[at]);
-      if (byte < 0x80) {
-        if (is_control(byte)) return at;
-        ++at;
-        continue;
+    at += plain_prefix(text.substr(at));
+    const std::size_t block_end = std::min(at + looked_at_closely, text.size());
+    while (at < block_end) {
+      std::uint64_t word = 0;
+      while (at + sizeof word <= block_end) {
+        std::memcpy(&word, text.data() + at, sizeof word);
+        if (!is_plain(word)) break;
+        at += sizeof word;
       }
-      const Character character = decode(text, at);
-      if (!character.valid) return at;
-      at += static_cast<std::size_t>(character.bytes);
+      // One word, character by character: it holds a line end, a character beyond ASCII, or a bad byte.
+      const std::size_t end = std::min(at + sizeof word, text.size());
+      while (at < end) {
+        const auto byte = static_cast<unsigned char>(text[at]);
+        if (byte < 0x80) {
+          if (is_control(byte)) return at;
+          ++at;
+          continue;
+        }
+        const Character character = decode(text, at);
+        if (!character.valid) return at;
+        at += static_cast<std::size_t>(character.bytes);
+      }
     }
   }
   return std::nullopt;

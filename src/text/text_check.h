@@ -13,6 +13,10 @@
 
 namespace millwright::text {
 
+/// How many bytes at the beginning are printable ASCII or line feeds, rounded down: what most texts are from end to
+/// end, and quick to tell.
+std::size_t plain_prefix(std::string_view text);
+
 /// Offset of the first byte at or after `from` that cannot stand in a text file. Plain text is skipped eight bytes at a
 /// time.
 std::optional<std::size_t> find_bad_byte(std::string_view text, std::size_t from = 0);
