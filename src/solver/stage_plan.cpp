@@ -108,10 +108,7 @@ bool shave(StagePlan& plan, std::span<const Interval> inherited, Desk& desk, con
         trial.rows[slot] = only(*plan.stage, plan.shared, slot, row);
         if (hopeless(plan, inherited, trial, desk)) continue;
         if (seen) seen(slot, row, desk.interval);
-        if (!plan.fits.everything_fits()) {
-          Region partners = trial;
-          if (!plan.fits.filter(partners, slot)) continue;
-        }
+        if (!plan.fits.possible(trial, slot)) continue;
         kept.push_back(row);
       }
       if (kept.empty()) return false;

@@ -79,7 +79,11 @@ void compare(const Size& size, double seconds, const std::filesystem::path& fold
       fmt::print("  {:<28} skipped: needs the package {}\n", peer.name, peer.package);
       continue;
     }
-    const Outcome outcome = run_isolated(peer, {instance, table, seconds, folder});
+    Outcome outcome = run_isolated(peer, {instance, table, seconds, folder});
+    std::vector<double> times{outcome.seconds};
+    while (times.size() < 3 && times[0] < 1.0)
+      times.push_back(run_isolated(peer, {instance, table, seconds, folder}).seconds);
+    outcome.seconds = measure::median(times);
     const Worth worth = outcome.design ? worth_of(instance, *outcome.design) : Worth{};
     fmt::print("  {:<28} {:>9} {:>9.3f} {:>9} {:>10.1f}  {}\n",
                peer.name,
@@ -108,7 +112,8 @@ int main(int argc, char** argv) {
       std::filesystem::temp_directory_path() / fmt::format("millwright_peers_{}", static_cast<long>(getpid()));
   std::filesystem::create_directories(folder);
   fmt::print(
-      "{}\ntime limit {} s for each peer and instance; seconds: as a process, with its model's file; ratio to "
+      "{}\ntime limit {} s for each peer and instance; seconds: as a process, with its model's file, median of 3 below "
+      "1 s; ratio to "
       "Millwright's solve\n",
       measure::machine(),
       seconds);
