@@ -28,11 +28,13 @@ Times measure_variant(const Problem& problem, int runs, double limit) {
   options.time_limit_seconds = limit;
   for (int run = 0; run < runs; ++run) {
     options.objectives = {0};
+    const double start = measure::processor_seconds();
     times.best = solve(problem, options);
-    solving.push_back(times.best.seconds);
+    const double between = measure::processor_seconds();
+    solving.push_back(between - start);
     options.objectives = {0, 1};
     times.front = solve(problem, options);
-    covering.push_back(times.front.seconds);
+    covering.push_back(measure::processor_seconds() - between);
     if (times.front.status == Status::limit) break;  // once is enough
   }
   times.solving = measure::median(solving);
@@ -56,7 +58,8 @@ int main(int argc, char** argv) {
   const double limit = argument(4, 60.0);
   fmt::print("{}\n", measure::machine());
   fmt::print(
-      "k3 ({}, {}), one thread, median of {}; targets: solve {} s, front {} s; plain: cost without the variant\n",
+      "k3 ({}, {}), one thread, processor seconds, median of {}; targets: solve {} s, front {} s; plain: cost without "
+      "the variant\n",
       screws,
       motors,
       runs,
