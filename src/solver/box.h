@@ -24,6 +24,9 @@ class Rows {
       : rows_(std::move(rows)) {
     stage.read(shared, slot, rows_, readings_);
   }
+  /// With what has been read of them.
+  Rows(std::vector<Row> rows, std::vector<Interval> readings)
+      : rows_(std::move(rows)), readings_(std::move(readings)) {}
   [[nodiscard]] const std::vector<Row>& all() const { return rows_; }
   [[nodiscard]] RowsAlive alive() const { return {rows_, readings_}; }
   [[nodiscard]] std::size_t size() const { return rows_.size(); }

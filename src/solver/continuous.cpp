@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::size_t feasibility_boxes = 4000;
 constexpr std::size_t cover_boxes = 20000;
-constexpr std::size_t local_after = 24;   // boxes after which a local solver is asked
+constexpr std::size_t local_after = 24;  // boxes after which a local solver is asked
+constexpr std::size_t thorough_after = 400;
 constexpr std::size_t ipopt_after = 401;  // boxes after which Ipopt is asked if no feasible point is known
 
 void leave_undecided(LeafAnswer& answer, std::span<const double> score) {
@@ -41,6 +42,12 @@ class FeasibilitySearch {
     push(variables);
     for (std::size_t boxes = 0; !heap_.empty(); ++boxes) {
       if (boxes >= feasibility_boxes) return Verdict::undecided;
+      if (variables.size() > 1 && (boxes == local_after || boxes == thorough_after)) {
+        std::vector<Interval> sides = variables;
+        heap_ = {};
+        if (narrow_one_by_one(*question_.plan, state_, *question_.region, sides, 2 * boxes, desk_)) push(sides);
+        if (heap_.empty()) return Verdict::infeasible;
+      }
       const VariableBox box = heap_.pop();
       if (boxes == local_after && accept(design_.least_violation(variables, middle_of(box.side)), found)) {
         return Verdict::feasible;
@@ -107,8 +114,11 @@ LeafAnswer solve_feasibility(const LeafQuestion& question, Desk& desk) {
   if (verdict == Verdict::infeasible && question.label->exact) return answer;
   Bounds bounds;
   Region region = *question.region;
-  if (!assess(*question.plan, question.label->enclosure, region, bounds, desk)) return answer;
-  if (proves_infeasible(*question.plan, question.label->enclosure, region, feasibility_boxes, desk)) return answer;
+  const auto& state = question.label->state;  // an exact label need not have its enclosure written out
+  const std::vector<Interval> enclosure =
+      question.label->exact ? std::vector<Interval>(state.begin(), state.end()) : question.label->enclosure;
+  if (!assess(*question.plan, enclosure, region, bounds, desk)) return answer;
+  if (proves_infeasible(*question.plan, enclosure, region, feasibility_boxes, desk)) return answer;
   leave_undecided(answer, bounds.score);
   return answer;
 }

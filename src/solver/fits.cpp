@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solver/fits.h"
 
+#include <algorithm>
+#include <map>
+
 namespace millwright::solver {
 namespace {
 
@@ -11,6 +14,19 @@ void set_bit(std::vector<std::uint64_t>& bits, std::size_t offset, std::size_t i
 }
 
 }  // namespace
+
+void Fits::Pairs::find_kinds() {
+  using Bits = std::span<const std::uint64_t>;
+  const auto before = [](Bits a, Bits b) {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+  };
+  std::map<Bits, std::uint32_t, decltype(before)> known(before);
+  if (words == 0) return;
+  const Bits all = bits;
+  for (std::size_t from = 0; from < all.size(); from += words)
+    kind.push_back(known.try_emplace(all.subspan(from, words), static_cast<std::uint32_t>(known.size())).first->second);
+  kinds = known.size();
+}
 
 Fits::Fits(const Stage& stage, std::span<const Row> shared)
     : stage_(&stage), shared_(shared), slots_(stage.slots().size()), pairs_(slots_ * slots_) {
@@ -24,8 +40,10 @@ Fits::Fits(const Stage& stage, std::span<const Row> shared)
 void Fits::ask(const Stage& stage, std::span<const Row> shared, std::size_t a, std::size_t b) {
   const Row rows_a = stage.slots()[a].rows;
   const Row rows_b = stage.slots()[b].rows;
-  Pairs forward{(rows_b + word_bits - 1) / word_bits, {}};
-  Pairs backward{(rows_a + word_bits - 1) / word_bits, {}};
+  Pairs forward;
+  Pairs backward;
+  forward.words = (rows_b + word_bits - 1) / word_bits;
+  backward.words = (rows_a + word_bits - 1) / word_bits;
   forward.bits.assign(forward.words * rows_a, 0);
   backward.bits.assign(backward.words * rows_b, 0);
   bool all = true;
@@ -40,24 +58,33 @@ void Fits::ask(const Stage& stage, std::span<const Row> shared, std::size_t a, s
   }
   if (all) return;
   everything_fits_ = false;
+  forward.find_kinds();
+  backward.find_kinds();
   pairs(a, b) = std::move(forward);
   pairs(b, a) = std::move(backward);
 }
 
-bool Fits::keep_partners(Region& region, std::size_t changed, std::size_t other, bool& smaller) const {
-  const Pairs& partners = pairs(other, changed);
+bool Fits::keep_partners(std::span<const std::vector<Row>*> alive,
+                         std::vector<std::vector<Row>>& fewer,
+                         std::size_t changed,
+                         std::size_t other,
+                         bool& smaller) const {
+  const Pairs& partners = pairs(changed, other);
   if (partners.bits.empty()) return true;
-  thread_local std::vector<std::uint64_t> alive;
-  alive.assign(partners.words, 0);
-  for (const Row row : *region.rows[changed]) set_bit(alive, 0, row);
-  const auto has_partner = [&](Row row) {
+  // Rows of one kind have the same partners, and there are few kinds: sizes, bores, frames.
+  thread_local std::vector<bool> seen;
+  thread_local std::vector<std::uint64_t> reached;
+  seen.assign(partners.kinds, false);
+  reached.assign(partners.words, 0);
+  for (const Row row : *alive[changed]) {
+    const std::uint32_t kind = partners.kind[row];
+    if (seen[kind]) continue;
+    seen[kind] = true;
     const std::uint64_t* bits = partners.bits.data() + row * partners.words;
-    for (std::size_t w = 0; w < partners.words; ++w) {
-      if ((bits[w] & alive[w]) != 0) return true;
-    }
-    return false;
-  };
-  const std::vector<Row>& rows = region.rows[other]->all();
+    for (std::size_t w = 0; w < partners.words; ++w) reached[w] |= bits[w];
+  }
+  const auto has_partner = [&](Row row) { return ((reached[row / word_bits] >> (row % word_bits)) & 1U) != 0; };
+  const std::vector<Row>& rows = *alive[other];
   std::size_t kept = 0;
   for (const Row row : rows) kept += has_partner(row) ? 1 : 0;
   if (kept == rows.size()) return true;
@@ -67,13 +94,16 @@ bool Fits::keep_partners(Region& region, std::size_t changed, std::size_t other,
   for (const Row row : rows) {
     if (has_partner(row)) rest.push_back(row);
   }
-  region.rows[other] = make_rows(*stage_, shared_, other, std::move(rest));
+  fewer[other] = std::move(rest);
+  alive[other] = &fewer[other];
   smaller = true;
   return true;
 }
 
-bool Fits::filter(Region& region, std::size_t changed) const {
-  if (everything_fits_) return true;
+bool Fits::narrow(const Region& region, std::size_t changed, std::vector<std::vector<Row>>& fewer) const {
+  std::vector<const std::vector<Row>*> alive;
+  for (const RowSet& set : region.rows) alive.push_back(&set->all());
+  fewer.assign(slots_, {});
   std::vector<bool> pending(slots_, changed >= slots_);
   if (changed < slots_) pending[changed] = true;
   for (bool any = true; any;) {
@@ -83,11 +113,26 @@ bool Fits::filter(Region& region, std::size_t changed) const {
       pending[slot] = false;
       for (std::size_t other = 0; other < slots_; ++other) {
         bool smaller = false;
-        if (other != slot && !keep_partners(region, slot, other, smaller)) return false;
+        if (other != slot && !keep_partners(alive, fewer, slot, other, smaller)) return false;
         if (smaller) pending[other] = any = true;
       }
     }
   }
+  return true;
+}
+
+bool Fits::possible(const Region& region, std::size_t changed) const {
+  if (everything_fits_) return true;
+  std::vector<std::vector<Row>> fewer;
+  return narrow(region, changed, fewer);
+}
+
+bool Fits::filter(Region& region, std::size_t changed) const {
+  if (everything_fits_) return true;
+  std::vector<std::vector<Row>> fewer;
+  if (!narrow(region, changed, fewer)) return false;
+  for (std::size_t slot = 0; slot < slots_; ++slot)
+    if (!fewer[slot].empty()) region.rows[slot] = make_rows(*stage_, shared_, slot, std::move(fewer[slot]));
   return true;
 }
 

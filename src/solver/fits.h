@@ -22,18 +22,29 @@ class Fits {
   /// False when some slot has no row left. `changed` is the slot that became smaller, or any value >= the number of
   /// slots for all of them.
   bool filter(Region& region, std::size_t changed) const;
+  /// What `filter` would answer; the region stays as it is, and the stage need not read smaller sets of rows.
+  [[nodiscard]] bool possible(const Region& region, std::size_t changed) const;
 
  private:
   /// The partners in slot b of every row of slot a, as bits; empty when every pair fits.
   struct Pairs {
     std::size_t words = 0;
     std::vector<std::uint64_t> bits;
+    std::size_t kinds = 0;
+    std::vector<std::uint32_t> kind;  ///< of every row of slot a: those of one kind have the same partners
+    void find_kinds();
   };
   [[nodiscard]] const Pairs& pairs(std::size_t a, std::size_t b) const { return pairs_[a * slots_ + b]; }
   Pairs& pairs(std::size_t a, std::size_t b) { return pairs_[a * slots_ + b]; }
   /// Asks the stage about every pair of rows of two slots.
   void ask(const Stage& stage, std::span<const Row> shared, std::size_t a, std::size_t b);
-  bool keep_partners(Region& region, std::size_t changed, std::size_t other, bool& smaller) const;
+  /// The rows left of every slot that loses some.
+  bool narrow(const Region& region, std::size_t changed, std::vector<std::vector<Row>>& fewer) const;
+  bool keep_partners(std::span<const std::vector<Row>*> alive,
+                     std::vector<std::vector<Row>>& fewer,
+                     std::size_t changed,
+                     std::size_t other,
+                     bool& smaller) const;
 
   const Stage* stage_;
   std::span<const Row> shared_;

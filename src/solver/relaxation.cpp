@@ -91,11 +91,46 @@ Relaxation relax(const StagePlan& plan, RelaxedTarget target, std::size_t node_l
   return Search(plan, target, desk).run(node_limit);
 }
 
+bool narrow_one_by_one(const StagePlan& plan,
+                       std::span<const Interval> inherited,
+                       const Region& region,
+                       std::vector<Interval>& sides,
+                       std::size_t most_pieces,
+                       Desk& desk) {
+  for (std::size_t v = 0; v < sides.size(); ++v) {
+    const Variable& variable = plan.stage->variables()[v];
+    const double narrow = 1e-9 * (variable.upper - variable.lower);
+    std::vector<Interval> trial = sides;
+    std::vector<Interval> open{sides[v]};
+    while (!open.empty() && open.size() <= most_pieces && open.front().upper - open.front().lower > narrow) {
+      std::vector<Interval> halves;
+      for (const Interval& piece : open) {
+        const double cut = middle(piece);
+        for (const Interval& half : {Interval(piece.lower, cut), Interval(cut, piece.upper)}) {
+          trial[v] = half;
+          const auto& answer = desk.bound(*plan.stage, plan.shared, inherited, region, trial);
+          if (worst_lower(answer.utilisation) <= 1.0) halves.push_back(half);
+        }
+      }
+      open = std::move(halves);
+    }
+    if (open.empty()) return false;
+    sides[v] = {open.front().lower, open.back().upper};
+  }
+  return true;
+}
+
 bool proves_infeasible(
     const StagePlan& plan, std::span<const Interval> inherited, const Region& region, std::size_t limit, Desk& desk) {
+  constexpr std::size_t one_by_one_after = 24;  // boxes
+  constexpr std::size_t pieces = 16;
   std::vector<std::vector<Interval>> open{region.variables};
   for (std::size_t boxes = 0; !open.empty(); ++boxes) {
     if (boxes >= limit) return false;
+    if (boxes == one_by_one_after && region.variables.size() > 1) {
+      open.assign(1, region.variables);
+      if (!narrow_one_by_one(plan, inherited, region, open.front(), pieces, desk)) return true;
+    }
     const std::vector<Interval> box = std::move(open.back());
     open.pop_back();
     const auto& answer = desk.bound(*plan.stage, plan.shared, inherited, region, box);

@@ -23,6 +23,17 @@ struct Relaxation {
 
 Relaxation relax(const StagePlan& plan, RelaxedTarget target, std::size_t node_limit, Desk& desk);
 
+/// Cuts a box of variables down to what may be feasible, by bisecting one after the other while the others keep their
+/// whole range; false: nothing is. Constraints that read one variable only (the ramp of one of several moves, say) are
+/// settled so in a line of boxes, where bisecting all variables together takes a number with as many factors. A
+/// variable of which more than `most_pieces` pieces stay open is left at that.
+bool narrow_one_by_one(const StagePlan& plan,
+                       std::span<const Interval> inherited,
+                       const Region& region,
+                       std::vector<Interval>& sides,
+                       std::size_t most_pieces,
+                       Desk& desk);
+
 /// Whether bisection of the variables proves, within `limit` boxes, that a region has no feasible design.
 bool proves_infeasible(
     const StagePlan& plan, std::span<const Interval> inherited, const Region& region, std::size_t limit, Desk& desk);

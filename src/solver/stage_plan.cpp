@@ -114,8 +114,8 @@ bool shave(StagePlan& plan, std::span<const Interval> inherited, Desk& desk, con
         if (seen) seen(slot, row, answer);
         if (!plan.fits.everything_fits()) {
           Region partners = plan.region;
-          partners.rows[slot] = only(*plan.stage, plan.shared, slot, row);
-          if (!plan.fits.filter(partners, slot)) continue;
+          partners.rows[slot] = std::make_shared<const Rows>(std::vector<Row>(1, row), readings);
+          if (!plan.fits.possible(partners, slot)) continue;
         }
         kept.push_back(row);
       }

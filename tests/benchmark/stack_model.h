@@ -59,36 +59,77 @@ inline Columns cut_screws(const Columns& screws, double length) {
   return cut;
 }
 
+/// An axis under way: the screw's turns in rad for a metre of travel, the inertia that it drives, the force along it
+/// and the torque in it while accelerating.
+template <class T>
+struct Motion {
+  T mass, acceleration, speed, turns, inertia, force, torque;
+};
+
+template <class T>
+Motion<T> motion_of(const Axis& axis, const T& lead, const T& efficiency, const T& inertia, const T& mass, const T& t) {
+  using millwright::scalar::square;
+  constexpr double gravity = 9.81;
+  const T rest = axis.move_time - t;
+  const T speed = axis.stroke / rest;
+  const T acceleration = speed / t;
+  const T turns = 2.0 * std::numbers::pi / lead;
+  const T driven = inertia + mass / square(turns);
+  const T force = axis.force + mass * (gravity * (axis.friction + axis.gravity));
+  return {
+      mass, acceleration, speed, turns, driven, force, force / (turns * efficiency) + driven * acceleration * turns};
+}
+
+/// Torque of the motor and inertia ratio, of what the motor drives seen at its shaft: the torque without its own rotor.
+template <class T>
+void hold_motor(const T& torque,
+                const T& inertia,
+                const T& acceleration,
+                const T& speed,
+                const T& rotor,
+                const T& corner,
+                const T& holding,
+                std::vector<T>& utilisation) {
+  using millwright::scalar::square;
+  const T whole = torque + rotor * acceleration;
+  utilisation.push_back(whole * (1.0 + square(speed / corner)) / (0.7 * holding));
+  utilisation.push_back(inertia / (10.0 * rotor));
+}
+
+/// Whirl, buckling, twist and shear of the screw.
+template <class T>
+void hold_screw(const Axis& axis, const T& lead, const T& root, const Motion<T>& motion, std::vector<T>& utilisation) {
+  using millwright::scalar::square;
+  constexpr double pi = std::numbers::pi, young = 206e9, shear = 79e9, density = 7850.0;
+  const double length = axis.length;
+  const T d2 = square(root), d4 = square(d2);
+  const double whirl = 3.927 * 3.927 / (2.0 * pi * length * length) * std::sqrt(young / density) / 4.0;
+  utilisation.push_back(motion.speed / lead / (0.8 * whirl * root));
+  utilisation.push_back((motion.force + motion.mass * motion.acceleration) /
+                        (pi * pi * young * pi / 64.0 / (length * length) * d4));
+  utilisation.push_back(motion.torque * length / (shear * pi / 32.0 * axis.largest_twist * d4));
+  utilisation.push_back(16.0 * motion.torque / (pi * axis.largest_shear * (root * d2)));
+}
+
 /// Constraints, cost and mass of one axis; what it hands on is the mass on the next.
 struct AxisModel {
   Axis axis;
 
   template <class Input, class Answer>
   void operator()(const Input& in, Answer& out) const {
-    using millwright::scalar::square;
-    constexpr double pi = std::numbers::pi, gravity = 9.81, young = 206e9, shear = 79e9, density = 7850.0;
-    const double length = axis.length;
-    const auto d = in.row(screw_slot, cut_root);
-    const auto step = in.row(screw_slot, cut_lead);
-    const auto t = in.variable(0);
+    const auto lead_of = in.row(screw_slot, cut_lead);
     const auto mass = in.state(0) + axis.carriage;
-    const auto rest = axis.move_time - t;
-    const auto speed = axis.stroke / rest;
-    const auto acceleration = speed / t;
-    const auto turns = 2.0 * pi / step;  // rad of the screw for a metre
-    const auto inertia = in.row(screw_slot, cut_inertia) + mass / square(turns);
-    const auto force = axis.force + mass * (gravity * (axis.friction + axis.gravity));
-    const auto torque = force / (turns * in.row(screw_slot, cut_efficiency)) + inertia * acceleration * turns;
-    const auto motor_torque = torque + in.row(motor_slot, rotor_inertia) * acceleration * turns;
-    const auto d2 = square(d), d4 = square(d2);
-    const double whirl = 3.927 * 3.927 / (2.0 * pi * length * length) * std::sqrt(young / density) / 4.0;
-    out.utilisation.push_back(motor_torque * (1.0 + square(speed * turns / in.row(motor_slot, corner_speed))) /
-                              (0.7 * in.row(motor_slot, holding_torque)));
-    out.utilisation.push_back(inertia / (10.0 * in.row(motor_slot, rotor_inertia)));
-    out.utilisation.push_back(speed / step / (0.8 * whirl * d));
-    out.utilisation.push_back((force + mass * acceleration) / (pi * pi * young * pi / 64.0 / (length * length) * d4));
-    out.utilisation.push_back(torque * length / (shear * pi / 32.0 * axis.largest_twist * d4));
-    out.utilisation.push_back(16.0 * torque / (pi * axis.largest_shear * (d * d2)));
+    const auto motion = motion_of(
+        axis, lead_of, in.row(screw_slot, cut_efficiency), in.row(screw_slot, cut_inertia), mass, in.variable(0));
+    hold_motor(motion.torque,
+               motion.inertia,
+               motion.acceleration * motion.turns,
+               motion.speed * motion.turns,
+               in.row(motor_slot, rotor_inertia),
+               in.row(motor_slot, corner_speed),
+               in.row(motor_slot, holding_torque),
+               out.utilisation);
+    hold_screw(axis, lead_of, in.row(screw_slot, cut_root), motion, out.utilisation);
     const auto own = in.row(screw_slot, cut_mass) + in.row(motor_slot, motor_mass);
     out.resources.push_back(in.row(screw_slot, cut_price) + in.row(motor_slot, motor_price));
     out.resources.push_back(own);
