@@ -39,11 +39,11 @@ class Derivation {
  public:
   Derivation(const machine::ClaimsFile& file, ClaimValues& values) : file_(file), values_(values) {}
 
-  std::vector<scalar::DerivationLine> of(const Claim& claim) {
+  void write(const Claim& claim, AuditRow& row) {
     add_derived(claim);
-    const scalar::Traced result = values_.trace(*claim.calculation, claim.axis);
-    append(scalar::derivation(result, symbol_of(claim), claim.unit()));
-    return std::move(lines_);
+    add({symbol_of(claim), values_.trace(*claim.calculation, claim.axis), claim.unit()});
+    row.derivation = std::move(lines_);
+    row.traces = std::move(traces_);
   }
 
  private:
@@ -52,10 +52,13 @@ class Derivation {
       if (file_.find_claim(id) || !done_.insert(id).second) continue;
       const ClaimRow& derived = *file_.find_row(id);
       add_derived(derived);
-      append(scalar::derivation(values_.trace(*derived.calculation, derived.axis), symbol_of(derived)));
+      const scalar::Traced value = values_.trace(*derived.calculation, derived.axis);
+      add({symbol_of(derived), value, scalar::readable_unit(value.dimension, value.value)});
     }
   }
-  void append(std::vector<scalar::DerivationLine> lines) {
+  void add(AuditTrace trace) {
+    std::vector<scalar::DerivationLine> lines = scalar::derivation(trace.value, trace.symbol, trace.unit);
+    traces_.push_back(std::move(trace));
     lines_.insert(lines_.end(), std::make_move_iterator(lines.begin()), std::make_move_iterator(lines.end()));
   }
 
@@ -63,6 +66,7 @@ class Derivation {
   ClaimValues& values_;
   std::set<std::string> done_;
   std::vector<scalar::DerivationLine> lines_;
+  std::vector<AuditTrace> traces_;
 };
 
 void compute(AuditRow& row, const Claim& claim, ClaimValues& values) {
@@ -145,7 +149,7 @@ AuditReport audit(const machine::ClaimsFile& file, bool derive) {
   report.rows.reserve(file.claims.size());
   for (const Claim& claim : file.claims) {
     report.rows.push_back(audit_row(claim, values));
-    if (derive && claim.calculation) report.rows.back().derivation = Derivation(file, values).of(claim);
+    if (derive && claim.calculation) Derivation(file, values).write(claim, report.rows.back());
   }
   return report;
 }

@@ -31,6 +31,13 @@ namespace millwright::evaluation {
 
 enum class AuditVerdict { agrees, rounding, unit, differs, missing_input };
 
+/// A value that a row computes, with how.
+struct AuditTrace {
+  std::string symbol;
+  scalar::Traced value;
+  scalar::Unit unit;  ///< to show it in
+};
+
 /// "agrees", "rounding", "unit", "differs", "missing-input".
 const char* to_string(AuditVerdict verdict);
 
@@ -51,6 +58,7 @@ struct AuditRow {
   std::string formula;                             ///< name of the formula, or the expression
   std::vector<std::string> violations;             ///< stated limits of the formula that the operands break
   std::vector<scalar::DerivationLine> derivation;  ///< if asked for
+  std::vector<AuditTrace> traces;                  ///< the same, value by value; if asked for
   text::SourceSpan where;
 };
 

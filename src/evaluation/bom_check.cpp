@@ -190,13 +190,13 @@ BomCheck check(const machine::Problem& problem,
   const solver::RestrictedProblem restricted(model.problem(), restriction_of(model, held));
   const solver::Summary summary = solver::solve(restricted.problem(), solver_options(model, options));
   if (!summary.builds.empty()) {
-    result.design = model.design(restricted.whole_build(summary.builds.front()));
+    result.design = model.design(restricted.whole_build(summary.builds.front()), options.worksheets);
     result.complete_is_optimal = summary.status == solver::Status::optimal;
   } else {
     Design best;
     std::vector<double> least{std::numeric_limits<double>::infinity()};
     for (Row v = 0; v < at_voltage.supply_voltages.size(); ++v) {
-      Design design = model.design(cheapest_build(model, held, restricted, v));
+      Design design = model.design(cheapest_build(model, held, restricted, v), options.worksheets);
       std::vector<double> utilisations;
       for (const Check& c : design.checks)
         if (c.kind != machine::ConstraintKind::soft)

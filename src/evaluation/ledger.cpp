@@ -5,9 +5,11 @@
 #include <cmath>
 #include <limits>
 
+#include "evaluation/drive_drawing.h"
 #include "evaluation/machine_model.h"
 #include "evaluation/machine_stages.h"
 #include "evaluation/outside_validity.h"
+#include "evaluation/traced_elements.h"
 #include "scalar/unit.h"
 
 namespace millwright::evaluation {
@@ -203,6 +205,8 @@ PartLine part_line(const MachineModel& model, const PartUse& use, const std::str
   line.where = where.text ? where.text->path() + ":" + std::to_string(where.line) : std::string();
   line.price_basis = table.text(catalogue::column(use.family, "price_basis"), use.row);
   line.confidence = table.confidence(use.row);
+  line.supplier = table.text(catalogue::column(use.family, "supplier"), use.row);
+  line.source = table.text(catalogue::column(use.family, "source"), use.row);
   line.estimate = table.price(use.row).estimate || line.confidence == "low";
   return line;
 }
@@ -282,11 +286,31 @@ auto watched_element(const Stage& stage,
   return element;
 }
 
+/// The calculation of an element, and what is drawn of it if it is a drive.
+template <class Stage, class Element>
+void add_worksheet(const Stage& stage,
+                   const Element& element,
+                   const StageEntry& entry,
+                   const ChosenRows& chosen,
+                   Worksheet& worksheet) {
+  ElementWorksheet sheet{entry.axis, entry.element, {}, {}};
+  if constexpr (HasPhases<Element>) {
+    write_calculation(stage, element, chosen, sheet);
+    worksheet.drives.push_back(drawing_of(element, entry.axis));
+    const MotorPair& motor = stage.motors().motors().pairs[chosen.rows[Stage::motor_slot]];
+    worksheet.drives.back().torque_is_estimate = motor.curve[chosen.voltage] == nullptr;
+    worksheet.drives.back().motor_size = motor.frame_size;
+  } else {
+    write_calculation(element, sheet);
+  }
+  worksheet.elements.push_back(std::move(sheet));
+}
+
 std::string unit_of_variable(const std::string& name) { return name == "acceleration_time" ? "s" : "m"; }
 
 }  // namespace
 
-Design MachineModel::design(const solver::Build& found) const {
+Design MachineModel::design(const solver::Build& found, bool with_worksheet) const {
   const solver::Build build = restricted_ ? restricted_->whole_build(found) : found;
   Design design;
   design.currency = problem_.currency;
@@ -296,6 +320,7 @@ Design MachineModel::design(const solver::Build& found) const {
   std::vector<double> state = solver_problem_.first_state;
   std::vector<double> motor_currents;
   ValidityLedger outside;
+  const auto worksheet = with_worksheet ? std::make_shared<Worksheet>() : nullptr;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     const StageEntry& entry = entries_[i];
     const solver::StageChoice& choice = build.stages[i];
@@ -321,6 +346,9 @@ Design MachineModel::design(const solver::Build& found) const {
             for (Check& check : design.checks)
               if (check.id == "C-SYS-COST") check.unit = design.currency;
           }
+          if (worksheet)
+            add_worksheet(
+                *stage, element, entry, {choice.rows, build.shared.empty() ? 0 : build.shared.front()}, *worksheet);
           if constexpr (std::is_same_v<Kind, MemberStage>) {
             if (stage->tables().empty()) add_custom_member(*this, entry, element, design);
           }
@@ -345,6 +373,7 @@ Design MachineModel::design(const solver::Build& found) const {
     state = answer.handed_on;
   }
   outside.write(design);
+  design.worksheet = worksheet;
   return design;
 }
 

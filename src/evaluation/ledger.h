@@ -4,21 +4,17 @@
 // in double.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "evaluation/worksheet.h"
 #include "machine/constraint.h"
 #include "machine/objective.h"
 
 namespace millwright::evaluation {
 
 enum class Verdict { satisfied, violated, not_evaluated };
-
-/// One part of a sum that a check judges, in the unit of the check.
-struct Contribution {
-  std::string what;
-  double value = 0.0;
-};
 
 struct Check {
   std::string axis;     ///< "machine" for what no single axis owns
@@ -32,7 +28,7 @@ struct Check {
   Verdict verdict = Verdict::satisfied;
   std::string phase;     ///< of the duty cycle, where the worst case occurs; empty if it has none
   std::string position;  ///< of the travel, where the worst case occurs; empty if it is the same everywhere
-  std::vector<Contribution> contributions;  ///< to an error budget
+  std::vector<Contribution> contributions;  ///< to an error budget, in `unit`
   std::string source;
   std::string requirement;  ///< key of the factor or limit, empty if none
   std::string note;         ///< "torque is an estimate: no published curve", ...
@@ -48,6 +44,8 @@ struct PartLine {
   double mass = 0.0;  ///< kg, of the line
   std::string where;  ///< catalogue file and line
   std::string price_basis, confidence;
+  std::string supplier;   ///< who sells it at that price, where the catalogue says so
+  std::string source;     ///< where the figures come from
   bool estimate = false;  ///< price or a figure of the part is an estimate
   std::string origin;     ///< "paper", "ours" from a BOM; empty otherwise
 };
@@ -91,6 +89,7 @@ struct Design {
   std::vector<CountedTotal> counted;
   std::string currency;
   double supply_voltage = 0.0;
+  std::shared_ptr<const Worksheet> worksheet;  ///< null unless it was asked for
   /// Total of a quantity, or of the weighted sum of an objective; NaN for what was not counted.
   [[nodiscard]] double total(machine::Quantity quantity) const;
   [[nodiscard]] double total(const machine::Objective& objective) const;

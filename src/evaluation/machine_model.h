@@ -105,8 +105,8 @@ class MachineModel {
   [[nodiscard]] std::size_t resource(machine::Quantity quantity) const;
 
   /// Evaluates a build from scratch, stage after stage, and writes the ledger. Nothing of what the search computed is
-  /// reused.
-  [[nodiscard]] Design design(const solver::Build& build) const;
+  /// reused. `with_worksheet`: with the calculation behind every check too.
+  [[nodiscard]] Design design(const solver::Build& build, bool with_worksheet = false) const;
 
  private:
   void add_axis(std::size_t index, const PriceBook& prices);

@@ -49,6 +49,7 @@ class ScrewDriveStage final : public DriveStage<ScrewDriveStage> {
                           std::size_t slot_b,
                           solver::Row row_b) const override;
   [[nodiscard]] const machine::ScrewDriveData& data() const { return data_; }
+  [[nodiscard]] const ScrewTable& screws() const { return screws_; }
   /// The readings of a screw with its nut, from its figures and not from the table.
   [[nodiscard]] machine::ScrewReading<double> reading_anew(solver::Row screw) const {
     return machine::screw_reading(screws_.figures[screw], screws_.sites[screw]);

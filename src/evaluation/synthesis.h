@@ -19,6 +19,7 @@ struct SearchOptions {
   double time_limit_seconds = std::numeric_limits<double>::infinity();
   unsigned threads = 1;
   std::size_t builds = 1;  ///< of one objective: the best, the second best, ...; more need a model with every candidate
+  bool worksheets = false;  ///< with the calculation behind every check of the designs
   const std::atomic<bool>* stop = nullptr;
   std::function<void(const solver::Progress&)> progress;
 };

@@ -127,7 +127,7 @@ struct RampPart {
 template <class T>
 std::vector<RampPart<T>> ramp_parts(const T& speed, const T& ramp, const T* jerk) {
   using namespace scalar;
-  if (jerk == nullptr) return {{speed / ramp, ramp}};
+  if (jerk == nullptr) return {{named("a", speed / ramp), ramp}};
   const T none = si<T>(0.0, dimension::time);
   // Without time for such a jerk, which C-SYS-TIME refuses, the acceleration rises and falls all the time.
   const T constant = where_below(
@@ -135,7 +135,7 @@ std::vector<RampPart<T>> ramp_parts(const T& speed, const T& ramp, const T* jerk
       si<T>(0.0, dimension::time * dimension::time),
       [&](const T&) -> T { return none; },
       [](const T& squared) -> T { return sqrt(squared); });
-  const T peak = 2.0 * speed / (ramp + constant);
+  const T peak = named("a", 2.0 * speed / (ramp + constant));
   const T changing = larger(0.5 * (ramp - constant), none);
   std::vector<RampPart<T>> parts{{peak, constant}};
   for (const double share : rising_shares) parts.push_back({share * peak, changing, false});
@@ -157,10 +157,11 @@ class CycleBuilder {
     const T distance = si<T>(move.distance, of_.distance);
     const T force = si<T>(move.force, of_.force);
     // With equal ramps the distance is speed * (time - ramp), jerk-limited or not.
-    const T speed = move.speed ? si<T>(*move.speed, of_.speed)
-                               : distance / larger(si<T>(*move.time, dimension::time) - ramp,
-                                                   si<T>(1e-3 * *move.time, dimension::time));
-    const T constant_time = larger(distance / speed - ramp, si<T>(0.0, dimension::time));
+    const T speed = named("v",
+                          move.speed ? si<T>(*move.speed, of_.speed)
+                                     : distance / larger(si<T>(*move.time, dimension::time) - ramp,
+                                                         si<T>(1e-3 * *move.time, dimension::time)));
+    const T constant_time = named("t_v", larger(distance / speed - ramp, si<T>(0.0, dimension::time)));
     // The profile exists while the ramps leave no negative cruise; a time limit on a given speed counts as well.
     if (move.speed) cycle_.time_ratio = larger(cycle_.time_ratio, ramp * speed / distance);
     if (move.time) {
@@ -215,8 +216,8 @@ class CycleBuilder {
     T speed, mean_speed, duration;
   };
   void add_phase(const T& acceleration, const T& weight, const T& force, const Pace& pace, bool may_govern) {
-    const T along =
-        mechanics::actuation::axial_force(mass_, acceleration, weight, cycle_.friction_force, T(1.0), force);
+    const T along = scalar::named(
+        "F_x", mechanics::actuation::axial_force(mass_, acceleration, weight, cycle_.friction_force, T(1.0), force));
     cycle_.phases.push_back({along, acceleration, pace.speed, pace.mean_speed, pace.duration, may_govern});
   }
 
@@ -239,14 +240,17 @@ Cycle<T> duty_cycle(const MotionData& data, const T& mass, const T& acceleration
   const T inclination = T(data.inclination);
   const bool gravity = std::sin(data.inclination) > 1e-9;
   cycle.gravity_force =
-      gravity ? mechanics::actuation::gravity_force(mass, inclination, si<T>(data.counterbalance_force, of.force))
-              : zero_force;
+      gravity
+          ? named("F_g",
+                  mechanics::actuation::gravity_force(mass, inclination, si<T>(data.counterbalance_force, of.force)))
+          : zero_force;
   // Normal to the travel only the component of the weight across it presses on the guides.
   const double across = std::abs(std::cos(data.inclination)) < 1e-9 ? 0.0 : std::cos(data.inclination);
   cycle.friction_force = si<T>(data.guide_drag, of.force);
   if (data.guide_friction * across != 0.0)
-    cycle.friction_force =
-        cycle.friction_force + data.guide_friction * across * mass * si<T>(standard_gravity, dimension::acceleration);
+    cycle.friction_force = named(
+        "F_f",
+        cycle.friction_force + data.guide_friction * across * mass * si<T>(standard_gravity, dimension::acceleration));
   cycle.process_force = zero_force;
   cycle.total_time = si<T>(0.0, dimension::time);
   cycle.travelled = si<T>(0.0, of.distance);

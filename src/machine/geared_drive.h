@@ -118,8 +118,8 @@ void GearedDrive<T>::derive_phases(const T& output_inertia) {
     if (!phase.may_govern && !wants_everything<T>(data->require)) continue;
     const T output_alpha = phase.acceleration / radius;
     const T alpha = reduction.at_motor(output_alpha);
-    motor_torques.back() =
-        act::belt_motor_torque(phase.force, radius, efficiency, rotating_inertia, alpha, no_torque, ratio);
+    motor_torques.back() = named(
+        "T_m", act::belt_motor_torque(phase.force, radius, efficiency, rotating_inertia, alpha, no_torque, ratio));
     sum = sum + square(motor_torques.back()) * phase.duration;
     if (!phase.may_govern) continue;
     governing_accelerations.push_back(alpha);

@@ -168,8 +168,9 @@ void ScrewDrive<T>::derive_phases(const T& turning) {
     const T& omega = angular_speeds.back();
     const T output_alpha = phase.acceleration * (2.0 * pi<T>()) / screw.lead;
     const T alpha = reduction.at_motor(output_alpha);
-    motor_torques.back() =
-        torque(phase.force, rotating_inertia, alpha, drag, reduction.ratio_or_one(), reduction.efficiency_or_one());
+    motor_torques.back() = named(
+        "T_m",
+        torque(phase.force, rotating_inertia, alpha, drag, reduction.ratio_or_one(), reduction.efficiency_or_one()));
     if (!phase.may_govern) continue;
     governing_accelerations.push_back(alpha);
     governing_forces.push_back(axial_forces.back());

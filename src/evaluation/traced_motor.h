@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Motor, driver and reduction of a drive on numbers that remember their formulas, for the drives of traced_drives.cpp
+// and traced_geared_drives.cpp.
+#pragma once
+
+#include "evaluation/traced_elements.h"
+
+namespace millwright::evaluation {
+
+inline constexpr FigureName motor_names[] = {{"T_H", "holding torque of the motor", "N.m"},
+                                             {"T_det", "detent torque of the motor", "N.m"},
+                                             {"I_r", "rated current of the motor", "A"},
+                                             {"R", "resistance of a winding", "ohm"},
+                                             {"L_w", "inductance of a winding", "mH"},
+                                             {"J_r", "rotor inertia", "kg.cm2"},
+                                             {"N_r", "teeth of the rotor", "1"},
+                                             {"I_d", "largest current of the driver", "A"},
+                                             {"V_max", "largest voltage of the driver", "V"},
+                                             {"V_min", "least voltage of the driver", "V"},
+                                             {"V", "supply voltage", "V"},
+                                             {"I_a", "current asked for", "A"}};
+
+inline constexpr auto walk_motor_figures = [](auto& f, auto&& visit) {
+  for (auto* field : {&f.holding_torque,
+                      &f.detent_torque,
+                      &f.rated_current,
+                      &f.resistance,
+                      &f.inductance,
+                      &f.rotor_inertia,
+                      &f.rotor_teeth,
+                      &f.driver_peak_current,
+                      &f.driver_largest_voltage,
+                      &f.driver_least_voltage,
+                      &f.voltage,
+                      &f.asked_current})
+    visit(*field);
+};
+
+inline constexpr FigureName reduction_names[] = {{"i", "ratio of the reduction", "1"},
+                                                 {"η_g", "efficiency of the reduction", "1"},
+                                                 {"J_g", "inertia of the reduction at its input", "kg.cm2"},
+                                                 {"β_g", "play of the reduction at its output", "deg"},
+                                                 {"c_g", "compliance of the reduction at its output", "rad/(N.m)"},
+                                                 {"T_g", "rated torque of the reduction", "N.m"},
+                                                 {"ω_g", "largest input speed of the reduction", "rpm"},
+                                                 {"d_g", "output shaft of the reduction", "mm"},
+                                                 {"m_g", "mass of the reduction", "kg"}};
+
+/// Motor, driver and reduction of `from` for the drive `to`, from the figures of the catalogue on.
+template <class Stage, class Drive, class TracedDrive>
+void trace_motor(
+    const Stage& stage, const Drive& from, const ChosenRows& chosen, GivenFigures& given, TracedDrive& to) {
+  using scalar::Traced;
+  const MotorPair& pair = stage.motors().motors().pairs[chosen.rows[Stage::motor_slot]];
+  machine::MotorFigures<Traced> figures;
+  given.take_all(motor_names, pair.at_voltage[chosen.voltage], figures, walk_motor_figures);
+  to.motor = machine::motor_reading(
+      figures, given.take({"k_T", "permitted share of the available torque", "1"}, from.motor.torque_margin));
+  to.motor_shaft = given.take({"d_m", "shaft of the motor", "mm"}, from.motor_shaft);
+  to.motor_mass = given.take({"m_m", "mass of the motor", "kg"}, from.motor_mass);
+  const auto available = from.available_torque;
+  const mechanics::PullOutCurve* curve = pair.curve[chosen.voltage].get();
+  to.available_torque = [figures, curve, available, current = to.motor.current](const Traced& omega) -> Traced {
+    const auto read_off = [&](double value) {
+      return Traced::leaf("T_po", value, scalar::Unit::of("N.m"));  // from the published curve
+    };
+    if (curve != nullptr && omega.value < curve->last_speed()) return read_off(available(omega.value));
+    const Traced model = machine::modelled_torque(figures, current, omega);
+    return scalar::named("T_av", curve == nullptr ? model : smaller(model, read_off(curve->points().back().torque)));
+  };
+  to.reduction.present = from.reduction.present;
+  to.reduction.torque_is_rated = from.reduction.torque_is_rated;
+  to.reduction.speed_is_rated = from.reduction.speed_is_rated;
+  if (from.reduction.present)
+    given.take_all(reduction_names, from.reduction, to.reduction, [](auto& r, auto&& visit) {
+      machine::visit_reduction_reading(r, visit);
+    });
+  to.acceleration_time = given.take({"t_a", "time of a ramp", "s"}, from.acceleration_time);
+}
+
+}  // namespace millwright::evaluation
