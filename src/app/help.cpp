@@ -20,6 +20,7 @@ constexpr std::pair<std::string_view, std::string_view> texts[] = {
     {"solve",
      "Examples:\n"
      "  millwright solve problems/sander.toml --bom sander.csv\n"
+     "  millwright solve problems/sander.toml --report sander.html\n"
      "  millwright solve problems/sander.toml --minimise mass --set axis.x.stroke='800 mm'\n"
      "  millwright solve problems/sander.toml --minimise 'cost + 25*mass'\n"
      "  millwright solve problems/sander.toml --catalogue my-parts --json -\n"
@@ -30,17 +31,20 @@ constexpr std::pair<std::string_view, std::string_view> texts[] = {
      "Examples:\n"
      "  millwright pareto problems/sander.toml --minimise cost,mass --json front.json\n"
      "  millwright pareto problems/lifter.toml --minimise cost,energy\n"
+     "  millwright pareto problems/sander.toml --report front.html\n"
      "  millwright pareto problems/lifter.toml --without BK10 --limit cost='200 USD'"},
     {"check",
      "Exit code 1 if a check fails. A slot that the bill of materials leaves open is an error without --complete.\n"
      "Examples:\n"
      "  millwright check problems/sander.toml problems/sander-bom.csv\n"
      "  millwright check problems/sander.toml problems/sander-bom.csv --hold-origin paper\n"
+     "  millwright check problems/sander.toml problems/sander-bom.csv --report sander.html --language id\n"
      "  millwright check problems/sander.toml problems/sander-bom.csv --limit cost='450 USD'"},
     {"audit",
      "Exit code 0 whatever the verdicts are: a wrong figure in a paper is a finding, not a failure.\n"
      "Examples:\n"
-     "  millwright audit problems/papers/sander.toml --derive"},
+     "  millwright audit problems/papers/sander.toml --derive\n"
+     "  millwright audit problems/papers/sander.toml --report audit.html"},
     {"calc",
      "Arguments are name=value with a unit, lists separated by commas, ends=fixed_free and the like by name.\n"
      "Examples:\n"

@@ -12,6 +12,7 @@
 #include "app/help.h"
 #include "app/output.h"
 #include "machine/objective.h"
+#include "report/page_texts.h"
 #include "text/diagnostic.h"
 #include "text/nearest.h"
 
@@ -27,6 +28,19 @@ void add_output_options(CLI::App& verb, Options& options) {
       ->type_name("FILE|-")
       ->group(shared_group);
   verb.add_flag("--quiet,-q", options.quiet, "no progress on the terminal")->group(shared_group);
+}
+
+void add_report_options(CLI::App& verb, Options& options) {
+  verb.add_option("--report",
+                  options.report,
+                  "write a page that shows and explains the result: drawings, parts, "
+                  "every calculation; complete in one file, to read or print")
+      ->type_name("FILE.html")
+      ->group(shared_group);
+  verb.add_option("--language", options.language, "of the page: en, or id (Indonesian)")
+      ->type_name("CODE")
+      ->check(CLI::IsMember(report::language_codes()))
+      ->group(shared_group);
 }
 
 /// CLI11's own tells the largest number there is in 300 digits.
@@ -52,6 +66,7 @@ void add_catalogue_option(CLI::App& verb, Options& options) {
 void add_machine_options(CLI::App& verb, Options& options) {
   verb.add_option("PROBLEM", options.problem, "problem file (.toml or .json)")->required();
   add_output_options(verb, options);
+  add_report_options(verb, options);
   add_catalogue_option(verb, options);
   add_list_option(
       verb, "--set", options.settings, "PATH=VALUE", "change the problem, e.g. axis.x.stroke='800 mm' (repeatable)");
@@ -179,6 +194,7 @@ class CommandLine {
     audit.add_option("CLAIMS", options_.subject, "claims file (.toml or .json)")->required();
     audit.add_flag("--derive", options_.derive, "show each calculation");
     add_output_options(audit, options_);
+    add_report_options(audit, options_);
     CLI::App& calc = add(app_, "calc", Verb::calc, "one formula, with its derivation");
     calc.add_option("FORMULA", options_.subject, "name or handbook id, see 'millwright formulas'")->required();
     calc.add_option("ARGUMENTS", options_.words, "name=value with unit, e.g. force='6.4 kN' loads='100 N,80 N'");

@@ -23,7 +23,9 @@ enum ExitCode : int {
 struct Options {
   Verb verb = Verb::solve;
   // every verb
-  std::string json;  ///< file to write, "-" for standard output, empty for none
+  std::string json;             ///< file to write, "-" for standard output, empty for none
+  std::string report;           ///< page to write, empty for none
+  std::string language = "en";  ///< of the page
   bool quiet = false;
   std::vector<std::string> catalogues;  ///< overlay folders
   // machines

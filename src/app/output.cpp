@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -36,7 +37,12 @@ bool write_stdout(const std::string& text) {
 
 }  // namespace
 
-bool deliver(const Options& options, const std::string& text, const std::string& json) {
+bool deliver(const Options& options, const std::string& text, const std::string& json, const std::string& page) {
+  text::Diagnostics failures;
+  if (!options.report.empty() && !text::write_file_atomically(options.report, page, failures)) {
+    print(failures);
+    return false;
+  }
   if (options.json == "-") return write_stdout(json);
   text::Diagnostics diagnostics;
   if (!options.json.empty() && !text::write_file_atomically(options.json, json, diagnostics)) {
@@ -46,12 +52,22 @@ bool deliver(const Options& options, const std::string& text, const std::string&
   return write_stdout(text);
 }
 
+report::Language page_language(const Options& options) {
+  return report::language_of(options.language).value_or(report::Language::english);
+}
+
 bool outputs_are_writable(const Options& options, text::Diagnostics& diagnostics) {
   namespace fs = std::filesystem;
   std::vector<std::string> targets;
   if (!options.json.empty() && options.json != "-") targets.push_back(options.json);
   if (options.verb == Verb::solve && !options.bom.empty()) targets.push_back(options.bom);
+  if (!options.report.empty()) targets.push_back(options.report);
   const std::size_t errors = diagnostics.error_count();
+  for (std::size_t i = 0; i < targets.size(); ++i)
+    if (std::find(targets.begin(), targets.begin() + static_cast<std::ptrdiff_t>(i), targets[i]) !=
+        targets.begin() + static_cast<std::ptrdiff_t>(i))
+      diagnostics.error(fmt::format("{}: two outputs cannot go to one file", text::printable(targets[i])),
+                        "name another file for one of them");
   for (const std::string& target : targets) {
     std::error_code failure;
     const fs::path parent = fs::path(target).parent_path();

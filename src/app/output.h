@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/options.h"
+#include "report/page_texts.h"
 #include "report/text_table.h"
 #include "text/diagnostic.h"
 
@@ -15,9 +16,12 @@ report::Style output_style();
 /// Prints the diagnostics to standard error.
 void print(const text::Diagnostics& diagnostics);
 
-/// Prints the text, or with `--json -` the JSON, to standard output, and writes the JSON file if one is asked for.
-/// False, with a complaint on standard error, if something could not be written.
-bool deliver(const Options& options, const std::string& text, const std::string& json);
+/// Prints the text, or with `--json -` the JSON, to standard output, and writes the JSON file and the page if they are
+/// asked for. False, with a complaint on standard error, if something could not be written.
+bool deliver(const Options& options, const std::string& text, const std::string& json, const std::string& page = {});
+
+/// The language of the page.
+report::Language page_language(const Options& options);
 
 /// Refuses at once, before any work, output files that could not be written later.
 bool outputs_are_writable(const Options& options, text::Diagnostics& diagnostics);

@@ -5,6 +5,7 @@
 #include "machine/claims.h"
 #include "report/audit_text.h"
 #include "report/json.h"
+#include "report/page.h"
 
 namespace millwright::app {
 
@@ -14,9 +15,13 @@ int run_audit(const Options& options) {
   const auto claims = machine::read_claims(options.subject, diagnostics);
   print(diagnostics);
   if (!claims || !writable) return exit_bad_input;
-  const evaluation::AuditReport report = evaluation::audit(*claims, options.derive);
+  const evaluation::AuditReport report = evaluation::audit(*claims, options.derive || !options.report.empty());
   const std::string text = report::audit_text(report, options.derive, output_style());
-  return deliver(options, text, report::audit_json(report, options.subject)) ? exit_done : exit_bad_input;
+  const std::string json = report::audit_json(report, options.subject);
+  const std::string page = options.report.empty()
+                               ? std::string()
+                               : report::audit_page(report, options.subject, json, page_language(options));
+  return deliver(options, text, json, page) ? exit_done : exit_bad_input;
 }
 
 }  // namespace millwright::app

@@ -11,6 +11,7 @@
 #include "machine/bill_of_materials.h"
 #include "report/json.h"
 #include "report/machine_text.h"
+#include "report/page.h"
 
 namespace millwright::app {
 
@@ -44,6 +45,7 @@ report::MachineResult check(const Options& options,
   result.objectives = {input.problem.objective};
   const Stopwatch watch;
   evaluation::SearchOptions how = search_options(options, result.objectives);
+  how.worksheets = !options.report.empty();
   const StopSignal stop;
   how.stop = stop.stopped();
   evaluation::BomCheck outcome;
@@ -88,7 +90,12 @@ int run_check(const Options& options) {
   result.timing.read = read;
   result.timing.total = watch.seconds();
   const bool satisfied = !result.designs.empty() && result.designs.front().satisfied();
-  if (!deliver(options, report::check_text(result, output_style()), report::check_json(result))) return exit_bad_input;
+  const std::string json = report::check_json(result);
+  const std::string page =
+      options.report.empty()
+          ? std::string()
+          : report::machine_page(result, input->problem, report::PageKind::check, json, page_language(options));
+  if (!deliver(options, report::check_text(result, output_style()), json, page)) return exit_bad_input;
   return satisfied ? exit_done : exit_failed;
 }
 

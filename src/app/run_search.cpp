@@ -11,6 +11,7 @@
 #include "report/bom_csv.h"
 #include "report/json.h"
 #include "report/machine_text.h"
+#include "report/page.h"
 #include "text/output_file.h"
 
 namespace millwright::app {
@@ -38,6 +39,7 @@ report::MachineResult search(const Options& options, const MachineInput& input, 
   const StopSignal stop;
   how.stop = stop.stopped();
   how.builds = options.builds;
+  how.worksheets = !options.report.empty() && options.verb == Verb::solve;
   evaluation::Synthesis synthesis;
   {
     ProgressLine line(options.quiet, report::objective_unit(result.objectives.front(), input.problem.currency));
@@ -119,9 +121,16 @@ int run_search(const Options& options) {
   }
   const report::Style style = output_style();
   const bool front = options.verb == Verb::pareto;
-  const bool delivered = deliver(options,
-                                 front ? report::front_text(result, style) : report::solve_text(result, style),
-                                 front ? report::front_json(result) : report::solve_json(result));
+  const std::string json = front ? report::front_json(result) : report::solve_json(result);
+  const std::string page = options.report.empty()
+                               ? std::string()
+                               : report::machine_page(result,
+                                                      input->problem,
+                                                      front ? report::PageKind::pareto : report::PageKind::solve,
+                                                      json,
+                                                      page_language(options));
+  const bool delivered =
+      deliver(options, front ? report::front_text(result, style) : report::solve_text(result, style), json, page);
   return delivered ? exit_code_of(result) : exit_bad_input;
 }
 

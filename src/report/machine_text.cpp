@@ -100,60 +100,8 @@ std::string ways_out_text(const MachineResult& result) {
   return out;
 }
 
-std::string nothing_text(const MachineResult& result, const Style& style) {
-  if (!result.missing.empty()) {
-    std::string out = style.bad("No build is possible:") + "\n";
-    for (const MissingSlot& slot : result.missing)
-      out += fmt::format("  axis {}: no candidate for slot {} ({})\n", slot.axis, slot.slot, slot.reason);
-    return out;
-  }
-  if (result.status == Status::limit)
-    return "The limit was reached before a compliant build was found; whether there is one is open.\n";
-  return style.bad("No compliant build exists") +
-         fmt::format(" in these catalogues{}: every combination of parts fails at least one check.\n",
-                     as_asked(result)) +
-         (result.has_budget ? "  The limit of cost or mass counts too: without it, 'solve' says what a build takes.\n"
-                            : "") +
-         (result.unmet.empty() ? "  'check' with a bill of materials (and --complete) shows by how much.\n"
-                               : unmet_text(result) + ways_out_text(result));
-}
-
 /// The first build, whatever became of those after it.
 bool best_is_proved(const MachineResult& result) { return result.status == Status::optimal || result.proved > 0; }
-
-std::string certificate_text(const MachineResult& result, const Style& style) {
-  const Certificate& certificate = result.certificate;
-  std::string out = style.heading("Certificate") + "\n";
-  const Design* design = result.designs.empty() ? nullptr : &result.designs.front();
-  if (result.status == Status::infeasible) {
-    out += "  Proved: no combination is compliant.\n";
-  } else if (result.objectives.size() == 1 && design != nullptr) {
-    const std::string& objective = result.objectives.front();
-    out += best_is_proved(result) ? fmt::format("  Proved: no compliant build of these catalogues{} {}.\n",
-                                                as_asked(result),
-                                                better_words(objective))
-                                  : fmt::format("  Not proved: a build of {} or more may still exist (gap {:.2f} %).\n",
-                                                objective_text(objective, result.lower_bound, design->currency),
-                                                100.0 * result.gap);
-    out += alternatives_certificate(result);
-  } else if (result.objectives.size() > 1) {
-    const double tolerance = certificate.front_tolerance;
-    out += result.status == Status::optimal
-               ? tolerance > 0.0
-                     ? fmt::format("  Proved: the front is covered to {:.3g} %, as said below.\n", 100.0 * tolerance)
-                     : "  Proved: the front is complete and exact.\n"
-               : "  Not proved: the limit was reached, points may be missing.\n";
-  }
-  out += fmt::format("  {} combinations of parts.\n", scalar::format_number(certificate.combinations, 3));
-  if (!certificate.method.empty()) out += "  " + wrapped(certificate.method, 78, 2) + "\n";
-  if (design != nullptr) out += "  Every figure above was computed again from scratch for the build that is shown.\n";
-  // Lines of effort begin with "time": they differ from run to run.
-  return out + fmt::format("time: {:.2f} s reading, {:.2f} s solving, {} nodes, {} evaluations\n",
-                           result.timing.read,
-                           result.timing.solve,
-                           certificate.nodes,
-                           certificate.evaluations);
-}
 
 std::string failures_text(const MachineResult& result, const Design& design, const Style& style) {
   TextTable table({{""}, {""}, {""}, {"", Align::right}, {""}, {"", Align::right}, {""}});
@@ -191,6 +139,58 @@ std::string end_text(const MachineResult& result,
 }
 
 }  // namespace
+
+std::string nothing_text(const MachineResult& result, const Style& style) {
+  if (!result.missing.empty()) {
+    std::string out = style.bad("No build is possible:") + "\n";
+    for (const MissingSlot& slot : result.missing)
+      out += fmt::format("  axis {}: no candidate for slot {} ({})\n", slot.axis, slot.slot, slot.reason);
+    return out;
+  }
+  if (result.status == Status::limit)
+    return "The limit was reached before a compliant build was found; whether there is one is open.\n";
+  return style.bad("No compliant build exists") +
+         fmt::format(" in these catalogues{}: every combination of parts fails at least one check.\n",
+                     as_asked(result)) +
+         (result.has_budget ? "  The limit of cost or mass counts too: without it, 'solve' says what a build takes.\n"
+                            : "") +
+         (result.unmet.empty() ? "  'check' with a bill of materials (and --complete) shows by how much.\n"
+                               : unmet_text(result) + ways_out_text(result));
+}
+
+std::string certificate_text(const MachineResult& result, const Style& style) {
+  const Certificate& certificate = result.certificate;
+  std::string out = style.heading("Certificate") + "\n";
+  const Design* design = result.designs.empty() ? nullptr : &result.designs.front();
+  if (result.status == Status::infeasible) {
+    out += "  Proved: no combination is compliant.\n";
+  } else if (result.objectives.size() == 1 && design != nullptr) {
+    const std::string& objective = result.objectives.front();
+    out += best_is_proved(result) ? fmt::format("  Proved: no compliant build of these catalogues{} {}.\n",
+                                                as_asked(result),
+                                                better_words(objective))
+                                  : fmt::format("  Not proved: a build of {} or more may still exist (gap {:.2f} %).\n",
+                                                objective_text(objective, result.lower_bound, design->currency),
+                                                100.0 * result.gap);
+    out += alternatives_certificate(result);
+  } else if (result.objectives.size() > 1) {
+    const double tolerance = certificate.front_tolerance;
+    out += result.status == Status::optimal
+               ? tolerance > 0.0
+                     ? fmt::format("  Proved: the front is covered to {:.3g} %, as said below.\n", 100.0 * tolerance)
+                     : "  Proved: the front is complete and exact.\n"
+               : "  Not proved: the limit was reached, points may be missing.\n";
+  }
+  out += fmt::format("  {} combinations of parts.\n", scalar::format_number(certificate.combinations, 3));
+  if (!certificate.method.empty()) out += "  " + wrapped(certificate.method, 78, 2) + "\n";
+  if (design != nullptr) out += "  Every figure above was computed again from scratch for the build that is shown.\n";
+  // Lines of effort begin with "time": they differ from run to run.
+  return out + fmt::format("time: {:.2f} s reading, {:.2f} s solving, {} nodes, {} evaluations\n",
+                           result.timing.read,
+                           result.timing.solve,
+                           certificate.nodes,
+                           certificate.evaluations);
+}
 
 std::string objective_text(const std::string& objective, double value, const std::string& currency) {
   if (const auto quantity = machine::objective_named(objective).single())

@@ -247,12 +247,15 @@ TEST_CASE("Output that cannot be written is refused before any work") {
   const Workshop shop;
   shop.write("m.toml", one_slide);
   shop.write("folder/file", "");
-  for (const char* option : {"--json", "--bom"}) {
+  for (const char* option : {"--json", "--bom", "--report"}) {
     CHECK(shop.run({"solve", "m.toml", option, "none/r"}).says("error: none/r: cannot be written: there is no folder"));
     CHECK(shop.run({"solve", "m.toml", option, "none/r"}).exit_code == 2);
     CHECK(shop.run({"solve", "m.toml", option, "folder"}).says("it is a folder"));
     CHECK(shop.run({"solve", "m.toml", option, "folder"}).out.empty());
   }
+  const Outcome twice = shop.run({"solve", "m.toml", "--json", "r", "--report", "r"});
+  CHECK(twice.exit_code == 2);
+  CHECK(twice.says("error: r: two outputs cannot go to one file"));
   CHECK(shop.entries() == 2);
 }
 

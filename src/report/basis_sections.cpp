@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a result rests on: parts with their prices and sources, requirements, assumptions, estimates, the certificate.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "report/design_text.h"
+#include "report/html.h"
+#include "report/machine_text.h"
+#include "report/page_parts.h"
+#include "scalar/unit.h"
+
+namespace millwright::report {
+
+using evaluation::Check;
+using evaluation::Design;
+using evaluation::PartLine;
+
+namespace {
+
+std::string part_name(const PartLine& part) {
+  return part.manufacturer.empty() ? part.part_number : part.manufacturer + " " + part.part_number;
+}
+
+/// Where prices and figures come from: each text once, under a number.
+class Notes {
+ public:
+  explicit Notes(const Texts& t) : t_(t) {}
+  /// "1, 4" with links; empty if nothing is known.
+  std::string of(const PartLine& part) {
+    std::string out;
+    for (const auto& [label, text] :
+         {std::pair<std::string_view, const std::string&>{"parts.price_basis", part.price_basis},
+          {"parts.source", part.source}}) {
+      if (text.empty()) continue;
+      const std::size_t number = index(t_(label) + ": " + text);
+      out += fmt::format("{0}<a href=\"#note-{1}\">{1}</a>", out.empty() ? "" : ", ", number);
+    }
+    return out;
+  }
+  [[nodiscard]] std::string list() const {
+    if (texts_.empty()) return {};
+    std::string out = "<ol class=\"notes\">\n";
+    for (std::size_t i = 0; i < texts_.size(); ++i)
+      out += fmt::format("<li id=\"note-{}\">{}</li>\n", i + 1, escaped(texts_[i]));
+    return out + "</ol>\n";
+  }
+
+ private:
+  std::size_t index(const std::string& text) {
+    const auto found = std::find(texts_.begin(), texts_.end(), text);
+    if (found != texts_.end()) return static_cast<std::size_t>(found - texts_.begin()) + 1;
+    texts_.push_back(text);
+    return texts_.size();
+  }
+  const Texts& t_;
+  std::vector<std::string> texts_;
+};
+
+std::string requirements_html(const MachineResult& result, const Texts& t) {
+  HtmlTable table("<><<<",
+                  {t("requirements.name"),
+                   t("check.value"),
+                   t("requirements.axes"),
+                   t("requirements.meaning"),
+                   t("requirements.from")});
+  for (const RequirementLine& line : result.requirements)
+    table.add({"<code>" + escaped(line.key) + "</code>",
+               escaped(shown_value(line)),
+               escaped(fmt::format("{}", fmt::join(line.axes, " "))),
+               escaped(line.meaning),
+               escaped(line.given ? t("requirements.given") : t("requirements.default") + ": " + line.source)});
+  return section("requirements", t("requirements"), table.str());
+}
+
+std::string outside_html(const Design& design, const Texts& t) {
+  HtmlTable table("<<<<<", {t("axis"), t("outside.element"), t("check"), t("outside.formula"), t("outside.limit")});
+  for (const evaluation::OutsideValidity& line : design.outside_validity)
+    table.add({escaped(line.axis),
+               escaped(line.element),
+               escaped(line.constraint),
+               escaped(line.title) + "<small><code>" + escaped(line.formula) + "</code> · " + escaped(line.source) +
+                   "</small>",
+               escaped(line.sentence)});
+  if (table.empty()) return {};
+  return section("outside", t("outside"), "<p>" + escaped(t("outside.about")) + "</p>\n" + table.str());
+}
+
+std::string assumptions_html(const Design& design, const Texts& t) {
+  std::string list;
+  const auto item = [&](const std::string& text) { list += "<li>" + escaped(text) + "</li>\n"; };
+  item(t("assume.machining"));
+  item(t("assume.length"));
+  if (!std::isnan(design.total(machine::Quantity::cycle_time))) item(t("assume.cycle"));
+  if (!std::isnan(design.total(machine::Quantity::energy))) item(t("assume.energy"));
+  std::set<std::string> bases;
+  for (const PartLine& part : design.parts)
+    if (!part.price_basis.empty()) bases.insert(part.price_basis);
+  if (!bases.empty()) item(t("assume.prices") + ": " + fmt::format("{}", fmt::join(bases, "; ")));
+  std::string estimates;
+  for (const PartLine& part : design.parts) {
+    if (!part.estimate) continue;
+    std::vector<std::string> why;
+    if (!part.price_basis.empty()) why.push_back(t("parts.price_basis") + ": " + part.price_basis);
+    if (!part.confidence.empty()) why.push_back(t("parts.confidence") + ": " + part.confidence);
+    estimates += fmt::format("<li>{} {}: {} <small>{}</small></li>\n",
+                             escaped(part.axis),
+                             escaped(part.slot),
+                             escaped(part_name(part)),
+                             escaped(fmt::format("{}", fmt::join(why, " · "))));
+  }
+  std::set<std::string> notes;
+  for (const Check& check : design.checks)
+    if (!check.note.empty()) notes.insert(check.axis + " " + check.id + ": " + check.note);
+  for (const std::string& note : notes) estimates += "<li>" + escaped(note) + "</li>\n";
+  std::string content = "<ul>\n" + list + "</ul>\n";
+  if (!estimates.empty())
+    content += "<h3>" + escaped(t("assume.estimates")) + "</h3>\n<ul class=\"columns\">\n" + estimates + "</ul>\n";
+  return section("assumptions", t("assumptions"), content);
+}
+
+}  // namespace
+
+std::string parts_table(const MachineResult& result, const Design& design, const Texts& t) {
+  HtmlTable table("<<<>>>><<<",
+                  {t("axis"),
+                   t("parts.slot"),
+                   t("parts.part"),
+                   t("parts.quantity"),
+                   t("parts.length"),
+                   escaped(design.currency),
+                   "kg",
+                   t("parts.supplier"),
+                   t("parts.confidence"),
+                   t("parts.notes")},
+                  "parts");
+  Notes notes(t);
+  std::vector<std::string> axes = result.axes;
+  axes.emplace_back("machine");
+  double cost = design.cost;
+  double mass = design.mass;
+  for (const std::string& axis : axes) {
+    bool first = true;
+    for (const PartLine& part : design.parts) {
+      if (part.axis != axis) continue;
+      cost -= part.price;
+      mass -= part.mass;
+      table.add({first ? "<b>" + escaped(axis == "machine" ? t("machine") : axis) + "</b>" : std::string(),
+                 escaped(part.slot) + (part.origin.empty() ? "" : "<small>" + escaped(part.origin) + "</small>"),
+                 escaped(part_name(part)),
+                 scalar::format_number(part.quantity),
+                 part.length > 0.0 ? escaped(shown_quantity(1e3 * part.length, "mm")) : "",
+                 fmt::format("{}{:.2f}", part.estimate ? "~" : "", part.price),
+                 part.mass > 0.0 ? fmt::format("{:.3f}", part.mass) : "",
+                 escaped(part.supplier.empty() ? part.manufacturer : part.supplier),
+                 escaped(part.confidence),
+                 notes.of(part)},
+                first ? "first" : "");
+      first = false;
+    }
+  }
+  if (cost >= 0.005 || mass >= 5e-4)
+    table.add({"",
+               "",
+               escaped(t("parts.made")),
+               "",
+               "",
+               fmt::format("{:.2f}", cost),
+               fmt::format("{:.3f}", mass),
+               "",
+               "",
+               ""});
+  table.add({"",
+             "",
+             escaped(t("parts.total")),
+             "",
+             "",
+             fmt::format("{:.2f}", design.cost),
+             fmt::format("{:.3f}", design.mass),
+             "",
+             "",
+             ""},
+            "sum");
+  return table.str() + "<p class=\"hint\">" + escaped(t("parts.estimate")) + "</p>\n" + notes.list();
+}
+
+std::string basis_sections(const MachineResult& result, const Design& design, const Texts& t) {
+  return outside_html(design, t) + requirements_html(result, t) + assumptions_html(design, t);
+}
+
+std::string nothing_section(const MachineResult& result, const Texts&) {
+  return "<pre>" + escaped(nothing_text(result, Style{})) + "</pre>\n";
+}
+
+std::string certificate_section(const MachineResult& result, const Texts& t) {
+  const std::string text = certificate_text(result, Style{});
+  const std::size_t line = text.find('\n');
+  return section("certificate", t("certificate"), "<pre>" + escaped(text.substr(line + 1)) + "</pre>\n");
+}
+
+}  // namespace millwright::report

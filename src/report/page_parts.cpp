@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/page_parts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "report/design_text.h"
+#include "report/html.h"
+#include "report/page_assets.h"
+
+namespace millwright::report {
+
+using evaluation::Check;
+using evaluation::Verdict;
+using machine::ConstraintKind;
+
+std::string document(
+    const std::string& title, const std::string& body, const Json& charts, const std::string& json, const Texts& t) {
+  const auto data = [](const Json& value) {
+    return json_in_script(value.dump(-1, ' ', false, Json::error_handler_t::replace));
+  };
+  std::string out = fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; "
+      "script-src 'unsafe-inline'; img-src data:\">\n"
+      "<meta name=\"generator\" content=\"Millwright\">\n<title>{}</title>\n<style>\n{}</style>\n</head>\n<body>\n",
+      code(t.language()),
+      escaped(title),
+      page_style());
+  out += body;
+  out += "<script type=\"application/json\" id=\"charts\">" + data(charts) + "</script>\n";
+  out += "<script type=\"application/json\" id=\"result\">" + data(Json::parse(json)) + "</script>\n";
+  out += "<script>\n" + page_script() + "</script>\n</body>\n</html>\n";
+  return out;
+}
+
+std::string section(std::string_view id, const std::string& heading, const std::string& content) {
+  if (content.empty()) return {};
+  return fmt::format("<section id=\"{}\">\n<h2>{}</h2>\n{}</section>\n", id, escaped(heading), content);
+}
+
+HtmlTable::HtmlTable(std::string_view alignment, const std::vector<std::string>& headings, std::string_view css_class)
+    : alignment_(alignment), css_class_(css_class) {
+  for (std::size_t i = 0; i < headings.size(); ++i)
+    head_ += fmt::format("<th{}>{}</th>", alignment_[i] == '>' ? " class=\"n\"" : "", headings[i]);
+}
+
+void HtmlTable::add(const std::vector<std::string>& cells, std::string_view row_class, std::string_view id) {
+  rows_ += "<tr";
+  if (!row_class.empty()) rows_ += fmt::format(" class=\"{}\"", row_class);
+  if (!id.empty()) rows_ += fmt::format(" id=\"{}\"", id);
+  rows_ += ">";
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    rows_ += fmt::format("<td{}>{}</td>", alignment_[i] == '>' ? " class=\"n\"" : "", cells[i]);
+  rows_ += "</tr>\n";
+}
+
+std::string HtmlTable::str() const {
+  if (rows_.empty()) return {};
+  return fmt::format("<table{}>\n<thead><tr>{}</tr></thead>\n<tbody>\n{}</tbody>\n</table>\n",
+                     css_class_.empty() ? "" : " class=\"" + css_class_ + "\"",
+                     head_,
+                     rows_);
+}
+
+namespace {
+
+bool fails(const Check& check) { return check.verdict == Verdict::violated && check.kind != ConstraintKind::soft; }
+
+}  // namespace
+
+const char* state_of(const Check& check) {
+  constexpr double near_limit = 0.9;
+  if (check.verdict == Verdict::not_evaluated || std::isnan(check.utilisation)) return "open";
+  if (fails(check)) return "bad";
+  if (check.verdict == Verdict::violated) return "over";
+  return check.utilisation > near_limit ? "near" : "good";
+}
+
+std::string verdict_word(const Check& check, const Texts& t) {
+  return t(check.verdict == Verdict::satisfied       ? "verdict.ok"
+           : check.verdict == Verdict::not_evaluated ? "verdict.open"
+           : fails(check)                            ? "verdict.fail"
+                                                     : "verdict.over");
+}
+
+std::string utilisation_bar(const Check& check) {
+  constexpr double full = 1.25;  // utilisation at the end of the bar
+  const double share = std::isnan(check.utilisation) ? 0.0 : std::clamp(check.utilisation / full, 0.0, 1.0);
+  return fmt::format("<span class=\"bar {}\"><i style=\"width:{:.1f}%\"></i></span>", state_of(check), 100.0 * share);
+}
+
+std::string verdict_mark(const Check& check, const Texts& t) {
+  const std::string_view css = check.verdict == Verdict::satisfied ? "good" : state_of(check);
+  return fmt::format("<span class=\"mark {}\">{}</span>", css, escaped(verdict_word(check, t)));
+}
+
+std::string calculation_id(const Check& check) {
+  return "calc-" + identifier(check.axis) + "-" + identifier(check.element) + "-" + identifier(check.id);
+}
+
+std::string math_line(const MathLine& line, bool result) {
+  const auto math = [](const std::string& inner) { return "<math displaystyle=\"true\">" + inner + "</math>"; };
+  std::string out = result ? "<div class=\"line result\">" : "<div class=\"line\">";
+  if (!line.symbol.empty()) out += "<span class=\"lhs\">" + math(line.symbol) + "</span>";
+  const std::string equals = "<mo>=</mo>";
+  bool first = true;
+  for (const std::string* piece : {&line.expression, &line.substituted, &line.value}) {
+    if (piece->empty() || (piece == &line.value && *piece == line.expression)) continue;
+    out += fmt::format("<span class=\"{}\">{}</span>",
+                       piece == &line.value ? "value"
+                       : first              ? "first"
+                                            : "next",
+                       math("<mrow>" + equals + *piece + "</mrow>"));
+    first = false;
+  }
+  return out + "</div>\n";
+}
+
+}  // namespace millwright::report

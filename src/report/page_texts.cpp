@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/page_texts.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace millwright::report {
+
+std::string_view code(Language language) { return language == Language::indonesian ? "id" : "en"; }
+
+std::optional<Language> language_of(std::string_view code) {
+  if (code == "en") return Language::english;
+  if (code == "id") return Language::indonesian;
+  return std::nullopt;
+}
+
+std::vector<std::string> language_codes() { return {"en", "id"}; }
+
+std::string Texts::operator()(std::string_view key) const {
+  for (const PageText& text : page_texts())
+    if (text.key == key) return std::string(language_ == Language::indonesian ? text.indonesian : text.english);
+  throw std::logic_error(fmt::format("the page has no text '{}'", key));
+}
+
+const std::vector<PageText>& page_texts() {
+  static const std::vector<PageText> texts{
+      {"kind.solve", "Design and calculation", "Rancangan dan perhitungan"},
+      {"kind.check", "Check of a bill of materials", "Pemeriksaan daftar komponen"},
+      {"kind.pareto", "Front of builds", "Garis depan Pareto"},
+      {"kind.audit", "Audit of a published calculation", "Audit perhitungan terbitan"},
+      {"footer",
+       "Made by Millwright. Values are computed in SI and shown with four significant digits; the complete result for "
+       "programs is inside this page.",
+       "Dibuat dengan Millwright. Nilai dihitung dalam SI dan ditampilkan dengan empat angka penting; hasil lengkap "
+       "untuk program ada di dalam halaman ini."},
+
+      {"summary", "Summary", "Ringkasan"},
+      {"summary.governing", "Governing check of each axis", "Pemeriksaan penentu tiap sumbu"},
+      {"summary.failures", "Failed checks", "Pemeriksaan yang gagal"},
+      {"summary.asked", "Asked for beside the problem", "Permintaan di luar berkas masalah"},
+      {"summary.voltage", "Supply voltage", "Tegangan catu daya"},
+      {"banner.proved",
+       "Compliant, and proved to be the best build of these catalogues.",
+       "Memenuhi semua syarat, dan terbukti terbaik dari katalog ini."},
+      {"banner.best_so_far",
+       "Compliant; the best build found before the limit, not proved to be the best.",
+       "Memenuhi syarat; terbaik yang ditemukan sebelum batas, belum terbukti terbaik."},
+      {"banner.satisfied", "It satisfies every check.", "Semua pemeriksaan terpenuhi."},
+      {"banner.failed", "It fails {} of {} checks.", "Gagal pada {} dari {} pemeriksaan."},
+      {"banner.none", "No compliant build exists.", "Tidak ada rancangan yang memenuhi syarat."},
+      {"banner.limit_none",
+       "The limit was reached before a compliant build was found.",
+       "Batas tercapai sebelum rancangan yang memenuhi syarat ditemukan."},
+      {"banner.front", "{} builds that no other build beats.", "{} rancangan yang tidak terkalahkan."},
+      {"banner.front_open",
+       "{} builds found before the limit; points may be missing.",
+       "{} rancangan ditemukan sebelum batas; mungkin belum lengkap."},
+      {"quantity.cost", "Cost", "Biaya"},
+      {"quantity.mass", "Mass", "Massa"},
+      {"quantity.cycle_time", "Cycle time", "Waktu siklus"},
+      {"quantity.energy", "Energy per cycle", "Energi per siklus"},
+      {"quantity.position_error", "Position error", "Galat posisi"},
+
+      {"axis", "Axis", "Sumbu"},
+      {"machine", "Machine", "Mesin"},
+      {"axis.title", "Axis {}", "Sumbu {}"},
+      {"axis.whole", "The whole machine", "Seluruh mesin"},
+      {"axis.motion", "Motion over one cycle", "Gerak selama satu siklus"},
+      {"axis.torque",
+       "Torque over speed of the motor: published pull-out curve, what of it is permitted, and every phase",
+       "Torsi terhadap putaran motor: kurva pull-out terbitan, bagian yang diizinkan, dan setiap fase"},
+      {"axis.torque_estimate",
+       "Torque over speed of the motor: estimate from the winding (no published curve), what of it is permitted, and "
+       "every phase",
+       "Torsi terhadap putaran motor: perkiraan dari lilitan (tanpa kurva terbitan), bagian yang diizinkan, dan setiap "
+       "fase"},
+      {"axis.hollow", "hollow: phases that cannot govern", "kosong: fase yang tidak menentukan"},
+      {"axis.dwells", "long dwells are drawn shorter", "jeda panjang digambar lebih pendek"},
+      {"axis.checks", "Checks, the closest to its limit first", "Pemeriksaan, yang terdekat ke batas lebih dulu"},
+      {"axis.soft",
+       "* reported, not enforced. The mark in the bars is the limit, 100 %.",
+       "* dilaporkan, tidak diwajibkan. Tanda pada batang adalah batas, 100 %."},
+      {"axis.errors", "Error budget", "Anggaran galat"},
+      {"axis.stiffness", "Stiffness of the drive along the travel", "Kekakuan penggerak sepanjang gerak"},
+
+      {"check", "Check", "Pemeriksaan"},
+      {"check.id", "Id", "Id"},
+      {"check.value", "Value", "Nilai"},
+      {"check.limit", "Limit", "Batas"},
+      {"check.unit", "Unit", "Satuan"},
+      {"check.used", "Used", "Terpakai"},
+      {"check.worst", "Worst in", "Terburuk pada"},
+      {"verdict.ok", "ok", "ok"},
+      {"verdict.fail", "FAIL", "GAGAL"},
+      {"verdict.over", "over", "lebih"},
+      {"verdict.open", "open", "terbuka"},
+
+      {"drawing.title", "The machine", "Mesin"},
+      {"drawing.caption",
+       "To scale: rails, carriages in the middle and at both ends of the stroke, screws, belts and racks in their cut "
+       "lengths, motors by their flange. Supports, nuts and rotary tables are marks. The tool side is above, the base "
+       "below.",
+       "Sesuai skala: rel, kereta di tengah dan di kedua ujung langkah, ulir, sabuk dan rak dalam panjang potongnya, "
+       "motor menurut flensanya. Dudukan, mur dan meja putar hanya tanda. Sisi alat di atas, dasar di bawah."},
+      {"drawing.vertical", "upright", "tegak"},
+      {"drawing.inclined", "inclined", "miring"},
+      {"drawing.rotary", "rotary table", "meja putar"},
+
+      {"parts", "Bill of materials", "Daftar komponen"},
+      {"parts.slot", "Slot", "Tempat"},
+      {"parts.part", "Part", "Komponen"},
+      {"parts.quantity", "Qty", "Jumlah"},
+      {"parts.length", "Length", "Panjang"},
+      {"parts.supplier", "Supplier", "Pemasok"},
+      {"parts.confidence", "Confidence", "Keyakinan"},
+      {"parts.notes", "Notes", "Catatan"},
+      {"parts.price_basis", "price", "harga"},
+      {"parts.source", "figures", "data"},
+      {"parts.made", "Members made to measure, by their mass", "Bagian yang dibuat khusus, menurut massa"},
+      {"parts.total", "Total", "Jumlah"},
+      {"parts.estimate",
+       "~ the price, or a figure of the part that matters, is an estimate",
+       "~ harga, atau data komponen yang penting, adalah perkiraan"},
+      {"settings", "Dimensions and settings", "Ukuran dan pengaturan"},
+      {"settings.name", "Name", "Nama"},
+      {"alternatives", "Alternatives", "Alternatif"},
+
+      {"sheet", "Calculation sheet", "Lembar perhitungan"},
+      {"sheet.element", "Calculation: {}", "Perhitungan: {}"},
+      {"sheet.given", "Given", "Diketahui"},
+      {"sheet.shared", "Used by several checks", "Dipakai beberapa pemeriksaan"},
+      {"sheet.checks", "Checks", "Pemeriksaan"},
+      {"sheet.limit", "limit", "batas"},
+      {"sheet.worst", "worst in", "terburuk pada"},
+      {"sheet.set_by", "limit set by", "batas ditentukan oleh"},
+      {"sheet.source", "source", "sumber"},
+      {"sheet.note", "note", "catatan"},
+
+      {"chart.time", "time", "waktu"},
+      {"chart.speed", "speed", "kecepatan"},
+      {"chart.position", "travel", "perjalanan"},
+      {"chart.motor_speed", "motor speed", "putaran motor"},
+      {"chart.torque", "torque", "torsi"},
+      {"chart.pull_out", "available", "tersedia"},
+      {"chart.permitted", "permitted", "diizinkan"},
+      {"chart.phase", "phase", "fase"},
+
+      {"front", "The front", "Garis depan"},
+      {"front.hint",
+       "Every point is a compliant build that no other beats. Point at one for what it changes; click for its sheet.",
+       "Setiap titik adalah rancangan yang tidak terkalahkan. Tunjuk untuk melihat perubahannya; klik untuk "
+       "lembarnya."},
+      {"front.build", "Build", "Rancangan"},
+      {"front.changes", "What changes from the build before", "Perubahan dari rancangan sebelumnya"},
+      {"front.first", "the first", "yang pertama"},
+      {"front.dimensions", "dimensions and settings only", "hanya ukuran dan pengaturan"},
+      {"front.previous", "previous", "sebelumnya"},
+      {"front.next", "next", "berikutnya"},
+
+      {"outside", "Outside the range a formula is stated for", "Di luar rentang berlakunya rumus"},
+      {"outside.about",
+       "That fails no check; it tells how far the figures can be trusted.",
+       "Ini bukan kegagalan; ini menunjukkan sejauh mana angka dapat dipercaya."},
+      {"outside.element", "Of", "Bagian"},
+      {"outside.formula", "Formula", "Rumus"},
+      {"outside.limit", "Limit", "Batas"},
+      {"requirements", "Requirements behind the checks", "Persyaratan di balik pemeriksaan"},
+      {"requirements.name", "Name", "Nama"},
+      {"requirements.axes", "Axes", "Sumbu"},
+      {"requirements.meaning", "Meaning", "Arti"},
+      {"requirements.from", "From", "Asal"},
+      {"requirements.given", "problem file", "berkas masalah"},
+      {"requirements.default", "default", "bawaan"},
+      {"assumptions", "Assumptions and estimates", "Asumsi dan perkiraan"},
+      {"assume.machining",
+       "End machining of screws and shafts costs nothing here; cables, fasteners and tax are not included.",
+       "Pengerjaan ujung ulir dan poros tidak dihitung; kabel, pengikat dan pajak tidak termasuk."},
+      {"assume.length",
+       "Parts are cut to the length shown; what is left of a bar is not paid for.",
+       "Komponen dipotong sesuai panjang yang ditampilkan; sisa batang tidak dibayar."},
+      {"assume.cycle",
+       "Cycle time: every move of every axis, and its dwell, one after the other; coordinated moves once.",
+       "Waktu siklus: setiap gerak tiap sumbu beserta jedanya, satu per satu; gerak terkoordinasi sekali."},
+      {"assume.energy",
+       "Energy is an estimate, of the drives' input while their own axis goes through its cycle: copper losses at full "
+       "current, usual iron losses, driver efficiency 0.9; nothing is fed back.",
+       "Energi adalah perkiraan masukan penggerak selama siklus sumbunya: rugi tembaga pada arus penuh, rugi besi yang "
+       "lazim, efisiensi driver 0,9; tidak ada yang dikembalikan."},
+      {"assume.prices", "Prices", "Harga"},
+      {"assume.estimates", "Estimated inputs", "Masukan perkiraan"},
+      {"certificate", "Certificate", "Sertifikat"},
+
+      {"audit.count", "{} printed results were recomputed.", "{} hasil cetak dihitung ulang."},
+      {"audit.results", "Printed against recomputed", "Cetak dibandingkan hitung ulang"},
+      {"audit.quantity", "Quantity", "Besaran"},
+      {"audit.printed", "Printed", "Tercetak"},
+      {"audit.computed", "Computed", "Dihitung"},
+      {"audit.ratio", "Ratio", "Rasio"},
+      {"audit.verdict", "Verdict", "Putusan"},
+      {"audit.missing", "missing", "tidak ada"},
+      {"audit.factor", "factor", "faktor"},
+      {"audit.agrees", "within half a unit of the last printed digit", "dalam setengah satuan angka terakhir"},
+      {"audit.rounding", "within 1 %", "dalam 1 %"},
+      {"audit.unit", "a slip of units", "salah satuan"},
+      {"audit.differs", "something else", "hal lain"},
+      {"audit.missing-input", "an input is not printed", "masukan tidak tercetak"}};
+  return texts;
+}
+
+}  // namespace millwright::report
