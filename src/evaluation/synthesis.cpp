@@ -183,7 +183,8 @@ Synthesis synthesise(const MachineModel& model, const SearchOptions& options) {
                                       : solver::solve(model.problem(), solver_options(model, options));
   }
   synthesis.status = summary.status;
-  for (const solver::Build& build : summary.builds) synthesis.designs.push_back(model.design(build, options.worksheets));
+  for (const solver::Build& build : summary.builds)
+    synthesis.designs.push_back(model.design(build, options.worksheets));
   synthesis.lower_bound = summary.lower_bound;
   synthesis.gap = summary.gap;
   synthesis.combinations = summary.combinations;

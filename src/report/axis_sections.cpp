@@ -15,7 +15,6 @@ using evaluation::Check;
 using evaluation::Contribution;
 using evaluation::Design;
 using evaluation::DriveDrawing;
-using evaluation::Verdict;
 
 namespace {
 

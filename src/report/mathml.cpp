@@ -136,6 +136,13 @@ MathPrinter::Piece MathPrinter::composed(const Expression& expression, const std
 /// The operand that is left where the other one changes nothing: of x + 0, 0 + x, x - 0, x * 1, 1 * x and x / 1. Such
 /// are the loads and factors that a problem does not have.
 MathPrinter::Pointer MathPrinter::all_that_counts(const Pointer& pointer) {
+  // Formulas share what they are made of: without the memory their parts would be looked at again and again.
+  if (const auto known = counting_.find(pointer.get()); known != counting_.end()) return known->second;
+  kept_.push_back(pointer);
+  return counting_[pointer.get()] = what_counts(pointer);
+}
+
+MathPrinter::Pointer MathPrinter::what_counts(const Pointer& pointer) {
   const auto is_literal = [](const Pointer& each, double value) {
     return (each->kind == Kind::number || each->kind == Kind::quantity) && each->value == value;
   };

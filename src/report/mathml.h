@@ -73,6 +73,7 @@ class MathPrinter {
 
   Printed print(const Pointer& whole);
   Pointer all_that_counts(const Pointer& pointer);
+  Pointer what_counts(const Pointer& pointer);
   Pointer zero_of(const Pointer& pointer);
   Printed compound(const Expression& expression);
   Printed as_line(const std::string& symbol, const Printed& meaning, const Expression& expression);
@@ -83,6 +84,7 @@ class MathPrinter {
   static std::string wrapped(const Piece& inner, Binding needed);
 
   std::unordered_map<const Expression*, Printed> printed_;
+  std::unordered_map<const Expression*, Pointer> counting_;
   std::map<std::string, std::pair<std::string, std::size_t>> meanings_;  ///< of a symbol, and its line
   std::set<std::string> used_;
   std::vector<Line> lines_;
