@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <numeric>
 #include <span>
@@ -82,8 +83,14 @@ inline Region whole_region(const Stage& stage, std::span<const Row> shared) {
   return region;
 }
 
+/// Thrown out of whatever asks questions when `Desk::interrupt` says so.
+struct OutOfTime {};
+
 class Desk {
  public:
+  /// Asked now and then between questions, if set: true throws OutOfTime. For what has no use for half an answer and is
+  /// done by one thread: an exception must not leave another.
+  std::function<bool()> interrupt;
   /// The answers of the latest question.
   Answer<Interval> interval;
   Answer<double> number;
@@ -102,7 +109,7 @@ class Desk {
                                 std::span<const Interval> inherited,
                                 const Region& region,
                                 std::span<const Interval> variables) {
-    ++bounds;
+    count_question();
     stage.bound(box(shared, inherited, region, variables), interval);
     return interval;
   }
@@ -113,7 +120,7 @@ class Desk {
                                      const Region& region,
                                      std::size_t slot,
                                      const RowsAlive& rows) {
-    ++bounds;
+    count_question();
     const Box all = box(shared, inherited, region, region.variables);
     spans_[slot] = rows;
     stage.bound(all, interval);
@@ -124,7 +131,7 @@ class Desk {
                                  std::span<const Interval> inherited,
                                  const Region& region,
                                  Input input) {
-    ++bounds;
+    count_question();
     stage.slopes(box(shared, inherited, region, region.variables), input, interval);
     return interval;
   }
@@ -147,6 +154,11 @@ class Desk {
     spans_.clear();
     for (const RowSet& set : region.rows) spans_.push_back(set->alive());
     return Box{shared, inherited, spans_, variables};
+  }
+
+  void count_question() {
+    constexpr std::uint64_t now_and_then = 256;
+    if (++bounds % now_and_then == 0 && interrupt && interrupt()) throw OutOfTime{};
   }
 
   std::vector<RowsAlive> spans_;

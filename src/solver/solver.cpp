@@ -137,7 +137,10 @@ class Solve {
     // A single objective looks at every combination briefly first, and goes on with the most promising one: what is
     // found in one settles much of the others.
     for (const Combination& combination : combinations) {
-      if (control_.time_is_up()) return leave_open(combination.score[0]);
+      if (control_.time_is_up()) {
+        leave_open(combination.score[0]);
+        break;
+      }
       if (incumbents_.hopeless(combination.score, 0.0)) continue;
       if (auto started = start(combination)) open.push_back(std::move(*started));
     }
@@ -171,11 +174,11 @@ class Solve {
   /// Empty when the combination is settled.
   std::optional<OpenSearch> start(const Combination& combination) {
     const std::uint64_t before = control_.evaluations();
-    OpenSearch open{
-        std::make_unique<std::vector<StagePlan>>(make_plans(problem_, combination.shared, criteria_, control_.desk(0))),
-        nullptr,
-        combination.score};
+    OpenSearch open{std::make_unique<std::vector<StagePlan>>(), nullptr, combination.score};
     std::vector<StagePlan>& plans = *open.plans;
+    const bool prepared =
+        while_there_is_time([&] { plans = make_plans(problem_, combination.shared, criteria_, control_.desk(0)); });
+    if (!prepared) leave_open(combination.score[0]);
     if (plans.empty()) return std::nullopt;
     open.questions = control_.evaluations() - before;
     priced_stages_.resize(plans.size());
@@ -184,7 +187,7 @@ class Solve {
       priced_stages_[i] = priced_stages_[i] || plans[i].any_priced;
     }
     if (criteria_.objectives > 1) {
-      find_rest_curves(plans, what_matters(), control_.desk(0));
+      sharpen(plans);
       if (stage_by_stage(plans, combination.score[0])) return std::nullopt;
     }
     set_tolerance();
@@ -206,11 +209,31 @@ class Solve {
     return most;
   }
 
+  /// False when time was up before `preparation`, which asks the first desk, was done.
+  template <class Preparation>
+  bool while_there_is_time(Preparation&& preparation) {
+    Desk& desk = control_.desk(0);
+    desk.interrupt = [this] { return control_.time_is_up(); };
+    bool done = true;
+    try {
+      preparation();
+    } catch (const OutOfTime&) {
+      done = false;
+    }
+    desk.interrupt = nullptr;
+    return done;
+  }
+
+  /// What is to come at least, by what has been handed on; the curves that there was no time for are left out.
+  void sharpen(std::vector<StagePlan>& plans) {
+    while_there_is_time([&] { find_rest_curves(plans, what_matters(), control_.desk(0)); });
+  }
+
   /// Searches a single objective label by label while that has cost no more than preparing it did: what is not done
   /// then is better done stage by stage. True when it is settled.
   bool settle_briefly(OpenSearch& open) {
     if (control_.time_is_up()) return false;
-    find_rest_curves(*open.plans, what_matters(), control_.desk(0));
+    sharpen(*open.plans);
     open.search = label_by_label(*open.plans, first_leaf_tolerance());
     constexpr std::uint64_t nodes_at_once = 500;
     const std::uint64_t before = control_.evaluations();

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Stopped anywhere, after any number of questions, a search says what is true: its bound is one, its builds are
+// feasible, and it claims to be done only if it is. The optimum comes from exhaustive enumeration.
+#include <atomic>
+
+#include "catch.h"
+#include "sanitized.h"
+#include "solver/enumeration.h"
+
+namespace {
+
+using namespace zoo;
+
+/// Counts down the questions that a search may ask, then stops it.
+struct Patience {
+  std::int64_t left = 0;
+  std::atomic<bool> stop = false;
+  void spend() {
+    if (left-- <= 0) stop = true;
+  }
+};
+
+/// A stage that spends patience with every question. The problem has one more shared choice, the last, whose second row
+/// costs far more at the first stage: a combination that nobody would take, but that may not hide what is still open.
+class CountedStage final : public Stage {
+ public:
+  static constexpr double surcharge = 1e6;
+
+  CountedStage(const Stage& stage, Patience& patience, bool charges)
+      : stage_(&stage), patience_(&patience), charges_(charges) {}
+
+  [[nodiscard]] const std::string& name() const override { return stage_->name(); }
+  [[nodiscard]] std::span<const Slot> slots() const override { return stage_->slots(); }
+  [[nodiscard]] std::span<const Variable> variables() const override { return stage_->variables(); }
+  [[nodiscard]] std::size_t constraints() const override { return stage_->constraints(); }
+  void read(std::span<const Row> shared,
+            std::size_t slot,
+            std::span<const Row> rows,
+            std::vector<Interval>& readings) const override {
+    stage_->read(own(shared), slot, rows, readings);
+  }
+  void evaluate(const Point& point, Answer<double>& answer) const override {
+    patience_->spend();
+    stage_->evaluate({own(point.shared), point.inherited, point.rows, point.variables}, answer);
+    answer.resources[0] += charge(point.shared);
+  }
+  void bound(const Box& box, Answer<Interval>& answer) const override {
+    patience_->spend();
+    stage_->bound(own(box), answer);
+    answer.resources[0] += Interval(charge(box.shared));
+  }
+  void slopes(const Box& box, Input input, Answer<Interval>& answer) const override {
+    patience_->spend();
+    stage_->slopes(own(box), input, answer);
+  }
+  void gradient(const Point& point, Input input, Answer<double>& answer) const override {
+    stage_->gradient({own(point.shared), point.inherited, point.rows, point.variables}, input, answer);
+  }
+  [[nodiscard]] bool fits(
+      std::span<const Row> shared, std::size_t slot_a, Row row_a, std::size_t slot_b, Row row_b) const override {
+    return stage_->fits(own(shared), slot_a, row_a, slot_b, row_b);
+  }
+
+ private:
+  static std::span<const Row> own(std::span<const Row> shared) { return shared.first(shared.size() - 1); }
+  static Box own(const Box& box) { return {own(box.shared), box.inherited, box.rows, box.variables}; }
+  [[nodiscard]] double charge(std::span<const Row> shared) const {
+    return charges_ && shared.back() == 1 ? surcharge : 0.0;
+  }
+
+  const Stage* stage_;
+  Patience* patience_;
+  bool charges_;
+};
+
+Summary solve_impatiently(const Stack& stack, Options options, std::int64_t questions) {
+  Patience patience;
+  patience.left = questions;
+  std::vector<std::unique_ptr<Stage>> stages;
+  Problem problem = stack.problem;
+  problem.shared.push_back({"surcharge", 2});
+  for (const Stage*& stage : problem.stages) {
+    stages.push_back(std::make_unique<CountedStage>(*stage, patience, stages.empty()));
+    stage = stages.back().get();
+  }
+  options.stop = &patience.stop;
+  return solve(problem, options);
+}
+
+}  // namespace
+
+TEST_CASE("Stopped after any number of questions a search has a valid bound and feasible builds") {
+  std::size_t stopped = 0, with_build = 0, before_any = 0;
+  for (unsigned seed = 0; seed < (millwright::sanitized ? 30 : 150); ++seed) {
+    const Stack stack = random_stack(seed);
+    const Everything everything = Enumeration(stack).run();
+    Options options;
+    options.confirm = false;
+    const double gap = options.gap;
+    if (everything.margin < 1e-9) continue;                 // feasibility itself hangs on rounding
+    const double optimum = everything.least(&Total::cost);  // infinite where nothing is feasible
+    for (const bool stagewise : {true, false}) {
+      options.stagewise = stagewise;
+      options.patience = seed % 2 == 0 ? 12000 : 0;
+      for (std::int64_t questions = 1; questions < 100000; questions += 1 + questions / 2) {
+        const Summary summary = solve_impatiently(stack, options, questions);
+        INFO("seed " << seed << ", " << questions << " questions");
+        REQUIRE(summary.lower_bound <= optimum * (1.0 + gap));
+        for (const Build& build : summary.builds) REQUIRE(build.resources[0] >= optimum * (1.0 - gap));
+        if (summary.status != Status::limit) {
+          REQUIRE((summary.status == Status::optimal) == !everything.designs.empty());
+          break;
+        }
+        ++stopped;
+        ++(summary.builds.empty() ? before_any : with_build);
+      }
+    }
+  }
+  CHECK(stopped > (millwright::sanitized ? 300U : 1500U));
+  CHECK(with_build > 10);
+  CHECK(before_any > 10);
+}
