@@ -7,6 +7,7 @@
 // `Desk` is the working place of one thread: the spans and answers that asking a stage needs, allocated once.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -18,9 +19,14 @@
 
 namespace millwright::solver {
 
+struct RowNotes;  // row_profile.cpp
+
 /// Rows of one slot, ascending, never empty, and what the stage reads of them.
 class Rows {
  public:
+  /// What has been found out about splitting them. Searches begin with the same sets again and again.
+  mutable std::atomic<std::shared_ptr<const RowNotes>> notes = nullptr;
+
   Rows(const Stage& stage, std::span<const Row> shared, std::size_t slot, std::vector<Row> rows)
       : rows_(std::move(rows)) {
     stage.read(shared, slot, rows_, readings_);

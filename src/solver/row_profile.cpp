@@ -22,9 +22,38 @@ float log_utilisation(double u) {
   return static_cast<float>(std::numbers::ln2 * nearly_log2(std::clamp(u == u ? u : 1e3, 1e-3, 1e3)));
 }
 
+/// Least and largest of each of `width` numbers among rows.
+struct Ranges {
+  std::vector<float> low, high;
+
+  void find(std::span<const float> numbers, std::size_t width, const Rows& rows) {
+    low.assign(width, std::numeric_limits<float>::infinity());
+    high.assign(width, -std::numeric_limits<float>::infinity());
+    float* const least = low.data();
+    float* const most = high.data();
+    for (const Row row : rows) {
+      const float* const own = numbers.data() + row * width;
+      for (std::size_t i = 0; i < width; ++i) {
+        least[i] = own[i] < least[i] ? own[i] : least[i];
+        most[i] = own[i] > most[i] ? own[i] : most[i];
+      }
+    }
+  }
+};
+
+/// Smaller sets are looked at again sooner than their notes are found.
+constexpr std::size_t worth_notes = 24;
+
 float finite(double x) { return static_cast<float>(std::clamp(x == x ? x : 0.0, -1e30, 1e30)); }
 
 }  // namespace
+
+/// Of a set of rows: the ranges of their numbers, and the halves that they were cut into last.
+struct RowNotes {
+  Ranges ranges;
+  std::size_t number = 0;
+  RowSet left = nullptr, right = nullptr;
+};
 
 RowProfile::RowProfile(const Stage& stage, std::span<const Row> shared, std::size_t scores)
     : stage_(&stage),
@@ -49,24 +78,6 @@ void RowProfile::record(
   }
 }
 
-void RowProfile::find_ranges(const Features& features,
-                             const Rows& rows,
-                             std::vector<float>& low,
-                             std::vector<float>& high) {
-  const std::size_t width = features.index.size();
-  low.assign(width, std::numeric_limits<float>::infinity());
-  high.assign(width, -std::numeric_limits<float>::infinity());
-  float* const least = low.data();
-  float* const most = high.data();
-  for (const Row row : rows) {
-    const float* const numbers = features.numbers.data() + row * width;
-    for (std::size_t i = 0; i < width; ++i) {
-      least[i] = numbers[i] < least[i] ? numbers[i] : least[i];
-      most[i] = numbers[i] > most[i] ? numbers[i] : most[i];
-    }
-  }
-}
-
 void RowProfile::finish(const Region& region, std::span<const double> score_scale) {
   // A doubling of a utilisation weighs as much as two thirds of the whole score.
   constexpr double score_weight = 1.0;
@@ -75,15 +86,14 @@ void RowProfile::finish(const Region& region, std::span<const double> score_scal
     weight_[k] = score_weight / std::max(std::fabs(score_scale[k]), 1e-12);
     if (k > 0) weight_[k] *= 0.25;
   }
-  std::vector<float> low;
-  std::vector<float> high;
+  Ranges ranges;
   for (std::size_t slot = 0; slot < features_.size(); ++slot) {
     const Features all = std::move(features_[slot]);
     Features& relevant = features_[slot];
     relevant = {};
-    find_ranges(all, *region.rows[slot], low, high);
+    ranges.find(all.numbers, all.index.size(), *region.rows[slot]);
     for (std::size_t i = 0; i < all.index.size(); ++i) {
-      const double spread = static_cast<double>(high[i]) - static_cast<double>(low[i]);
+      const double spread = static_cast<double>(ranges.high[i]) - static_cast<double>(ranges.low[i]);
       if (weight_[i] * spread > 1e-6) relevant.index.push_back(all.index[i]);
     }
     const std::size_t width = relevant.index.size();
@@ -96,46 +106,62 @@ void RowProfile::finish(const Region& region, std::span<const double> score_scal
   }
 }
 
-RowProfile::Split RowProfile::split(const Region& region, std::uint64_t open) const {
-  thread_local std::vector<float> low;
-  thread_local std::vector<float> high;
-  double largest = 0.0;
-  std::size_t chosen_slot = region.rows.size();
-  std::size_t chosen = 0;
-  float cut = 0.0F;
+RowProfile::Cut RowProfile::best_cut(const Region& region, std::uint64_t open) const {
+  thread_local Ranges here;
+  Cut best{region.rows.size(), 0, 0.0F, 0.0};
   for (std::size_t slot = 0; slot < region.rows.size(); ++slot) {
-    if (region.rows[slot]->size() < 2) continue;
-    if (chosen_slot == region.rows.size()) chosen_slot = slot;  // in case nothing differs any more
+    const Rows& rows = *region.rows[slot];
+    if (rows.size() < 2) continue;
+    if (best.slot == region.rows.size()) best.slot = slot;  // in case nothing differs any more
     const Features& features = features_[slot];
-    find_ranges(features, *region.rows[slot], low, high);
+    std::shared_ptr<const RowNotes> notes = rows.size() < worth_notes ? nullptr : rows.notes.load();
+    if (rows.size() < worth_notes) {
+      here.find(features.numbers, features.index.size(), rows);
+    } else if (notes == nullptr) {
+      auto made = std::make_shared<RowNotes>();
+      made->ranges.find(features.numbers, features.index.size(), rows);
+      notes = std::move(made);
+      rows.notes.store(notes);
+    }
+    const Ranges& ranges = notes != nullptr ? notes->ranges : here;
     for (std::size_t i = 0; i < features.index.size(); ++i) {
       const std::size_t index = features.index[i];
       if (index >= scores_ && ((open >> (((index - scores_) / 2) % 64)) & 1U) == 0) continue;
-      const double size = weight_[index] * (static_cast<double>(high[i]) - static_cast<double>(low[i]));
-      if (size > largest) {
-        largest = size;
-        chosen_slot = slot;
-        chosen = i;
-        cut = 0.5F * low[i] + 0.5F * high[i];
-      }
+      const double size = weight_[index] * (static_cast<double>(ranges.high[i]) - static_cast<double>(ranges.low[i]));
+      if (size > best.size) best = {slot, i, 0.5F * ranges.low[i] + 0.5F * ranges.high[i], size};
     }
   }
-  const Features& features = features_[chosen_slot];
-  const auto number = [&](Row row) { return features.numbers[row * features.index.size() + chosen]; };
-  const std::vector<Row>& rows = region.rows[chosen_slot]->all();
+  return best;
+}
+
+RowProfile::Split RowProfile::halves(const Rows& rows, const Cut& cut) const {
+  const Features& features = features_[cut.slot];
   std::vector<Row> left;
   std::vector<Row> right;
   for (const Row row : rows) {
-    const bool goes_left = largest > 0.0 ? number(row) <= cut : left.size() < rows.size() / 2;
+    const bool goes_left = cut.size > 0.0 ? features.numbers[row * features.index.size() + cut.number] <= cut.at
+                                          : left.size() < rows.size() / 2;
     (goes_left ? left : right).push_back(row);
   }
   if (left.empty() || right.empty()) {  // the spread is below the resolution of the middle
-    left.assign(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(rows.size() / 2));
-    right.assign(rows.begin() + static_cast<std::ptrdiff_t>(rows.size() / 2), rows.end());
+    const auto middle = rows.begin() + static_cast<std::ptrdiff_t>(rows.size() / 2);
+    left.assign(rows.begin(), middle);
+    right.assign(middle, rows.end());
   }
-  return {chosen_slot,
-          make_rows(*stage_, shared_, chosen_slot, std::move(left)),
-          make_rows(*stage_, shared_, chosen_slot, std::move(right))};
+  return {cut.slot,
+          make_rows(*stage_, shared_, cut.slot, std::move(left)),
+          make_rows(*stage_, shared_, cut.slot, std::move(right))};
+}
+
+RowProfile::Split RowProfile::split(const Region& region, std::uint64_t open) const {
+  const Cut cut = best_cut(region, open);
+  const Rows& rows = *region.rows[cut.slot];
+  if (rows.size() < worth_notes || !(cut.size > 0.0)) return halves(rows, cut);
+  const std::shared_ptr<const RowNotes> notes = rows.notes.load();
+  if (notes->left != nullptr && notes->number == cut.number) return {cut.slot, notes->left, notes->right};
+  Split split = halves(rows, cut);
+  rows.notes.store(std::make_shared<const RowNotes>(RowNotes{notes->ranges, cut.number, split.left, split.right}));
+  return split;
 }
 
 }  // namespace millwright::solver

@@ -28,7 +28,7 @@ class RowProfile {
 
   struct Split {
     std::size_t slot = 0;
-    RowSet left, right;
+    RowSet left = nullptr, right = nullptr;
   };
   /// Not to be called on a region with a single row in every slot. `open` are the constraints still undecided.
   [[nodiscard]] Split split(const Region& region, std::uint64_t open) const;
@@ -39,11 +39,15 @@ class RowProfile {
     std::vector<std::uint16_t> index;  ///< what each is: a score, or a constraint's least or largest utilisation
     std::vector<float> numbers;        ///< [row * index.size() + i]
   };
-  /// The least and the largest of every number among these rows.
-  static void find_ranges(const Features& features,
-                          const Rows& rows,
-                          std::vector<float>& low,
-                          std::vector<float>& high);
+  /// Numbers to tell whether a region has to be split there.
+  struct Cut {
+    std::size_t slot = 0;
+    std::size_t number = 0;  ///< of the slot's features
+    float at = 0.0F;
+    double size = 0.0;  ///< weighed; 0: no number differs
+  };
+  [[nodiscard]] Cut best_cut(const Region& region, std::uint64_t open) const;
+  [[nodiscard]] Split halves(const Rows& rows, const Cut& cut) const;
 
   const Stage* stage_ = nullptr;
   std::span<const Row> shared_;
