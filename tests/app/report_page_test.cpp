@@ -182,7 +182,8 @@ TEST_CASE("The chart data of a drive are those of its checks") {
   CHECK(drive.at("phases").size() == 3);
   double worst = 0.0;
   for (const Json& phase : drive.at("phases")) worst = std::max(worst, phase.at("ratio").get<double>());
-  for (const Json& check : Json::parse(shop.read("r.json")).at("checks")) {
+  const Json result = Json::parse(shop.read("r.json"));
+  for (const Json& check : result.at("checks")) {
     if (check.at("id") != "C-ST-TORQUE") continue;
     CHECK(worst == Approx(check.at("value").get<double>()));
     CHECK(drive.at("margin").get<double>() == Approx(check.at("limit").get<double>()));
