@@ -98,7 +98,8 @@ class Search {
     offer(plan_.region);
     while (!heap_.empty() && set_.nodes < question_.node_limit) {
       Node node = heap_.pop();
-      if (++set_.nodes % 64 == 0 && question_.stop && question_.stop()) {
+      const bool stopped = ++set_.nodes % 64 == 0 && question_.stop && question_.stop();
+      if (stopped || set_.nodes > question_.patience) {
         set_.complete = false;
         break;
       }
@@ -137,7 +138,7 @@ class Search {
 
   /// Whether the cheapest label with a design of these bounds, and what must follow then, is below some corner.
   [[nodiscard]] bool may_lead_on(const Bounds& bounds) const {
-    if (plan_.curves.empty() || question_.corners.empty()) return true;
+    if ((plan_.curves.empty() && plan_.planes.empty()) || question_.corners.empty()) return true;
     const double first = question_.least.first + bounds.score[0] + rest_after(plan_, 0, bounds.handed_on);
     const double rest = plan_.criteria->objectives > 1 ? rest_after(plan_, 1, bounds.handed_on) : 0.0;
     const double second = question_.least.second + plan_.criteria->second(bounds.score) + rest;

@@ -31,6 +31,7 @@ struct CandidateQuestion {
   Pair least = {};               ///< of the labels' first two scores
   std::vector<Pair> corners;     ///< upper staircase of totals: with `least`, and what must follow, below some of it
   std::function<bool()> stop;    ///< asked now and then
+  std::size_t patience = std::numeric_limits<std::size_t>::max();  ///< nodes after which it is given up: incomplete
   /// For quick first answers, not for a proof: so many nodes at most, and what a handed-on component weighs in the
   /// order in which they are taken (empty: next to nothing).
   std::size_t node_limit = std::numeric_limits<std::size_t>::max();

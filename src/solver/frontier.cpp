@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "solver/archive.h"
+#include "solver/frontier_sums.h"
 #include "solver/leaf_point.h"
 #include "solver/rest_curve.h"
 
@@ -13,8 +14,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t front_nodes = 3000;                        // spent on the least front of one stage
-constexpr std::size_t hurried_labels = 30;                       // kept before each stage in such a pass
-constexpr int hurried_digits = 6;                                // binary, of what is compared there
 constexpr std::size_t most_combinations = std::size_t{1} << 22;  // kept at a time
 
 /// Room for the rounding of sums, so that bounds stay bounds.
@@ -47,42 +46,15 @@ bool Frontier::run() {
   find_rest();
   if (!pass({.with_states = false})) return false;
   // Where what is cheap first leaves too little of a shared allowance to what comes later, nothing is found that way.
-  for (const double weight : {0.03, 0.1, 0.3, 1.0}) {
+  for (const double share : {0.03, 0.1, 0.3, 1.0}) {
     if (!incumbents_.builds().empty()) break;
-    if (!pass({.hurried_weight = weight, .hurried_nodes = 100})) return false;
-    if (!pass({.hurried_weight = weight, .hurried_nodes = 1000})) return false;
+    for (const std::size_t nodes : {100, 1000})
+      if (!pass({.haste = Haste{.share = share, .nodes = nodes}})) return false;
   }
-  if (!pass({})) return false;
-  return !undecided_;
-}
-
-/// What a component weighs where using up all that later stages can bear counts like the least first score, or like a
-/// share of it.
-std::vector<double> Frontier::state_weights(std::size_t stage, double share) const {
-  const StagePlan& plan = plans_[stage];
-  std::vector<double> weights(plan.most_after.size(), 0.0);
-  for (std::size_t c = 0; c < weights.size(); ++c) {
-    const bool smaller = plan.after[c] == Direction::smaller_is_better;
-    if (smaller && std::isfinite(plan.most_after[c]) && plan.most_after[c] > 0.0)
-      weights[c] = share / plan.most_after[c];
-  }
-  return weights;
-}
-
-/// Keeps the best of many labels by first score and weighed state.
-void Frontier::keep_best(std::size_t stage, double share) {
-  std::vector<Label>& labels = labels_[stage + 1];
-  if (labels.size() <= hurried_labels) return;
-  const std::vector<double> weights = state_weights(stage, share);
-  double least = std::numeric_limits<double>::infinity();
-  for (const Label& label : labels) least = std::min(least, label.score[0]);
-  const auto value = [&](const Label& label) {
-    double sum = label.score[0] / (std::fabs(least) + 1e-6);
-    for (std::size_t c = 0; c < weights.size(); ++c) sum += weights[c] * label.state[c];
-    return sum;
-  };
-  std::stable_sort(labels.begin(), labels.end(), [&](const Label& a, const Label& b) { return value(a) < value(b); });
-  labels.resize(hurried_labels);
+  if (pass({.briefly = true})) return !undecided_;
+  if (control_.time_is_up() || !find_better_first()) return false;
+  undecided_ = false;
+  return (settled_ || pass({})) && !undecided_;
 }
 
 /// What all stages from each one on add at least.
@@ -122,16 +94,16 @@ void Frontier::update_useful() {
 }
 
 bool Frontier::pass(const Pass& pass) {
-  hurried_weight_ = pass.hurried_weight;
-  hurried_nodes_ = pass.hurried_nodes;
+  haste_ = pass.haste;
+  briefly_ = pass.briefly;
   update_useful();
   labels_.assign(plans_.size() + 1, {});
   labels_[0].push_back(first_label(problem_, criteria_));
   for (std::size_t stage = 0; stage < plans_.size(); ++stage) {
-    const int digits = hurried_weight_ > 0.0 ? hurried_digits : exact_digits;
+    const int digits = haste_ ? haste_->digits : exact_digits;
     const Comparison comparison(criteria_, plans_[stage].after, pass.with_states, digits);
     if (!(plans_[stage].any_priced ? advance_priced(stage, comparison) : advance(stage, comparison))) return false;
-    if (hurried_weight_ > 0.0) keep_best(stage, hurried_weight_);
+    if (haste_) keep_best(stage);
   }
   for (const Label& label : labels_.back()) finish(label);
   return true;
@@ -145,10 +117,15 @@ bool Frontier::advance(std::size_t stage, const Comparison& comparison) {
   });
   combinations_.clear();
   keys_.clear();
+  const auto complete = [](const Chunk& chunk) { return chunk.set.complete; };
+  if (std::all_of(chunks.begin(), chunks.end(), complete) &&
+      !while_there_is_time([&] { sharpen_planes(stage, chunks); }))
+    return false;
   for (std::size_t i = 0; i < chunks.size(); ++i) {
     control_.nodes += chunks[i].set.nodes;
     if (!chunks[i].set.complete) return false;
     combine(stage, static_cast<std::uint32_t>(i), chunks[i], comparison);
+    if (briefly_ && combinations_.size() > control_.options().stage_patience) return false;
     if (combinations_.size() > most_combinations) compact(chunks, comparison);
     if (control_.time_is_up()) return false;
   }
@@ -169,33 +146,19 @@ bool Frontier::advance(std::size_t stage, const Comparison& comparison) {
 /// is below some corner of the known front.
 bool Frontier::may_matter(std::size_t stage, std::span<const double> score, std::span<const double> state) const {
   const StagePlan& plan = plans_[stage];
-  if (plan.curves.empty()) return true;
+  if (plan.curves.empty() && plan.planes.empty()) return true;
   const double first = score[0] + rest_after(plan, 0, state);
   const double second = criteria_.second(score) + (criteria_.objectives > 1 ? rest_after(plan, 1, state) : 0.0);
   return first < infinity && below_staircase(useful_.back(), first, second);  // else no completion is feasible
 }
 
-/// Every label of a chunk with every candidate, as sums.
 void Frontier::combine(std::size_t stage, std::uint32_t index, const Chunk& chunk, const Comparison& comparison) {
-  const std::vector<Pair>& useful = useful_[stage + 1];
-  const StateForm& form = forms_[stage];
-  std::vector<double> score(criteria_.size());
-  for (std::uint32_t i = 0; i < chunk.labels.size(); ++i) {
-    const Label& label = labels_[stage][chunk.labels[i]];
-    std::vector<double> change(label.state.size());
-    for (std::size_t c = 0; c < change.size(); ++c) change[c] = form.change(c, chunk.set.reference, label.state);
-    std::vector<double> state(label.state.size());
-    for (std::uint32_t j = 0; j < chunk.set.candidates.size(); ++j) {
-      const Candidate& candidate = chunk.set.candidates[j];
-      for (std::size_t k = 0; k < score.size(); ++k) score[k] = label.score[k] + candidate.score[k];
-      if (!below_staircase(useful, score[0], criteria_.second(score))) continue;
-      for (std::size_t c = 0; c < state.size(); ++c) state[c] = candidate.state[c] + change[c];
-      if (!may_matter(stage, score, state)) continue;
-      combinations_.push_back({index, i, j, keys_.size()});
-      keys_.resize(keys_.size() + comparison.dimensions());
-      comparison.key(score, state, keys_.data() + combinations_.back().key);
-    }
-  }
+  const auto keep = [&](std::uint32_t label, std::uint32_t candidate, const auto& score, const auto& state) {
+    combinations_.push_back({index, label, candidate, keys_.size()});
+    keys_.resize(keys_.size() + comparison.dimensions());
+    comparison.key(score, state, keys_.data() + combinations_.back().key);
+  };
+  sums(stage, chunk, 1, keep);
 }
 
 /// Ascending in the first coordinate, among equals in the second, ...: nothing is dominated by what comes after it.

@@ -26,12 +26,15 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
 #include "solver/candidates.h"
 #include "solver/continuous.h"
 #include "solver/incumbents.h"
+#include "solver/rest_plane.h"
 #include "solver/search_control.h"
 
 namespace millwright::solver {
@@ -52,13 +55,20 @@ class Frontier {
 
  private:
   static constexpr std::size_t staircase_points = 600;
+  /// A beam search for a first answer.
+  struct Haste {
+    double share = 0.0;       ///< using up all that later stages can bear counts as so much of the least first score
+    std::size_t nodes = 100;  ///< looked at for the designs of a chunk
+    std::size_t labels = 30;  ///< kept before each stage
+    int digits = 6;           ///< binary, of what is compared
+  };
   struct Pass {
     bool with_states = true;
-    double hurried_weight = 0.0;    ///< above 0: a beam search for a first answer, states weighed so much
-    std::size_t hurried_nodes = 0;  ///< then: looked at for the designs of a chunk
+    std::optional<Haste> haste = std::nullopt;
+    bool briefly = false;  ///< given up when it grows long
   };
-  std::vector<double> state_weights(std::size_t stage, double share) const;
-  void keep_best(std::size_t stage, double share);
+  std::vector<double> state_weights(std::size_t stage, double unit) const;
+  void keep_best(std::size_t stage);
   struct Chunk {
     std::vector<std::uint32_t> labels;
     CandidateQuestion question;
@@ -76,6 +86,27 @@ class Frontier {
   bool advance(std::size_t stage, const Comparison& comparison);
   bool advance_priced(std::size_t stage, const Comparison& comparison);
   void find_rest();
+  std::vector<double> highest_scores() const;
+  bool find_planes();
+  bool find_better_first();
+  /// False when time was up before `preparation`, which asks the first desk, was done.
+  template <class Preparation>
+  bool while_there_is_time(Preparation&& preparation) {
+    Desk& desk = control_.desk(0);
+    desk.interrupt = [this] { return control_.time_is_up(); };
+    bool done = true;
+    try {
+      preparation();
+    } catch (const OutOfTime&) {
+      done = false;
+    }
+    desk.interrupt = nullptr;
+    return done;
+  }
+  bool restrict_stages();
+  void sharpen_planes(std::size_t stage, const std::vector<Chunk>& chunks);
+  template <class Found>
+  void sums(std::size_t stage, const Chunk& chunk, std::size_t stride, Found&& found) const;
   void update_useful();
   std::vector<Chunk> make_chunks(std::size_t stage, const Comparison& comparison) const;
   void ask(std::size_t stage, const Comparison& comparison, Chunk& chunk) const;
@@ -101,6 +132,7 @@ class Frontier {
   Incumbents& incumbents_;
   SearchControl& control_;
   std::vector<StateForm> forms_;
+  std::unique_ptr<RestPlanes> planes_;
   std::vector<std::vector<Pair>> rest_;     ///< [stage]: least added by this and all later stages
   std::vector<std::vector<Pair>> useful_;   ///< [stage]: what a label before it must be below
   std::vector<std::vector<Label>> labels_;  ///< [stage]
@@ -109,8 +141,9 @@ class Frontier {
   double leaf_tolerance_ = 0.0;  ///< of one stage with priced variables
   bool applicable_ = true;
   bool undecided_ = false;
-  double hurried_weight_ = 0.0;  ///< of the pass under way
-  std::size_t hurried_nodes_ = 0;
+  std::optional<Haste> haste_;  ///< of the pass under way
+  bool briefly_ = false;
+  bool settled_ = false;  ///< nothing is left that could change the known front
 };
 
 }  // namespace millwright::solver

@@ -85,10 +85,11 @@ void Frontier::ask(std::size_t stage, const Comparison& comparison, Chunk& chunk
   chunk.question.corners = useful_.back();
   chunk.question.useful =
       difference_of_staircases(useful_[stage + 1], lower_staircase(std::move(scores)), staircase_points);
-  if (hurried_weight_ > 0.0) {
-    chunk.question.node_limit = hurried_nodes_;
-    chunk.question.state_weight = state_weights(stage, hurried_weight_);
+  if (haste_) {
+    chunk.question.node_limit = haste_->nodes;
+    chunk.question.state_weight = state_weights(stage, plans_[stage].least[0]);
   }
+  if (briefly_) chunk.question.patience = control_.options().stage_patience;
   chunk.question.stop = [this] { return control_.time_is_up(); };
 }
 

@@ -14,6 +14,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t steps = 10;         // of a curve
 constexpr std::size_t node_limit = 1000;  // looked at for one curve
 constexpr std::size_t proof_boxes = 60;   // spent on a single design
+constexpr std::size_t few_slots = 1;      // of a stage whose curve is found nearly exactly
 constexpr double worth_keeping = 1e-6;    // relative rise of a curve below which it says nothing
 
 /// R_i(s) for one stage, component and score, for rising s. What is infeasible or dear at one s is so at the next, so
@@ -104,6 +105,48 @@ class LeastFrom {
   std::size_t order_ = 0, step_ = 0, nodes_ = 0;
 };
 
+/// The curve before a stage of few designs, nearly exactly: between two states where it differs it is asked half way.
+class FineCurve {
+ public:
+  FineCurve(const StagePlan& plan, double most, double upper, RestCurve coarse, Desk& desk)
+      : plan_(plan), most_(most), upper_(upper), coarse_(std::move(coarse)), desk_(desk) {}
+
+  RestCurve run() {
+    curve_ = {coarse_.score, coarse_.component, {coarse_.from.front()}, {coarse_.least.front()}};
+    for (std::size_t i = 0; i + 1 < coarse_.from.size(); ++i)
+      between(coarse_.from[i], coarse_.least[i], coarse_.from[i + 1], coarse_.least[i + 1]);
+    const double last = coarse_.from.back();
+    if (upper_ > last) between(last, coarse_.least.back(), upper_, std::max(at(upper_), coarse_.least.back()));
+    return std::move(curve_);
+  }
+
+ private:
+  double at(double state) {
+    ++asked_;
+    return LeastFrom(plan_, coarse_.score, coarse_.component, most_, desk_).at(state);
+  }
+  void between(double low, double least, double high, double least_there) {
+    constexpr double narrow = 1e-3, little = 1e-3;
+    constexpr std::size_t most_asked = 100;
+    if (!(least_there > least * (1.0 + little))) return;
+    const double middle = 0.5 * (low + high);
+    if (!(high - low > narrow * upper_) || asked_ >= most_asked) {
+      curve_.from.push_back(high);
+      curve_.least.push_back(least_there);
+      return;
+    }
+    const double here = std::clamp(at(middle), least, least_there);
+    between(low, least, middle, here);
+    between(middle, here, high, least_there);
+  }
+
+  const StagePlan& plan_;
+  double most_, upper_;
+  RestCurve coarse_, curve_;
+  Desk& desk_;
+  std::size_t asked_ = 0;
+};
+
 /// The curve before a stage, up to `most`; empty where the component tells nothing.
 RestCurve curve_before(
     const StagePlan& plan, std::size_t score, std::size_t component, double rest, double most, Desk& desk) {
@@ -122,7 +165,8 @@ RestCurve curve_before(
     curve.from.push_back(state);
     curve.least.push_back(known);
   }
-  return curve;
+  if (curve.from.empty() || plan.stage->slots().size() > few_slots) return curve;
+  return FineCurve(plan, most, whole.upper, std::move(curve), desk).run();
 }
 
 }  // namespace

@@ -36,6 +36,15 @@ double rest_given(const StagePlan& plan, std::size_t score, Lower&& lower) {
       break;
     }
   }
+  for (const RestPlane& plane : plan.planes) {
+    if (plane.score != score) continue;
+    double priced = 0.0;
+    for (std::size_t c = 0; c < plane.weight.size(); ++c) {
+      if (plane.weight[c] > 0.0) priced += plane.weight[c] * lower(c);
+    }
+    const double least = plane.constant + priced - slack * (priced < 0.0 ? -priced : priced);
+    if (least > rest) rest = least;
+  }
   return rest;
 }
 inline double rest_after(const StagePlan& plan, std::size_t score, std::span<const Interval> handed_on) {

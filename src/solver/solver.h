@@ -30,6 +30,9 @@ struct Options {
   bool stagewise = true;  ///< one or two objectives stage by stage where that applies, else always label by label
   /// Nodes that a single objective is at most searched label by label before stage by stage.
   std::uint64_t patience = 12000;
+  /// Designs of a stage looked at, or combined with what came before, from which on a pass stage by stage is given up
+  /// and shared allowances are priced first (rest_plane.h).
+  std::uint64_t stage_patience = 30000;
   bool confirm = true;   ///< ask the local solvers about an answer with priced variables (confirmation.h)
   unsigned threads = 1;  ///< the answer does not depend on it
   const std::atomic<bool>* stop = nullptr;  ///< set by Ctrl-C: end as for the time limit

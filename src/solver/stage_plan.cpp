@@ -196,6 +196,15 @@ bool limits(const StagePlan& plan, std::span<const Interval> handed_on) {
   return false;
 }
 
+/// States handed on less those that no later stage can bear.
+std::vector<Interval> bearable_part(const StagePlan& plan, std::vector<Interval> state) {
+  for (std::size_t c = 0; c < state.size(); ++c) {
+    const double most = plan.most_after[c] + 1e-11 * std::fabs(plan.most_after[c]);
+    state[c].upper = std::max(std::min(state[c].upper, most), state[c].lower);
+  }
+  return state;
+}
+
 /// What later stages can bear, from the base to the tool; then the states that can still arrive, and the rows that can
 /// still be chosen. False when nothing is left.
 bool find_limits(std::vector<StagePlan>& plans, Desk& desk) {
@@ -210,20 +219,18 @@ bool find_limits(std::vector<StagePlan>& plans, Desk& desk) {
     plan.inherited = state;
     state = desk.bound(*plan.stage, plan.shared, plan.inherited, plan.region).handed_on;
     if ((changed || limits(plan, state)) && !shave(plan, plan.inherited, desk, {})) return false;
-    state = desk.bound(*plan.stage, plan.shared, plan.inherited, plan.region).handed_on;
-    for (std::size_t c = 0; c < state.size(); ++c) {
-      const double most_here = plan.most_after[c] + 1e-11 * std::fabs(plan.most_after[c]);
-      state[c].upper = std::max(std::min(state[c].upper, most_here), state[c].lower);
-    }
+    state = bearable_part(plan, desk.bound(*plan.stage, plan.shared, plan.inherited, plan.region).handed_on);
   }
   return true;
 }
 
-/// Directions, from the base to the tool.
+/// From the base to the tool: directions, and which variables move what matters.
 void find_directions(std::vector<StagePlan>& plans, Desk& desk) {
   std::vector<Direction> next(plans.empty() ? 0 : plans.front().inherited.size(), Direction::irrelevant);
   for (auto plan = plans.rbegin(); plan != plans.rend(); ++plan) {
     plan->after = next;
+    plan->before.clear();
+    plan->priced.clear();
     const MonotonicityQuestion question{
         plan->stage, plan->shared, plan->criteria, &plan->region, plan->inherited, plan->after};
     for (std::size_t c = 0; c < next.size(); ++c) {
@@ -278,6 +285,15 @@ bool find_least(StagePlan& plan, Desk& desk) {
 }
 
 }  // namespace
+
+void look_again(const Problem& problem, std::vector<StagePlan>& plans, Desk& desk) {
+  std::vector<Interval> state(problem.first_state.begin(), problem.first_state.end());
+  for (StagePlan& plan : plans) {
+    plan.inherited = state;
+    state = bearable_part(plan, desk.bound(*plan.stage, plan.shared, plan.inherited, plan.region).handed_on);
+  }
+  find_directions(plans, desk);
+}
 
 std::vector<StagePlan> make_plans(const Problem& problem,
                                   std::span<const Row> shared,

@@ -46,6 +46,14 @@ struct RestCurve {
   std::vector<double> least;  ///< [i]: from from[i] on; ascending
 };
 
+/// What all stages after one add at least to a score: constant + weight * (state handed to them). Rounding is taken
+/// off.
+struct RestPlane {
+  std::size_t score = 0;
+  double constant = 0.0;
+  std::vector<double> weight;  ///< [component], none negative
+};
+
 struct StagePlan {
   const Stage* stage = nullptr;
   std::span<const Row> shared;
@@ -62,6 +70,7 @@ struct StagePlan {
   std::vector<double> least;         ///< of this stage, per score
   std::vector<double> rest;          ///< of all later stages, per score
   std::vector<RestCurve> curves;     ///< the same by what is handed on (rest_curve.h)
+  std::vector<RestPlane> planes;     ///< the same by all that is handed on (rest_plane.h)
   std::vector<OpenRegion> frontier;  ///< regions that cover all designs, ascending in the first score
 
   StagePlan(const Stage& s, std::span<const Row> shared_rows, const Criteria& c)
@@ -83,6 +92,9 @@ bool assess(const StagePlan& plan, std::span<const Interval> inherited, Region& 
 using RowSeen = std::function<void(std::size_t slot, Row row, const Answer<Interval>& answer)>;
 /// Removes the rows that cannot be in a feasible design at any of the inherited states; false when a slot is empty.
 bool shave(StagePlan& plan, std::span<const Interval> inherited, Desk& desk, const RowSeen& seen);
+
+/// The states that can arrive and the directions once more, after rows have been left out of the regions.
+void look_again(const Problem& problem, std::vector<StagePlan>& plans, Desk& desk);
 
 /// The plans of all stages; empty when it is proved that some stage has no feasible design at all.
 std::vector<StagePlan> make_plans(const Problem& problem,

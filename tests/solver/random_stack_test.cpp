@@ -68,10 +68,11 @@ void check_build(const Stack& stack, const Build& build, bool with_fits = true) 
   REQUIRE(total[1] <= stack.problem.resources[1].limit);
 }
 
-/// Both methods for fronts find the same points.
-void check_same_front(const Stack& stack, const Summary& front) {
+/// Both methods for fronts find the same points; also when shared allowances are priced at once.
+void check_same_front(const Stack& stack, const Summary& front, bool stagewise) {
   Options options = by({0, 1}, {});
-  options.stagewise = false;
+  options.stagewise = stagewise;
+  options.stage_patience = 0;
   const Summary other = solve(stack.problem, options);
   REQUIRE(other.status == front.status);
   if (stack.priced) return;  // points within the spacing of each other may differ
@@ -82,16 +83,18 @@ void check_same_front(const Stack& stack, const Summary& front) {
   }
 }
 
-/// Stage by stage at once and never: the same least cost, and among designs of that cost the same least mass.
+/// Stage by stage at once, that with priced allowances, and never: the same least cost, and among designs of that cost
+/// the same least mass.
 void check_both_methods(const Stack& stack, const Everything& all, const Summary& cheapest) {
   double mass = std::numeric_limits<double>::infinity();
   for (const Total& total : all.designs) {
     if (same(total.cost, all.least(&Total::cost), 1e-12)) mass = std::min(mass, total.mass);
   }
-  for (const bool stagewise : {true, false}) {
+  for (const int method : {0, 1, 2}) {
     Options options = by({0}, {1});
-    options.stagewise = stagewise;
+    options.stagewise = method < 2;
     options.patience = 0;
+    if (method == 1) options.stage_patience = 0;
     const Summary other = solve(stack.problem, options);
     REQUIRE(other.status == cheapest.status);
     if (all.designs.empty()) continue;
@@ -109,7 +112,8 @@ void check_stack(const Stack& stack, const Everything& all) {
   REQUIRE(cheapest.status == expected);
   REQUIRE(lightest.status == expected);
   REQUIRE(front.status == expected);
-  check_same_front(stack, front);
+  check_same_front(stack, front, false);
+  check_same_front(stack, front, true);
   check_both_methods(stack, all, cheapest);
   if (all.designs.empty()) return;
   const double tolerance = stack.priced ? 2e-7 : 1e-10;

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What is done before a long pass: prices for the allowances that stages share, good builds by them, and less to choose
+// from.
+#include <algorithm>
+#include <cmath>
+
+#include "solver/frontier.h"
+#include "solver/frontier_sums.h"
+#include "solver/rest_curve.h"
+
+namespace millwright::solver {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+/// Before a long pass: prices for shared allowances, good builds by them, and less to choose from. False: time is up.
+bool Frontier::find_better_first() {
+  bool priced = false;
+  const bool prepared = while_there_is_time([&] {
+    planes_ = std::make_unique<RestPlanes>(problem_, plans_, forms_, control_.desk(0));
+    priced = find_planes();
+  });
+  if (!prepared || !priced) return prepared;
+  for (const Haste& haste : {Haste{.nodes = 100}, {.nodes = 1000}, {.nodes = 2000, .labels = 100, .digits = 14}}) {
+    if (!pass({.haste = haste})) return false;
+    const auto restrict_again = [&] { settled_ = find_planes() && !restrict_stages(); };
+    if (!while_there_is_time(restrict_again)) return false;
+    if (settled_) return true;
+  }
+  return true;
+}
+
+/// Of the builds known, or infinity.
+std::vector<double> Frontier::highest_scores() const {
+  std::vector<double> most(criteria_.objectives, incumbents_.builds().empty() ? infinity : -infinity);
+  for (const RankedBuild& build : incumbents_.builds())
+    for (std::size_t k = 0; k < most.size(); ++k) most[k] = std::max(most[k], build.score[k]);
+  return most;
+}
+
+/// Planes over the states. False where nothing has a price.
+bool Frontier::find_planes() {
+  for (std::size_t score = 0; score < criteria_.objectives; ++score) {
+    double known = infinity;
+    for (const RankedBuild& build : incumbents_.builds()) known = std::min(known, build.score[score]);
+    planes_->find(score, known);
+  }
+  return std::any_of(plans_.begin(), plans_.end(), [](const StagePlan& plan) { return !plan.planes.empty(); });
+}
+
+/// Leaves out what cannot reach the known front. False: nothing that is left can.
+bool Frontier::restrict_stages() {
+  update_useful();
+  if (!planes_->restrict_to(useful_.back())) return false;
+  Desk& desk = control_.desk(0);
+  look_again(problem_, plans_, desk);
+  for (std::size_t i = 0; i < plans_.size(); ++i) forms_[i] = find_state_form(plans_[i], desk);
+  return true;
+}
+
+/// What a component handed on weighs against a first score of `unit`: by its price, or where there is none such that
+/// using up all that later stages can bear counts like a share of the score.
+std::vector<double> Frontier::state_weights(std::size_t stage, double unit) const {
+  const StagePlan& plan = plans_[stage];
+  std::vector<double> weights(plan.most_after.size(), 0.0);
+  const auto priced =
+      std::find_if(plan.planes.rbegin(), plan.planes.rend(), [](const RestPlane& plane) { return plane.score == 0; });
+  for (std::size_t c = 0; c < weights.size(); ++c) {
+    const bool smaller = plan.after[c] == Direction::smaller_is_better;
+    if (haste_->share == 0.0 && priced != plan.planes.rend())
+      weights[c] = priced->weight[c] / (std::fabs(unit) + 1e-6);
+    else if (smaller && std::isfinite(plan.most_after[c]) && plan.most_after[c] > 0.0)
+      weights[c] = haste_->share / plan.most_after[c];
+  }
+  return weights;
+}
+
+/// Keeps the best of many labels by first score and weighed state.
+void Frontier::keep_best(std::size_t stage) {
+  std::vector<Label>& labels = labels_[stage + 1];
+  if (labels.size() <= haste_->labels) return;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Label& label : labels) least = std::min(least, label.score[0]);
+  const std::vector<double> weights = state_weights(stage, least);
+  const auto value = [&](const Label& label) {
+    double sum = label.score[0] / (std::fabs(least) + 1e-6);
+    for (std::size_t c = 0; c < weights.size(); ++c) sum += weights[c] * label.state[c];
+    return sum;
+  };
+  std::stable_sort(labels.begin(), labels.end(), [&](const Label& a, const Label& b) { return value(a) < value(b); });
+  labels.resize(haste_->labels);
+}
+
+/// Planes for those of many combinations that have the least bounds.
+void Frontier::sharpen_planes(std::size_t stage, const std::vector<Chunk>& chunks) {
+  constexpr std::size_t many = 5000, samples = 1000, rounds = 8;
+  constexpr double worthwhile = 1e-3;
+  std::size_t number = 0;
+  for (const Chunk& chunk : chunks) number += chunk.labels.size() * chunk.set.candidates.size();
+  if (number < many || haste_ || briefly_ || stage + 2 >= plans_.size() || plans_[stage].planes.empty()) return;
+  struct Sample {
+    std::vector<double> score, state;
+  };
+  std::vector<Sample> sampled;
+  for (const Chunk& chunk : chunks)
+    sums(stage, chunk, number / samples, [&](auto, auto, const auto& score, const auto& state) {
+      sampled.push_back({score, state});
+    });
+  const std::vector<double> most = highest_scores();
+  for (std::size_t round = 0; round < rounds * criteria_.objectives && !sampled.empty(); ++round) {
+    const std::size_t k = round % criteria_.objectives;
+    const auto bound = [&](const Sample& sample) {
+      return sample.score[k] + rest_after(plans_[stage], k, std::span<const double>(sample.state));
+    };
+    const auto worst = std::min_element(
+        sampled.begin(), sampled.end(), [&](const Sample& a, const Sample& b) { return bound(a) < bound(b); });
+    const double before = bound(*worst);
+    const double rest = planes_->find_from(k, most[k] - worst->score[k], stage + 1, worst->state);
+    if (!(worst->score[k] + rest > before + worthwhile * std::fabs(before)) && criteria_.objectives == 1) break;
+    sampled.erase(worst);
+    std::erase_if(sampled, [&](const Sample& sample) { return !may_matter(stage, sample.score, sample.state); });
+  }
+}
+
+}  // namespace millwright::solver

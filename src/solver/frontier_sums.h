@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Labels before a stage with the designs that can matter to them, as sums; for the parts of frontier.h.
+#pragma once
+
+#include "solver/frontier.h"
+
+namespace millwright::solver {
+
+/// Every label of a chunk with every candidate, or one in `stride` of these combinations, as sums; told of those that
+/// may matter.
+template <class Found>
+void Frontier::sums(std::size_t stage, const Chunk& chunk, std::size_t stride, Found&& found) const {
+  const std::vector<Pair>& useful = useful_[stage + 1];
+  const StateForm& form = forms_[stage];
+  std::vector<double> score(criteria_.size());
+  std::size_t number = 0;
+  for (std::uint32_t i = 0; i < chunk.labels.size(); ++i) {
+    const Label& label = labels_[stage][chunk.labels[i]];
+    std::vector<double> change(label.state.size());
+    for (std::size_t c = 0; c < change.size(); ++c) change[c] = form.change(c, chunk.set.reference, label.state);
+    std::vector<double> state(label.state.size());
+    for (std::uint32_t j = 0; j < chunk.set.candidates.size(); ++j) {
+      if (number++ % stride != 0) continue;
+      const Candidate& candidate = chunk.set.candidates[j];
+      for (std::size_t k = 0; k < score.size(); ++k) score[k] = label.score[k] + candidate.score[k];
+      if (!below_staircase(useful, score[0], criteria_.second(score))) continue;
+      for (std::size_t c = 0; c < state.size(); ++c) state[c] = candidate.state[c] + change[c];
+      if (may_matter(stage, score, state)) found(i, j, score, state);
+    }
+  }
+}
+
+}  // namespace millwright::solver

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/region_pool.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "solver/relaxation.h"
+
+namespace millwright::solver {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t node_limit = 200;  // refined for one weighing
+constexpr std::size_t proof_boxes = 60;
+constexpr std::size_t thorough = 30;      // rounds of halving before what is left is told
+constexpr std::size_t most_parts = 2000;  // by then
+
+}  // namespace
+
+RegionPool::RegionPool(const StagePlan& plan, std::vector<Interval> inherited)
+    : plan_(&plan), inherited_(std::move(inherited)) {
+  const auto same = [](const Interval& a, const Interval& b) { return a.lower == b.lower && a.upper == b.upper; };
+  const bool at_best = std::equal(inherited_.begin(), inherited_.end(), plan.best_inherited.begin(), same);
+  for (const OpenRegion& open : plan.frontier) parts_.push_back({open, at_best});
+}
+
+bool RegionPool::bound(Part& part, Desk& desk) const {
+  part.bounded = true;
+  part.alive = assess(*plan_, inherited_, part.open.region, part.open.bounds, desk);
+  return part.alive;
+}
+
+template <class Offer>
+void RegionPool::refine(std::size_t index, Desk& desk, Offer&& offer) {
+  if (!parts_[index].bounded) {
+    if (bound(parts_[index], desk)) offer(index);
+    return;
+  }
+  if (parts_[index].open.region.one_design_per_slot()) {
+    parts_[index].alive = !proves_infeasible(*plan_, inherited_, parts_[index].open.region, proof_boxes, desk);
+    parts_[index].settled = true;
+    if (parts_[index].alive) offer(index);
+    return;
+  }
+  const OpenRegion whole = std::move(parts_[index].open);
+  const RowProfile::Split split = plan_->profile.split(whole.region, whole.bounds.open);
+  parts_[index].alive = false;
+  std::size_t place = index;
+  for (const RowSet& half : {split.left, split.right}) {
+    Part part;
+    part.open.region = whole.region;
+    part.open.region.rows[split.slot] = half;
+    if (!plan_->fits.filter(part.open.region, split.slot) || !bound(part, desk)) continue;
+    if (place == parts_.size()) parts_.emplace_back();
+    parts_[place] = std::move(part);
+    offer(place);
+    place = parts_.size();
+  }
+}
+
+RegionPool::Least RegionPool::least(std::size_t score, std::span<const double> weight, Desk& desk) {
+  struct Entry {
+    double value = 0.0;
+    std::size_t index = 0;
+    bool operator<(const Entry& other) const {  // a heap has the largest first
+      return value != other.value ? value > other.value : index < other.index;
+    }
+  };
+  std::erase_if(parts_, [](const Part& part) { return !part.alive; });
+  const auto value_of = [&](std::size_t index) { return priced(parts_[index].open.bounds, score, weight); };
+  std::vector<Entry> heap;
+  for (std::size_t i = 0; i < parts_.size(); ++i) heap.push_back({value_of(i), i});
+  std::make_heap(heap.begin(), heap.end());
+  for (std::size_t nodes = 0; !heap.empty(); ++nodes) {
+    const Entry first = heap.front();
+    if (nodes >= node_limit || parts_[first.index].settled) break;
+    std::pop_heap(heap.begin(), heap.end());
+    heap.pop_back();
+    refine(first.index, desk, [&](std::size_t index) {
+      heap.push_back({value_of(index), index});
+      std::push_heap(heap.begin(), heap.end());
+    });
+  }
+  if (heap.empty()) return {infinity, {}};
+  Least found{heap.front().value, {}};
+  for (const Interval& handed_on : parts_[heap.front().index].open.bounds.handed_on)
+    found.handed_on.push_back(handed_on.lower);
+  return found;
+}
+
+bool RegionPool::keep_only(const std::function<bool(const Bounds&)>& useful, Desk& desk) {
+  std::vector<std::size_t> open;
+  for (std::size_t i = 0; i < parts_.size(); ++i) open.push_back(i);
+  for (std::size_t nodes = 0; !open.empty(); ++nodes) {
+    std::vector<std::size_t> next;
+    for (const std::size_t index : open) {
+      Part& part = parts_[index];
+      part.alive = part.alive && (!part.bounded || useful(part.open.bounds));
+      if (!part.alive || part.settled || nodes >= thorough) continue;
+      refine(index, desk, [&](std::size_t refined) { next.push_back(refined); });
+    }
+    if (parts_.size() > most_parts || nodes >= thorough) break;
+    open = std::move(next);
+  }
+  std::erase_if(parts_, [&](const Part& part) { return !part.alive || (part.bounded && !useful(part.open.bounds)); });
+  return !parts_.empty();
+}
+
+void RegionPool::narrow(Region& region) const {
+  for (std::size_t slot = 0; slot < region.rows.size(); ++slot) {
+    std::vector<bool> left(plan_->stage->slots()[slot].rows, false);
+    for (const Part& part : parts_) {
+      for (const Row row : *part.open.region.rows[slot]) left[row] = true;
+    }
+    std::vector<Row> rows;
+    for (const Row row : *region.rows[slot]) {
+      if (left[row]) rows.push_back(row);
+    }
+    if (rows.size() < region.rows[slot]->size())
+      region.rows[slot] = make_rows(*plan_->stage, plan_->shared, slot, std::move(rows));
+  }
+}
+
+}  // namespace millwright::solver

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The regions that cover the designs of a stage at one state, refined wherever some weighing of a score and of what is
+// handed on is least. What `bound` says of a region does not depend on the weights, so what one weighing has refined
+// serves the next.
+#pragma once
+
+#include <functional>
+
+#include "solver/stage_plan.h"
+
+namespace millwright::solver {
+
+/// A score and what is handed on, at these weights. What has no weight may be unbounded.
+inline double priced(const Bounds& bounds, std::size_t score, std::span<const double> weight) {
+  double value = bounds.score[score];
+  for (std::size_t c = 0; c < weight.size(); ++c) {
+    if (weight[c] > 0.0) value += weight[c] * bounds.handed_on[c].lower;
+  }
+  return value;
+}
+
+class RegionPool {
+ public:
+  /// At the best state that can arrive, or another that no label's is better than.
+  RegionPool(const StagePlan& plan, std::vector<Interval> inherited);
+
+  [[nodiscard]] const std::vector<Interval>& inherited() const { return inherited_; }
+
+  struct Least {
+    double value = 0.0;             ///< infinity: no design is feasible
+    std::vector<double> handed_on;  ///< there
+  };
+  /// Leaves out what `useful` says no to, refining what it does not. False when nothing is left.
+  bool keep_only(const std::function<bool(const Bounds&)>& useful, Desk& desk);
+  /// To the rows that are left.
+  void narrow(Region& region) const;
+  /// A lower bound of score + weight * handed on over all feasible designs; weights are not negative.
+  Least least(std::size_t score, std::span<const double> weight, Desk& desk);
+
+ private:
+  struct Part {
+    OpenRegion open;
+    bool bounded = false;
+    bool settled = false;  ///< a single design that could not be proved infeasible
+    bool alive = true;
+  };
+  /// Offers the numbers of what a part became.
+  template <class Offer>
+  void refine(std::size_t index, Desk& desk, Offer&& offer);
+  bool bound(Part& part, Desk& desk) const;
+
+  const StagePlan* plan_;
+  std::vector<Interval> inherited_;
+  std::vector<Part> parts_;
+};
+
+}  // namespace millwright::solver

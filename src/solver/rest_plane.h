@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What an allowance is worth that all stages share: a compliance or an error that must stay below a limit at the end of
+// the chain, the power that a supply must give. Where stages add to the state that they inherit (state_form.h), any
+// price per unit of an allowance gives a lower bound for all completions of a label at once (Lagrangian relaxation):
+//
+//   R_i(s) >= sum over the later stages of min over their designs (score + price * own addition)
+//             - price * (limit - s)
+//
+// because a feasible completion adds no more than limit - s. The minima of the stages are independent of each other and
+// of s, so this is a plane over the state; and a state that flows into another one (a mass into the load of the next
+// axis) carries its price along. The prices are moved until the bound at the tool hardly rises any more (subgradient
+// steps); every plane on the way is valid.
+//
+// Where a stage at the end of an allowance gets dearer with it (the supply that gives the power), its least is found
+// for several amounts, and the plane stays below that staircase.
+//
+// The same bound with one region of a stage in place of the stage's minimum says what that region leads to at least.
+// What cannot reach the known front that way is left out from then on; and where what is left cannot use up an
+// allowance any more, designs need not be compared by it.
+#pragma once
+
+#include <memory>
+
+#include "solver/staircase.h"
+#include "solver/state_form.h"
+
+namespace millwright::solver {
+
+class RestPlanes {
+ public:
+  /// References must outlive this.
+  RestPlanes(const Problem& problem, std::vector<StagePlan>& plans, std::span<const StateForm> forms, Desk& desk);
+  ~RestPlanes();
+
+  /// Sets StagePlan::planes of all stages for one objective. `known`: a total that the bound will not exceed by far,
+  /// for the length of the steps. Nothing where some stage is not additive.
+  void find(std::size_t score, double known);
+  /// Adds the best plane before a stage for a label of this state. What that label must still add at least.
+  double find_from(std::size_t score, double known, std::size_t stage, std::span<const double> state);
+  /// Narrows the stages' regions to what may lead below some corner of an upper staircase of totals. False: nothing
+  /// does.
+  bool restrict_to(const std::vector<Pair>& corners);
+
+ private:
+  class Prices;
+  std::unique_ptr<Prices> prices_;
+};
+
+}  // namespace millwright::solver
