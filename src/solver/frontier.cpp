@@ -48,7 +48,7 @@ bool Frontier::run() {
   // Where what is cheap first leaves too little of a shared allowance to what comes later, nothing is found that way.
   for (const double share : {0.03, 0.1, 0.3, 1.0}) {
     if (!incumbents_.builds().empty()) break;
-    for (const std::size_t nodes : {100, 1000})
+    for (const std::size_t nodes : {std::size_t{100}, std::size_t{1000}})
       if (!pass({.haste = Haste{.share = share, .nodes = nodes}})) return false;
   }
   if (pass({.briefly = true})) return !undecided_;
