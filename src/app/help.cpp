@@ -13,10 +13,16 @@ constexpr std::pair<std::string_view, std::string_view> texts[] = {
      "  0 done and compliant   1 no compliant design, or a check failed   2 bad input\n"
      "  3 a limit was reached before the proof was complete   70 a mistake of this program\n\n"
      "Examples:\n"
+     "  millwright new --template mill my-mill.toml\n"
      "  millwright solve problems/sander.toml\n"
      "  millwright check problems/sander.toml my-bom.csv\n"
      "  millwright calc power_screw.raising_torque force='6.4 kN' mean_diameter='30 mm' lead='8 mm' friction=0.08\n"
      "'millwright COMMAND --help' tells more about each command."},
+    {"new",
+     "The file says what every line means; optional keys are there behind a '#'. It solves as it is.\n"
+     "Examples:\n"
+     "  millwright new --template mill my-mill.toml\n"
+     "  millwright new --template printer my-printer.toml --force"},
     {"solve",
      "Examples:\n"
      "  millwright solve problems/sander.toml --bom sander.csv\n"

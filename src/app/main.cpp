@@ -22,6 +22,8 @@ int run(const Options& options) {
       return run_calc(options);
     case Verb::formulas:
       return run_formulas(options);
+    case Verb::start:
+      return run_new(options);
     case Verb::catalogue_list:
     case Verb::catalogue_show:
     case Verb::catalogue_lint:

@@ -11,6 +11,7 @@
 
 #include "app/help.h"
 #include "app/output.h"
+#include "app/templates.h"
 #include "machine/objective.h"
 #include "report/page_texts.h"
 #include "text/diagnostic.h"
@@ -110,6 +111,12 @@ std::string all_quantities() {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
+std::string all_templates() {
+  std::vector<std::string_view> names;
+  for (const Template& each : templates()) names.push_back(each.name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
 struct VerbEntry {
   CLI::App* app;
   Verb verb;
@@ -122,6 +129,7 @@ class CommandLine {
     app_.set_version_flag("--version", std::string("millwright ") + version);
     app_.require_subcommand(1);
     app_.footer(examples("millwright"));
+    add_new();
     add_machine_verbs();
     add_other_verbs();
     add_catalogue_verbs();
@@ -156,6 +164,14 @@ class CommandLine {
     sub.footer(examples(name));
     verbs_.push_back({&sub, verb});
     return sub;
+  }
+
+  void add_new() {
+    CLI::App& start = add(app_, "new", Verb::start, "a commented problem file to begin with");
+    start.add_option("FILE", options_.problem, "file to write (.toml)")->required();
+    start.add_option("--template", options_.subject, fmt::format("the machine to begin with: {}", all_templates()))
+        ->type_name("NAME");
+    start.add_flag("--force", options_.force, "overwrite the file if it is there");
   }
 
   void add_machine_verbs() {

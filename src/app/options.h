@@ -9,7 +9,7 @@
 
 namespace millwright::app {
 
-enum class Verb { solve, pareto, check, audit, calc, formulas, catalogue_list, catalogue_show, catalogue_lint };
+enum class Verb { solve, pareto, check, audit, calc, formulas, start, catalogue_list, catalogue_show, catalogue_lint };
 
 /// Exit codes of the program.
 enum ExitCode : int {
@@ -42,8 +42,9 @@ struct Options {
   std::string bom;                                              ///< written by solve, read by check
   bool complete = false;
   std::string hold_origin;
+  bool force = false;  ///< of new: overwrite
   // audit, calc, formulas, catalogue
-  std::string subject;             ///< claims file, formula, word or family
+  std::string subject;             ///< claims file, formula, word, family or template
   std::vector<std::string> words;  ///< arguments, parts or files
   bool derive = false;
   std::string unit;
