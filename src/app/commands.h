@@ -13,6 +13,8 @@ int run_check(const Options& options);
 int run_audit(const Options& options);
 int run_calc(const Options& options);
 int run_formulas(const Options& options);
+/// reference and schema.
+int run_reference(const Options& options);
 int run_new(const Options& options);
 /// catalogue list, show, lint.
 int run_catalogue(const Options& options);

@@ -61,6 +61,15 @@ constexpr std::pair<std::string_view, std::string_view> texts[] = {
      "Examples:\n"
      "  millwright formulas torque\n"
      "  millwright formulas --json formulas.json"},
+    {"reference",
+     "Examples:\n"
+     "  millwright reference | less\n"
+     "  millwright reference > problem-file.md"},
+    {"schema",
+     "Editors that know TOML complete and check a problem file whose first line names the schema:\n"
+     "  #:schema ./millwright.schema.json\n"
+     "Examples:\n"
+     "  millwright schema > millwright.schema.json"},
     {"catalogue",
      "Examples:\n"
      "  millwright catalogue list steppers\n"

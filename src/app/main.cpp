@@ -24,6 +24,9 @@ int run(const Options& options) {
       return run_formulas(options);
     case Verb::start:
       return run_new(options);
+    case Verb::reference:
+    case Verb::schema:
+      return run_reference(options);
     case Verb::catalogue_list:
     case Verb::catalogue_show:
     case Verb::catalogue_lint:

@@ -220,6 +220,8 @@ class CommandLine {
     CLI::App& formulas = add(app_, "formulas", Verb::formulas, "the formulas: arguments, units, validity, source");
     formulas.add_option("WORD", options_.subject, "only those with this word in name, title or handbook id");
     add_output_options(formulas, options_);
+    add(app_, "reference", Verb::reference, "every key of the problem file: units, defaults, sources (Markdown)");
+    add(app_, "schema", Verb::schema, "the same for editors: a JSON Schema of the problem file");
   }
 
   void add_catalogue_verbs() {

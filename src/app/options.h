@@ -9,7 +9,20 @@
 
 namespace millwright::app {
 
-enum class Verb { solve, pareto, check, audit, calc, formulas, start, catalogue_list, catalogue_show, catalogue_lint };
+enum class Verb {
+  solve,
+  pareto,
+  check,
+  audit,
+  calc,
+  formulas,
+  start,
+  reference,
+  schema,
+  catalogue_list,
+  catalogue_show,
+  catalogue_lint
+};
 
 /// Exit codes of the program.
 enum ExitCode : int {

@@ -101,10 +101,13 @@ void warn_of_side(const Node& node, const RequirementDeclaration& declaration, d
 void read_position_error(const Node& value, Requirements& require, Diagnostics& diagnostics) {
   TableReader inner(value, "position_error", diagnostics);
   QuantityReader q(inner, diagnostics);
-  if (const auto limit = q.quantity("limit", "mm", Sign::positive, Presence::required))
+  if (const auto limit = q.quantity({"limit", "the error, at most"}, "mm", Sign::positive, Presence::required))
     require.set(Requirement::position_error, *limit);
-  if (const auto over = q.quantity("over", "mm", Sign::positive)) require.set(Requirement::position_error_over, *over);
-  const auto lead_error = inner.word("lead_error", {"as made", "mapped"});
+  if (const auto over =
+          q.quantity({"over", "travel over which it is meant; the stroke without it"}, "mm", Sign::positive))
+    require.set(Requirement::position_error_over, *over);
+  const auto lead_error =
+      inner.word({"lead_error", "whether the controller corrects the measured lead error"}, {"as made", "mapped"});
   if (lead_error == "as made") require.forget(Requirement::mapped_lead_error);
   if (lead_error == "mapped" && !require.known(Requirement::mapped_lead_error))
     require.set(Requirement::mapped_lead_error, usual_mapped_lead_error);
@@ -113,9 +116,9 @@ void read_position_error(const Node& value, Requirements& require, Diagnostics& 
 
 /// enforce = ["C-ST-RMS"]: makes binding what is only reported by default.
 void read_enforced(TableReader& table, QuantityReader& q, Requirements& require, Diagnostics& diagnostics) {
-  if (table.find("enforce") == nullptr) return;
   const std::vector<std::string_view> known = reported_constraints();
-  (void)q.words("enforce");
+  (void)q.words({"enforce", "ids of checks that are only reported by default, and shall hold"},
+                {known.begin(), known.end()});
   for (const Node* node : table.list("enforce")) {
     const std::string id = node->as_string().value_or("");
     if (id.empty()) continue;
@@ -130,11 +133,35 @@ void read_enforced(TableReader& table, QuantityReader& q, Requirements& require,
 
 }  // namespace
 
+namespace {
+
+void describe_requirement(const TableReader& table, const RequirementDeclaration& declaration) {
+  text::Question question;
+  question.key = declaration.key;
+  question.meaning = declaration.meaning;
+  question.expected = text::Expected::quantity;
+  question.unit = declaration.unit;
+  if (declaration.unit != "1")
+    question.example = fmt::format("\"{}\"", usual_values(declaration.unit).example);
+  question.fallback = as_written(declaration.default_value, declaration.unit);
+  question.source = declaration.source;
+  question.least = 0.0;
+  question.above_least = true;
+  if (declaration.requirement == Requirement::mapped_lead_error) question.most = 1.0;
+  table.describe(question);
+  if (declaration.requirement != Requirement::position_error) return;
+  question.expected = text::Expected::table;
+  table.describe(question);
+}
+
+}  // namespace
+
 void read_requirements(const Node& node, const std::string& title, Requirements& require, Diagnostics& diagnostics) {
   TableReader table(node, title, diagnostics);
   QuantityReader q(table, diagnostics);
   read_enforced(table, q, require, diagnostics);
   for (const RequirementDeclaration& declaration : requirements()) {
+    describe_requirement(table, declaration);
     const Node* value = table.find(declaration.key);
     if (value == nullptr) continue;
     if (declaration.requirement == Requirement::position_error && value->is_table()) {
