@@ -36,8 +36,8 @@ add_custom_command(OUTPUT ${page_build}/page.js
 
 add_custom_command(OUTPUT ${page_build}/page_assets.cpp
   COMMAND ${CMAKE_COMMAND} -D LITERALS=${PROJECT_SOURCE_DIR}/cmake/text_literals.cmake -D STYLE=${page_sources}/style.css
-    -D SCRIPT=${page_build}/page.js -D OUTPUT=${page_build}/page_assets.cpp -P ${page_sources}/embed.cmake
-  DEPENDS ${page_build}/page.js ${page_sources}/style.css ${page_sources}/embed.cmake
+    -D SCRIPT=${page_build}/page.js -D SOURCES=${PROJECT_SOURCE_DIR}/src/mechanics/sources.bib -D OUTPUT=${page_build}/page_assets.cpp -P ${page_sources}/embed.cmake
+  DEPENDS ${page_build}/page.js ${page_sources}/style.css ${PROJECT_SOURCE_DIR}/src/mechanics/sources.bib ${page_sources}/embed.cmake
     ${PROJECT_SOURCE_DIR}/cmake/text_literals.cmake
   COMMENT "Embedding the report page" VERBATIM)
 

@@ -48,6 +48,8 @@ const pages = [
 const titled = pages.map(([name, text]) => [name, /^# (.*)$/m.exec(text)[1], text.replace(/^<!-- .* -->\n/gm, "")]);
 const style = fs.readFileSync(path.join(source, "src", "guide", "style.css"), "utf8");
 
+const written = new Map();
+fs.rmSync(output, { recursive: true, force: true });
 fs.mkdirSync(output, { recursive: true });
 for (const [name, title, text] of titled) {
   const menu = titled
@@ -67,5 +69,9 @@ ${marked.parse(text)}</main>
 </body>
 </html>
 `;
+  written.set(name + ".html", page);
   fs.writeFileSync(path.join(output, name + ".html"), page);
 }
+for (const [name, page] of written)
+  for (const [, target] of page.matchAll(/href="([^"]*)"/g))
+    if (!written.has(target)) throw new Error(`${name}: there is no page ${target}`);

@@ -16,7 +16,7 @@ const plain = (text) => text.replace(/\\/g, "\\e").replace(/-/g, "\\-").replace(
 function sections(text) {
   const parts = [{ title: "", lines: [] }];
   for (const line of text.split("\n")) {
-    const title = /^(Usage|Positionals|Options|Common options|Subcommands|Exit codes|Examples):(.*)$/.exec(line);
+    const title = /^(Usage|Positionals|Options|Common options|Subcommands|Exit codes|Environment|Examples):(.*)$/.exec(line);
     if (title) parts.push({ title: title[1], lines: title[2].trim() === "" ? [] : [title[2].trim()] });
     else parts[parts.length - 1].lines.push(line);
   }
@@ -50,14 +50,14 @@ function page(verb, others) {
   for (const { title, lines: text } of parts.slice(1)) {
     if (title === "Usage") {
       lines.push(".SH SYNOPSIS", ".B " + plain(text[0]));
-    } else if (title === "Examples" || title === "Exit codes") {
+    } else if (["Examples", "Exit codes", "Environment"].includes(title)) {
       lines.push(".SH " + title.toUpperCase(), ...verbatim(text));
     } else {
       // What a footer says before its examples stands behind a blank line.
       const blank = text.indexOf("");
       const head = blank < 0 ? text : text.slice(0, blank);
       const tail = blank < 0 ? [] : text.slice(blank).filter((line) => line !== "");
-      lines.push(".SH " + title.toUpperCase(), ...tagged(head));
+      lines.push(".SH " + (title === "Positionals" ? "ARGUMENTS" : title.toUpperCase()), ...tagged(head));
       if (tail.length > 0) lines.push(".SH NOTES", ...verbatim(tail));
     }
   }

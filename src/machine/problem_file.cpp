@@ -104,6 +104,7 @@ std::optional<Problem> problem_of(const text::Document& document, Diagnostics& d
   Problem problem;
   problem.file = document.text()->path();
   TableReader table(document.root(), "problem", diagnostics);
+  (void)table.string({"$schema", "of a JSON file: the schema for editors; nothing is computed from it"});
   problem.title = table.string({"title", "stands over every report"}).value_or("");
   problem.source =
       table.string({"source", "where the figures come from; for people, nothing is computed from it"}).value_or("");

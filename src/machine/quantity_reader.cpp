@@ -180,8 +180,14 @@ text::Question QuantityReader::question(const Key& key, Expected expected, std::
   return asked;
 }
 
+void QuantityReader::describe_with(double fallback, text::Question asked) const {
+  if (!table_.heard()) return;
+  asked.fallback = as_written(fallback, asked.unit);
+  table_.describe(asked);
+}
+
 void QuantityReader::describe(const Key& key, Expected expected, std::string_view unit, Sign sign) const {
-  if (diagnostics_.listener() != nullptr) table_.describe(question(key, expected, unit, sign));
+  if (table_.heard()) table_.describe(question(key, expected, unit, sign));
 }
 
 std::optional<double> QuantityReader::of_node(const Node& node,
@@ -232,18 +238,15 @@ std::optional<double> QuantityReader::quantity(const Key& key, std::string_view 
 }
 
 double QuantityReader::quantity_or(const Key& key, std::string_view unit, double fallback, Sign sign) {
-  text::Question asked = question(key, Expected::quantity, unit, sign);
-  asked.fallback = as_written(fallback, unit);
-  table_.describe(asked);
+  describe_with(fallback, question(key, Expected::quantity, unit, sign));
   return quantity(key, unit, sign).value_or(fallback);
 }
 
 double QuantityReader::share_or(const Key& key, double fallback, bool zero) {
   const Sign sign = zero ? Sign::not_negative : Sign::positive;
   text::Question asked = question(key, Expected::quantity, "1", sign);
-  asked.fallback = as_written(fallback, "1");
   asked.most = 1.0;
-  table_.describe(asked);
+  describe_with(fallback, std::move(asked));
   const auto value = quantity(key, "1", sign);
   if (!value) return fallback;
   if (*value <= 1.0) return *value;
@@ -255,10 +258,9 @@ double QuantityReader::share_or(const Key& key, double fallback, bool zero) {
 
 double QuantityReader::count_or(const Key& key, double fallback, int least, int most) {
   text::Question asked = question(key, Expected::integer, "1", Sign::any);
-  asked.fallback = as_written(fallback, "1");
   asked.least = least;
   asked.most = most;
-  table_.describe(asked);
+  describe_with(fallback, std::move(asked));
   const Node* node = table_.find(key.name);
   const auto value = node == nullptr ? std::nullopt : of_node(*node, key.name, "1", Sign::any);
   if (!value) return fallback;

@@ -88,6 +88,8 @@ class QuantityReader {
                                         std::string_view unit,
                                         Sign sign) const;
 
+  void describe_with(double fallback, text::Question asked) const;
+
   text::TableReader& table_;
   text::Diagnostics& diagnostics_;
 };

@@ -141,9 +141,10 @@ void describe_requirement(const TableReader& table, const RequirementDeclaration
   question.meaning = declaration.meaning;
   question.expected = text::Expected::quantity;
   question.unit = declaration.unit;
-  if (declaration.unit != "1")
-    question.example = fmt::format("\"{}\"", usual_values(declaration.unit).example);
   question.fallback = as_written(declaration.default_value, declaration.unit);
+  question.example = !question.fallback.empty() ? question.fallback
+                     : declaration.unit == "1"  ? "1"
+                                                : fmt::format("\"{}\"", usual_values(declaration.unit).example);
   question.source = declaration.source;
   question.least = 0.0;
   question.above_least = true;
@@ -161,7 +162,7 @@ void read_requirements(const Node& node, const std::string& title, Requirements&
   QuantityReader q(table, diagnostics);
   read_enforced(table, q, require, diagnostics);
   for (const RequirementDeclaration& declaration : requirements()) {
-    describe_requirement(table, declaration);
+    if (table.heard()) describe_requirement(table, declaration);
     const Node* value = table.find(declaration.key);
     if (value == nullptr) continue;
     if (declaration.requirement == Requirement::position_error && value->is_table()) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "machine/problem_keys.h"
+#include "report/source_list.h"
 
 namespace millwright::report {
 
@@ -227,6 +228,18 @@ std::string section(const std::vector<ProblemTable>& tables, const ProblemTable&
   return text;
 }
 
+std::string source_section(const std::vector<ProblemTable>& tables) {
+  std::set<std::string> keys;
+  for (const ProblemTable& table : tables)
+    for (const ProblemTableKind& kind : table.kinds)
+      for (const ProblemKey& key : kind.keys)
+        for (const Question& form : key.forms)
+          if (!form.source.empty() && !form.fallback.empty()) keys.insert(form.source);
+  std::string text = "## Sources\n\n";
+  for (const std::string& key : keys) text += fmt::format("- {}: {}\n", key, citation(key));
+  return text + "\n";
+}
+
 /// Tables in the order in which they are met in a file: each followed by those inside it.
 void in_depth(const std::vector<ProblemTable>& all, const std::string& path, std::vector<const ProblemTable*>& order) {
   const ProblemTable* table = find_table(all, path);
@@ -249,7 +262,7 @@ std::string problem_reference() {
       "reference` from what the program's readers ask for; `millwright schema` writes the same for editors.\n\n"
       "- A quantity is text with its unit: `\"700 mm\"`, `\"0.7 m\"`, `\"27.6 in\"`; the examples below show the "
       "dimension, any unit of it will do. Numbers without a dimension stand bare: `0.8`; or `\"80 %\"`.\n"
-      "- The word in parentheses behind a default is its source, a key of `src/mechanics/sources.bib`.\n"
+      "- The word in parentheses behind a default is its source, listed at the end.\n"
       "- A table may be written under its header or in braces: `mechanism = { kind = \"belt\" }`.\n"
       "- What depends on more than one key (a time or a speed, a length within the stroke) is not told here: the "
       "program "
@@ -257,6 +270,7 @@ std::string problem_reference() {
   std::vector<const ProblemTable*> order;
   in_depth(tables, "", order);
   for (const ProblemTable* table : order) text += section(tables, *table);
+  text += source_section(tables);
   while (text.size() > 1 && text[text.size() - 2] == '\n') text.pop_back();
   return text;
 }

@@ -122,7 +122,6 @@ class Schema {
     const Json root = definitions["problem"];
     definitions.erase("problem");
     for (const auto& [key, part] : root.items()) schema[key] = part;
-    schema["properties"]["$schema"] = {{"type", "string"}};
     schema["definitions"] = definitions;
     return schema;
   }

@@ -55,11 +55,11 @@ bool TableReader::has(const Key& key) {
 }
 
 void TableReader::describe(const Question& question) const {
-  if (diagnostics_.listener() != nullptr) diagnostics_.listener()->asked(table_, question);
+  if (heard()) diagnostics_.listener()->asked(table_, question);
 }
 
 void TableReader::describe(const Key& key, Expected expected, Presence presence) const {
-  if (diagnostics_.listener() == nullptr) return;
+  if (!heard()) return;
   Question question;
   question.expected = expected;
   question.key = key.name;

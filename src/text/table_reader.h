@@ -56,6 +56,8 @@ class TableReader {
                                   Presence presence = Presence::optional);
   std::string word_or(const Key& key, const std::vector<std::string>& allowed, const std::string& fallback);
 
+  /// Whether anybody listens to what is asked: what costs time to say need not be said otherwise.
+  bool heard() const { return diagnostics_.listener() != nullptr; }
   /// Says what may stand there, where the reader looks at the value itself.
   void describe(const Question& question) const;
 

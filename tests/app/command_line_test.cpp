@@ -79,7 +79,7 @@ TEST_CASE("Reference and schema are printed, and take nothing") {
   CHECK(reference.out.rfind("# The problem file\n", 0) == 0);
   CHECK(reference.prints("## `[[axis.moves]]`\n"));
   CHECK(reference.prints(
-      "| `life` | time, `\"0.2 s\"` | `\"10000 h\"` (iso3408_5) | Service life of screws and guides |\n"));
+      "| `life` | time, `\"10000 h\"` | `\"10000 h\"` (iso3408_5) | Service life of screws and guides |\n"));
   const Outcome schema = shop.run({"schema"});
   CHECK(schema.exit_code == 0);
   CHECK(schema.prints("\"$schema\": \"http://json-schema.org/draft-07/schema#\""));

@@ -131,7 +131,7 @@ TEST_CASE("No key that is listed is unknown to its reader, and a misspelt one is
         if (key.name == "*" || key.name == "kind") continue;
         if (table.path == "axis" && key.name == "mechanism") continue;
         for (const std::string& name : {key.name, key.name + "x"}) {
-          const std::string text = head_of(table.path, kind.name) + name + " = 1\n";
+          const std::string text = head_of(table.path, kind.name) + "\"" + name + "\" = 1\n";
           text::Diagnostics diagnostics;
           const auto document = text::read_toml(text::SourceText::from_string("a.toml", text), diagnostics);
           CAPTURE(text);

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-# cmake -D LITERALS=cmake/text_literals.cmake -D STYLE=... -D SCRIPT=... -D OUTPUT=... -P embed.cmake: writes both files
-# into a C++ source.
+# cmake -D LITERALS=cmake/text_literals.cmake -D STYLE=... -D SCRIPT=... -D SOURCES=... -D OUTPUT=... -P
+# embed.cmake: writes these files into a C++ source.
 include(${LITERALS})
 text_literals(${STYLE} style)
 text_literals(${SCRIPT} script)
+text_literals(${SOURCES} sources)
 file(WRITE ${OUTPUT}.new "// Written by src/report/page/embed.cmake.
 #include \"report/page_assets.h\"
 
@@ -16,6 +17,8 @@ const std::string_view style_pieces[] = {
 ${style}};
 const std::string_view script_pieces[] = {
 ${script}};
+const std::string_view sources_pieces[] = {
+${sources}};
 
 template <std::size_t count>
 std::string joined(const std::string_view (&pieces)[count]) {
@@ -27,6 +30,7 @@ std::string joined(const std::string_view (&pieces)[count]) {
 
 std::string page_style() { return joined(style_pieces); }
 std::string page_script() { return joined(script_pieces); }
+std::string sources_bib() { return joined(sources_pieces); }
 
 }  // namespace millwright::report
 ")
