@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// node check.cjs [--update] <millwright> <source folder>: does every command of the guide still print what the guide shows?
-// Commands run in a folder of their own that holds a copy of problems/. With --update the guide is rewritten with what
-// they print now: look at the difference before it is committed.
+// node check.cjs [--update] <millwright> <source folder>: does every command of the guide still print what the guide shows,
+// and does every example of a help text run? Commands run in a folder of their own that holds a copy of problems/. With
+// --update the guide is rewritten with what they print now: look at the difference before it is committed.
 "use strict";
 const { spawnSync } = require("child_process");
 const fs = require("fs");
 const os = require("os");
 const path = require("path");
 const { chapters, read, blocks } = require("./chapters.cjs");
+const { help, verbs } = require("./verbs.cjs");
 
 const update = process.argv[2] === "--update";
 const [program, source] = process.argv.slice(update ? 3 : 2).map((each) => path.resolve(each));
@@ -92,9 +93,44 @@ function check_part(block, where) {
     if (line.trim() !== "" && line.trim() !== "..." && !there.has(line.trim())) fail(where, `${from[1]} has no line '${line}'`);
 }
 
-for (const chapter of chapters) {
+function workshop() {
   const folder = fs.mkdtempSync(path.join(os.tmpdir(), "millwright-guide-"));
   fs.cpSync(path.join(source, "problems"), path.join(folder, "problems"), { recursive: true });
+  return folder;
+}
+
+/** A folder with the files that the examples of help texts name. */
+function example_workshop() {
+  const folder = workshop();
+  const motors = path.join(source, "catalogues", "steppers", "ldo.csv");
+  fs.mkdirSync(path.join(folder, "my-parts", "steppers"), { recursive: true });
+  fs.copyFileSync(motors, path.join(folder, "my-parts", "steppers", "motors.csv"));
+  fs.copyFileSync(motors, path.join(folder, "motors.csv"));
+  fs.copyFileSync(path.join(source, "problems", "sander-bom.csv"), path.join(folder, "my-bom.csv"));
+  return folder;
+}
+
+/** Runs the examples of all help texts. Searches may stop soon: exit code 3 is as good. */
+function check_examples() {
+  let examples = 0;
+  for (const verb of ["", ...verbs(program)]) {
+    const folder = example_workshop();
+    const text = help(program, verb);
+    const lines = text.slice(text.indexOf("Examples:\n")).split("\n").filter((line) => line.startsWith("  millwright "));
+    if (lines.length === 0) fail(`millwright ${verb} --help`, "has no example");
+    for (const line of lines) {
+      ++examples;
+      const soon = /^ {2}millwright (solve|pareto|check) /.test(line) ? " --time-limit 0.3" : "";
+      const result = run(line.replace("| less", "| cat") + soon, folder);
+      if (![0, 1, 3].includes(result.code)) fail(`millwright ${verb} --help`, `'${line}':\n${result.lines.join("\n")}`);
+    }
+    fs.rmSync(folder, { recursive: true });
+  }
+  return examples;
+}
+
+for (const chapter of chapters) {
+  const folder = workshop();
   const lines = read(source, chapter).split("\n");
   const fresh = [];
   let at = 0;
@@ -115,5 +151,7 @@ for (const chapter of chapters) {
   fs.rmSync(folder, { recursive: true });
 }
 if (commands < 20) fail("the guide", `it has only ${commands} commands`);
-console.log(`${commands} commands of the guide: ${failures} failures`);
+const shownThere = commands;
+const examples = update ? 0 : check_examples();
+console.log(`${shownThere} commands of the guide, ${examples} examples of help texts: ${failures} failures`);
 process.exit(failures === 0 ? 0 : 1);
