@@ -70,8 +70,8 @@ void read_screw(TableReader& table, QuantityReader& q, Mechanism& mechanism, Dia
   if (!mechanism.nut_rotates)
     q.refuse({"nut_inertia"}, "the screw turns, not its nut", "write rotating = \"nut\", or leave it out");
   else if (q.required("nut_inertia", "nut_inertia = \"2 kg.cm2\", of the nut with the wheel on it") != nullptr)
-    mechanism.nut_inertia =
-        q.quantity_or({"nut_inertia", "of a nut that turns, with the wheel on it"}, "kg.m2", 0.0, Sign::positive);
+    mechanism.nut_inertia = q.quantity_or(
+        {"nut_inertia", "of the nut and the wheel on it; needed where the nut turns"}, "kg.m2", 0.0, Sign::positive);
   const Node& node = table.node();
   warn_above(node,
              "thread_friction",

@@ -2,6 +2,7 @@
 #include "machine/problem_keys.h"
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <map>
 #include <set>
@@ -54,8 +55,10 @@ std::vector<Node> samples(const Question& question) {
       nodes.push_back(Node::make_array(nowhere()));
       nodes.back().append(Node::make_table(nowhere()));
       break;
+    case Expected::integer:  // defaults of other keys hang on counts
+      if (std::isfinite(question.most)) nodes.push_back(Node::make_number(nowhere(), question.most));
+      [[fallthrough]];
     case Expected::number:
-    case Expected::integer:
       nodes.push_back(Node::make_number(nowhere(), 1.0));
       break;
     case Expected::anything:  // once something is there, readers say more of what they want
@@ -129,11 +132,15 @@ int exactness(Expected expected) {
   }
 }
 
+/// A default that hangs on other keys.
+constexpr const char* varying = "?";
+
 void merge_form(const Question& question, std::vector<Question>& forms) {
   if (exactness(question.expected) == 0) return;
   for (Question& form : forms) {
     if (form.expected != question.expected || form.unit != question.unit) continue;
     if (form.fallback.empty()) form.fallback = question.fallback;
+    if (!question.fallback.empty() && form.fallback != question.fallback) form.fallback = varying;
     if (form.source.empty()) form.source = question.source;
     form.least = std::max(form.least, question.least);
     form.most = std::min(form.most, question.most);
@@ -291,6 +298,8 @@ class Explorer {
           if (!each.allowed) continue;
           kind.keys.push_back(each.key);
           kind.keys.back().required = !each.optional;
+          for (Question& form : kind.keys.back().forms)
+            if (form.fallback == varying) form.fallback.clear();
         }
         table.kinds.push_back(std::move(kind));
       }

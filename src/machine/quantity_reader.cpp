@@ -182,7 +182,8 @@ text::Question QuantityReader::question(const Key& key, Expected expected, std::
 
 void QuantityReader::describe_with(double fallback, text::Question asked) const {
   if (!table_.heard()) return;
-  asked.fallback = as_written(fallback, asked.unit);
+  const bool stands_for_missing = asked.above_least && fallback <= asked.least;  // a value that may not be given
+  if (!stands_for_missing) asked.fallback = as_written(fallback, asked.unit);
   table_.describe(asked);
 }
 

@@ -164,6 +164,11 @@ TEST_CASE("What is told of some keys") {
   CHECK(find_key("axis.members", "beam", "notch_factor") == nullptr);
   CHECK(find_key("axis.require", turning, "position_error") == nullptr);
   CHECK(find_key("axis.require", going, "angle_error") == nullptr);
+  // Defaults that hang on other keys are none; nor is what stands for a missing value that must be there.
+  CHECK(find_key("axis.mechanism", "screw", "load_share")->forms.at(0).fallback.empty());
+  CHECK(find_key("axis.guide", "", "rails")->forms.at(0).fallback.empty());
+  CHECK(find_key("axis.mechanism", "screw", "nut_inertia")->forms.at(0).fallback.empty());
+  CHECK(find_key("axis.mechanism", "screw", "preload")->forms.at(0).fallback == "0");
   const ProblemKey* life = find_key("require", "", "life");
   REQUIRE(life != nullptr);
   CHECK(life->forms.at(0).fallback == "\"10000 h\"");
