@@ -20,6 +20,7 @@ constexpr std::pair<std::string_view, std::string_view> texts[] = {
     {"solve",
      "Examples:\n"
      "  millwright solve problems/sander.toml --bom sander.csv\n"
+     "  millwright solve problems/sander.toml --order sander.xlsx\n"
      "  millwright solve problems/sander.toml --report sander.html\n"
      "  millwright solve problems/sander.toml --minimise mass --set axis.x.stroke='800 mm'\n"
      "  millwright solve problems/sander.toml --minimise 'cost + 25*mass'\n"
@@ -39,7 +40,8 @@ constexpr std::pair<std::string_view, std::string_view> texts[] = {
      "  millwright check problems/sander.toml problems/sander-bom.csv\n"
      "  millwright check problems/sander.toml problems/sander-bom.csv --hold-origin paper\n"
      "  millwright check problems/sander.toml problems/sander-bom.csv --report sander.html --language id\n"
-     "  millwright check problems/sander.toml problems/sander-bom.csv --limit cost='450 USD'"},
+     "  millwright check problems/sander.toml problems/sander-bom.csv --limit cost='450 USD'\n"
+     "  millwright check problems/sander.toml problems/sander-bom.csv --order order.csv"},
     {"audit",
      "Exit code 0 whatever the verdicts are: a wrong figure in a paper is a finding, not a failure.\n"
      "Examples:\n"

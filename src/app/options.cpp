@@ -99,6 +99,14 @@ void add_fix_option(CLI::App& verb, Options& options) {
                   "machine.supply_voltage='24 V' (repeatable)");
 }
 
+void add_order_option(CLI::App& verb, Options& options) {
+  verb.add_option("--order",
+                  options.order,
+                  "write what to buy: equal parts of all axes in one line, with totals, and a cutting list; "
+                  "of a .csv the cutting list is FILE-cutting.csv")
+      ->type_name("FILE.csv|.xlsx");
+}
+
 /// `cost,mass` in one word; what they are is looked at when the line has been read.
 void add_objectives(CLI::App& verb, std::vector<std::string>& list, const std::string& text) {
   verb.add_option("--minimise,--minimize", list, text)->type_name("OBJECTIVE")->delimiter(',')->allow_extra_args(false);
@@ -166,7 +174,9 @@ class CommandLine {
     add_objectives(solve,
                    options_.objectives,
                    fmt::format("{}, or a weighted sum (default: as the problem says)", all_quantities()));
-    solve.add_option("--bom", options_.bom, "write the build as a bill of materials")->type_name("FILE.csv");
+    solve.add_option("--bom", options_.bom, "write the build as a bill of materials, which 'check' reads")
+        ->type_name("FILE.csv");
+    add_order_option(solve, options_);
     solve
         .add_option(
             "--alternatives", options_.builds, "the best K builds, not only the best one (1 to 100); by cost or mass")
@@ -183,6 +193,7 @@ class CommandLine {
     CLI::App& check = add(app_, "check", Verb::check, "does what I plan to buy work?");
     add_machine_options(check, options_);
     check.add_option("BOM", options_.bom, "bill of materials (.csv)")->required();
+    add_order_option(check, options_);
     check.add_flag("--complete", options_.complete, "choose what the bill of materials leaves open");
     check.add_option("--hold-origin", options_.hold_origin, "hold only the lines of this origin, choose the rest")
         ->type_name("ORIGIN");

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "report/order_files.h"
 #include "text/output_file.h"
 
 namespace millwright::app {
@@ -52,6 +53,35 @@ bool deliver(const Options& options, const std::string& text, const std::string&
   return write_stdout(text);
 }
 
+namespace {
+
+bool is_workbook(const std::string& file) { return std::filesystem::path(file).extension() == ".xlsx"; }
+
+/// The files of `--order`: a workbook, or a table and beside it the cutting list.
+std::vector<std::string> order_files(const std::string& file) {
+  if (file.empty() || is_workbook(file)) return {file};
+  const std::filesystem::path path(file);
+  return {file, (path.parent_path() / (path.stem().string() + "-cutting.csv")).string()};
+}
+
+}  // namespace
+
+bool write_order(const Options& options, const evaluation::Design& design, const std::string& title) {
+  if (options.order.empty()) return true;
+  const report::OrderList list = report::order_list(design, title);
+  text::Diagnostics failures;
+  if (is_workbook(options.order)) {
+    if (const auto workbook = report::order_xlsx(list, failures))
+      text::write_file_atomically(options.order, *workbook, failures);
+  } else {
+    const std::vector<std::string> files = order_files(options.order);
+    text::write_file_atomically(files[0], report::order_csv(list), failures);
+    text::write_file_atomically(files[1], report::cutting_csv(list), failures);
+  }
+  print(failures);
+  return !failures.has_errors();
+}
+
 report::Language page_language(const Options& options) {
   return report::language_of(options.language).value_or(report::Language::english);
 }
@@ -63,13 +93,27 @@ bool outputs_are_writable(const Options& options, text::Diagnostics& diagnostics
   if (options.verb == Verb::solve && !options.bom.empty()) targets.push_back(options.bom);
   if (!options.report.empty()) targets.push_back(options.report);
   const std::size_t errors = diagnostics.error_count();
+  if (!options.order.empty()) {
+    const std::string kind = fs::path(options.order).extension().string();
+    if (kind != ".csv" && kind != ".xlsx")
+      diagnostics.error(fmt::format("--order: {} is neither a .csv nor an .xlsx file", text::printable(options.order)),
+                        "write for example --order order.xlsx");
+    for (const std::string& each : order_files(options.order)) targets.push_back(each);
+  }
   for (std::size_t i = 0; i < targets.size(); ++i)
     if (std::find(targets.begin(), targets.begin() + static_cast<std::ptrdiff_t>(i), targets[i]) !=
         targets.begin() + static_cast<std::ptrdiff_t>(i))
       diagnostics.error(fmt::format("{}: two outputs cannot go to one file", text::printable(targets[i])),
                         "name another file for one of them");
+  std::vector<std::string> sources{options.problem};
+  if (options.verb == Verb::check) sources.push_back(options.bom);
   for (const std::string& target : targets) {
     std::error_code failure;
+    if (std::any_of(sources.begin(), sources.end(), [&](const std::string& source) {
+          return fs::equivalent(source, target, failure);
+        }))
+      diagnostics.error(fmt::format("{}: cannot be written: it is read too", text::printable(target)),
+                        "name another file for the output");
     const fs::path parent = fs::path(target).parent_path();
     const fs::path folder = parent.empty() ? fs::path(".") : parent;
     if (!fs::is_directory(folder, failure))

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/options.h"
+#include "evaluation/ledger.h"
 #include "report/page_texts.h"
 #include "report/text_table.h"
 #include "text/diagnostic.h"
@@ -19,6 +20,9 @@ void print(const text::Diagnostics& diagnostics);
 /// Prints the text, or with `--json -` the JSON, to standard output, and writes the JSON file and the page if they are
 /// asked for. False, with a complaint on standard error, if something could not be written.
 bool deliver(const Options& options, const std::string& text, const std::string& json, const std::string& page = {});
+
+/// Writes the files of `--order`, if it is given. False, with a complaint on standard error, if one could not be written.
+bool write_order(const Options& options, const evaluation::Design& design, const std::string& title);
 
 /// The language of the page.
 report::Language page_language(const Options& options);

@@ -89,6 +89,7 @@ int run_check(const Options& options) {
   if (diagnostics.has_errors()) return exit_bad_input;
   result.timing.read = read;
   result.timing.total = watch.seconds();
+  if (!result.designs.empty() && !write_order(options, result.designs.front(), result.title)) return exit_bad_input;
   const bool satisfied = !result.designs.empty() && result.designs.front().satisfied();
   const std::string json = report::check_json(result);
   const std::string page =
