@@ -21,7 +21,8 @@ void print(const text::Diagnostics& diagnostics);
 /// asked for. False, with a complaint on standard error, if something could not be written.
 bool deliver(const Options& options, const std::string& text, const std::string& json, const std::string& page = {});
 
-/// Writes the files of `--order`, if it is given. False, with a complaint on standard error, if one could not be written.
+/// Writes the files of `--order`, if it is given. False, with a complaint on standard error, if one could not be
+/// written.
 bool write_order(const Options& options, const evaluation::Design& design, const std::string& title);
 
 /// The language of the page.
