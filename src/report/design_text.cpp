@@ -19,10 +19,6 @@ using machine::ConstraintKind;
 
 namespace {
 
-std::string part_name(const PartLine& part) {
-  return part.manufacturer.empty() ? part.part_number : part.manufacturer + " " + part.part_number;
-}
-
 std::string length_text(double metres) {
   return metres > 0.0 ? scalar::format(metres, scalar::Unit::of("mm")) : std::string();
 }
@@ -69,6 +65,12 @@ std::string value_text(double value) { return std::isnan(value) ? "-" : scalar::
 std::string unit_text(const std::string& unit) { return unit == "1" ? std::string() : unit; }
 
 }  // namespace
+
+std::string part_name(const std::string& manufacturer, const std::string& part_number) {
+  return manufacturer.empty() ? part_number : manufacturer + " " + part_number;
+}
+
+std::string part_name(const PartLine& part) { return part_name(part.manufacturer, part.part_number); }
 
 std::string worst_text(const Check& check) {
   const bool both = !check.phase.empty() && !check.position.empty();

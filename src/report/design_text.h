@@ -10,6 +10,10 @@
 
 namespace millwright::report {
 
+/// "StepperOnline 17HS19-2004S1"; without a maker the part number alone.
+std::string part_name(const std::string& manufacturer, const std::string& part_number);
+std::string part_name(const evaluation::PartLine& part);
+
 /// The parts axis by axis, with lengths, prices and masses; estimates marked and explained.
 std::string parts_text(const MachineResult& result, const evaluation::Design& design, const Style& style);
 

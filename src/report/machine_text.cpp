@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "report/alternatives.h"
+#include "report/design_difference.h"
 #include "report/design_text.h"
 #include "report/steering.h"
 #include "scalar/unit.h"
@@ -248,17 +249,10 @@ std::string front_text(const MachineResult& result, const Style& style) {
   for (std::size_t i = 0; i < result.designs.size(); ++i) {
     const Design& design = result.designs[i];
     std::string changes;
-    for (std::size_t k = 0; i > 0 && k < design.parts.size(); ++k) {
-      const auto& before = result.designs[i - 1].parts;
-      if (k < before.size() && before[k].part_number == design.parts[k].part_number &&
-          before[k].manufacturer == design.parts[k].manufacturer)
-        continue;
-      changes += fmt::format("{}{}.{} {}",
-                             changes.empty() ? "" : ", ",
-                             design.parts[k].axis,
-                             design.parts[k].slot,
-                             design.parts[k].part_number);
-    }
+    if (i > 0)
+      for (const DesignDifference& each : differences(result.designs[i - 1], design))
+        if (each.slot != "supply_voltage")  // has its own column
+          changes += fmt::format("{}{}.{} {}", changes.empty() ? "" : ", ", each.axis, each.slot, each.short_now);
     std::vector<std::string> cells{
         std::to_string(i + 1), fmt::format("{:.2f}", design.cost), fmt::format("{:.3f}", design.mass)};
     for (const evaluation::CountedTotal& each : design.counted)
