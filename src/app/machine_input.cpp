@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/machine_input.h"
 
+#include <fmt/format.h>
+
 #include "catalogue/location.h"
 #include "machine/problem_file.h"
 #include "machine/references.h"
+#include "machine/setting_range.h"
 #include "text/document.h"
 
 namespace millwright::app {
@@ -20,11 +23,19 @@ void count_objectives(const std::vector<std::string>& objectives,
       diagnostics.error("--minimise: " + reason->message, reason->hint);
 }
 
+/// Ranges have been resolved where there may be any.
+bool is_single(const std::string& setting, text::Diagnostics& diagnostics) {
+  if (!machine::is_setting_range(setting)) return true;
+  diagnostics.error(fmt::format("--set {}: only 'solve' takes a range", text::printable(setting)), "give it one value");
+  return false;
+}
+
 std::optional<machine::Problem> read_problem(const Options& options, text::Diagnostics& diagnostics) {
   auto document = text::read_document(options.problem, diagnostics);
   if (!document) return std::nullopt;
   bool good = true;
-  for (const std::string& setting : options.settings) good = document->set(setting, diagnostics) && good;
+  for (const std::string& setting : options.settings)
+    good = is_single(setting, diagnostics) && document->set(setting, diagnostics) && good;
   auto problem = machine::problem_of(*document, diagnostics);
   if (!good || !problem) return std::nullopt;
   if (!options.objectives.empty()) count_objectives(options.objectives, *problem, diagnostics);

@@ -12,6 +12,7 @@ using namespace millwright::app;
 int run(const Options& options) {
   switch (options.verb) {
     case Verb::solve:
+      return has_range(options) ? run_sweep(options) : run_search(options);
     case Verb::pareto:
       return run_search(options);
     case Verb::check:

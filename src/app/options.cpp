@@ -68,8 +68,12 @@ void add_machine_options(CLI::App& verb, Options& options) {
   add_output_options(verb, options);
   add_report_options(verb, options);
   add_catalogue_option(verb, options);
-  add_list_option(
-      verb, "--set", options.settings, "PATH=VALUE", "change the problem, e.g. axis.x.stroke='800 mm' (repeatable)");
+  add_list_option(verb,
+                  "--set",
+                  options.settings,
+                  "PATH=VALUE",
+                  "change the problem, e.g. axis.x.stroke='800 mm' (repeatable); of 'solve' one may be a range, "
+                  "'0.2:0.5:7 s': the best build at each of 7 values");
   add_list_option(verb,
                   "--limit",
                   options.limits,
@@ -177,6 +181,7 @@ class CommandLine {
     solve.add_option("--bom", options_.bom, "write the build as a bill of materials, which 'check' reads")
         ->type_name("FILE.csv");
     add_order_option(solve, options_);
+    solve.add_option("--csv", options_.csv, "with --set over a range: write the table")->type_name("FILE.csv");
     solve
         .add_option(
             "--alternatives", options_.builds, "the best K builds, not only the best one (1 to 100); by cost or mass")

@@ -40,6 +40,7 @@ struct Options {
   double time_limit = std::numeric_limits<double>::infinity();  ///< s
   unsigned threads = 0;                                         ///< 0 = one per core
   std::string bom;                                              ///< written by solve, read by check
+  std::string csv;                                              ///< table of a range, empty for none
   std::string order;                                            ///< list of what to buy, .csv or .xlsx; empty for none
   bool complete = false;
   std::string hold_origin;

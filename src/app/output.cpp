@@ -92,6 +92,7 @@ bool outputs_are_writable(const Options& options, text::Diagnostics& diagnostics
   if (!options.json.empty() && options.json != "-") targets.push_back(options.json);
   if (options.verb == Verb::solve && !options.bom.empty()) targets.push_back(options.bom);
   if (!options.report.empty()) targets.push_back(options.report);
+  if (!options.csv.empty()) targets.push_back(options.csv);
   const std::size_t errors = diagnostics.error_count();
   if (!options.order.empty()) {
     const std::string kind = fs::path(options.order).extension().string();

@@ -42,9 +42,12 @@ const std::atomic<bool>* StopSignal::stopped() const { return &stop_requested; }
 ProgressLine::ProgressLine(bool quiet, std::string unit)
     : active_(!quiet && isatty(STDERR_FILENO) != 0), unit_(std::move(unit)) {}
 
-ProgressLine::~ProgressLine() {
+ProgressLine::~ProgressLine() { clear(); }
+
+void ProgressLine::clear() {
   if (shown_) fmt::print(stderr, "\r\x1B[K");
   std::fflush(stderr);
+  shown_ = false;
 }
 
 void ProgressLine::show(const solver::Progress& progress) {
@@ -57,7 +60,8 @@ void ProgressLine::show(const solver::Progress& progress) {
   const std::string best = found ? fmt::format("best {:.2f} {}, gap {:.2f} %", progress.incumbent, unit_, 100.0 * gap)
                                  : std::string("no build yet");
   fmt::print(stderr,
-             "\r\x1B[Kbound {:.2f} {}, {}, {} nodes, {:.1f} s",
+             "\r\x1B[K{}bound {:.2f} {}, {}, {} nodes, {:.1f} s",
+             before_,
              progress.lower_bound,
              unit_,
              best,
