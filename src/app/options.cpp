@@ -7,9 +7,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <memory>
 #include <set>
 
 #include "app/help.h"
+#include "app/help_formatter.h"
 #include "app/output.h"
 #include "machine/objective.h"
 #include "report/page_texts.h"
@@ -27,7 +29,8 @@ void add_output_options(CLI::App& verb, Options& options) {
           "--json", options.json, "write the result as JSON to FILE; - : to standard output, nothing else there")
       ->type_name("FILE|-")
       ->group(shared_group);
-  verb.add_flag("--quiet,-q", options.quiet, "no progress on the terminal")->group(shared_group);
+  verb.add_flag("--quiet,-q", options.quiet, "the result only: no progress, no calculations, no remarks")
+      ->group(shared_group);
 }
 
 void add_report_options(CLI::App& verb, Options& options) {
@@ -131,6 +134,7 @@ class CommandLine {
  public:
   explicit CommandLine(Options& options) : options_(options) {
     app_.name("millwright");
+    app_.formatter(std::make_shared<HelpFormatter>());
     app_.set_version_flag("--version", std::string("millwright ") + version);
     app_.require_subcommand(1);
     app_.footer(examples("millwright"));

@@ -2,6 +2,7 @@
 #include "app/output.h"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -15,12 +16,27 @@
 
 namespace millwright::app {
 
-report::Style output_style() {
+namespace {
+
+/// Columns of the terminal that standard output is; 80 where it is none, so that what is written does not hang on who
+/// writes it.
+std::size_t output_width() {
+  constexpr std::size_t usual = 80;
+  constexpr std::size_t least = 60;  // tables of numbers do not go below
+  constexpr std::size_t most = 160;  // lines that are longer are hard to read
+  winsize size{};
+  if (isatty(STDOUT_FILENO) == 0 || ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return usual;
+  return std::clamp<std::size_t>(size.ws_col, least, most);
+}
+
+}  // namespace
+
+report::Style output_style(const Options& options) {
   const char* no_colour = std::getenv("NO_COLOR");
   const char* terminal = std::getenv("TERM");
   const bool wanted =
       (no_colour == nullptr || *no_colour == '\0') && (terminal != nullptr && std::string_view(terminal) != "dumb");
-  return report::Style{.colour = wanted && isatty(STDOUT_FILENO) != 0};
+  return report::Style{.colour = wanted && isatty(STDOUT_FILENO) != 0, .width = output_width(), .brief = options.quiet};
 }
 
 void print(const text::Diagnostics& diagnostics) {
@@ -50,7 +66,8 @@ bool deliver(const Options& options, const std::string& text, const std::string&
     print(diagnostics);
     return false;
   }
-  return write_stdout(text);
+  // Complaints point at characters of a line: those stay as they are.
+  return write_stdout(options.verb == Verb::catalogue_lint ? text : report::fitted(text, output_width()));
 }
 
 namespace {

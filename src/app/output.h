@@ -11,8 +11,9 @@
 
 namespace millwright::app {
 
-/// Colours for standard output, if it is a terminal that wants them (NO_COLOR, TERM=dumb).
-report::Style output_style();
+/// Colours for standard output, if it is a terminal that wants them (NO_COLOR, TERM=dumb); its width; the essentials
+/// only with --quiet.
+report::Style output_style(const Options& options);
 
 /// Prints the diagnostics to standard error.
 void print(const text::Diagnostics& diagnostics);

@@ -96,7 +96,7 @@ int run_check(const Options& options) {
       options.report.empty()
           ? std::string()
           : report::machine_page(result, input->problem, report::PageKind::check, json, page_language(options));
-  if (!deliver(options, report::check_text(result, output_style()), json, page)) return exit_bad_input;
+  if (!deliver(options, report::check_text(result, output_style(options)), json, page)) return exit_bad_input;
   return satisfied ? exit_done : exit_failed;
 }
 

@@ -73,7 +73,7 @@ int run_search(const Options& options) {
     }
   }
   if (!result.designs.empty() && !write_order(options, result.designs.front(), result.title)) return exit_bad_input;
-  const report::Style style = output_style();
+  const report::Style style = output_style(options);
   const bool front = options.verb == Verb::pareto;
   const std::string json = front ? report::front_json(result) : report::solve_json(result);
   const std::string page = options.report.empty()

@@ -172,8 +172,8 @@ int run_sweep(const Options& options) {
   const std::string json = report::sweep_json(*sweep);
   const std::string page =
       options.report.empty() ? std::string() : report::sweep_page(*sweep, json, page_language(options));
-  return deliver(options, report::sweep_text(*sweep, output_style()), json, page) ? exit_code_of(*sweep)
-                                                                                  : exit_bad_input;
+  return deliver(options, report::sweep_text(*sweep, output_style(options)), json, page) ? exit_code_of(*sweep)
+                                                                                         : exit_bad_input;
 }
 
 }  // namespace millwright::app

@@ -68,11 +68,11 @@ std::string alternatives_certificate(const MachineResult& result) {
   if (!asked(result)) return {};
   if (result.status != Status::limit)
     return result.designs.size() < result.builds_asked
-               ? fmt::format("  Proved: there {} only {} compliant build{}, each combination of parts counted once.\n",
+               ? fmt::format("  Proved: there {} only {} compliant build{}, each set of parts counted once.\n",
                              result.designs.size() == 1 ? "is" : "are",
                              result.designs.size(),
                              result.designs.size() == 1 ? "" : "s")
-               : fmt::format("  Proved: these are the {} {} builds, each combination of parts counted once.\n",
+               : fmt::format("  Proved: these are the {} {} builds, each set of parts counted once.\n",
                              result.designs.size(),
                              best_word(result));
   return fmt::format("  Of {} builds asked for {} {} proved before the limit.\n",

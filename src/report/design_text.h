@@ -42,6 +42,11 @@ std::string assumptions_text(const evaluation::Design& design, const Style& styl
 
 /// "97.2 %"; "> 999 %" beyond that; "-" where nothing could be evaluated.
 std::string utilisation_text(const evaluation::Check& check);
+/// Wide enough for tables of checks with a column for everything; below it id, title and where a check is worst share
+/// one.
+inline constexpr std::size_t wide_checks = 120;
+/// "C-ACC-TOTAL Position error budget", below it "(constant speed)" where a check is worst.
+std::string check_cell(const evaluation::Check& check, const std::string& id);
 /// Phase of the duty cycle and position of the travel where a check is worst.
 std::string worst_text(const evaluation::Check& check);
 

@@ -67,7 +67,7 @@ const char* as_asked(const MachineResult& result) {
 }
 
 /// Checks that fail whatever is chosen.
-std::string unmet_text(const MachineResult& result) {
+std::string unmet_text(const MachineResult& result, const Style& style) {
   TextTable table({{"axis"}, {"id"}, {"check", Align::left, 44}, {"at least", Align::right}, {"set by"}});
   for (const evaluation::UnmetCheck& check : result.unmet)
     table.add({check.axis,
@@ -77,7 +77,7 @@ std::string unmet_text(const MachineResult& result) {
                    ? fmt::format("{:.1f} %", std::floor(1e3 * check.least_utilisation) / 10.0)
                    : "no part",
                check.requirement});
-  return "\nProved: these checks fail whatever is chosen\n" + table.str(2);
+  return "\nProved: these checks fail whatever is chosen\n" + table.str(2, style);
 }
 
 /// "x: position_error 10 -> 163 um over 700 mm", and what the cheapest build costs then.
@@ -105,21 +105,28 @@ std::string ways_out_text(const MachineResult& result) {
 bool best_is_proved(const MachineResult& result) { return result.status == Status::optimal || result.proved > 0; }
 
 std::string failures_text(const MachineResult& result, const Design& design, const Style& style) {
-  TextTable table({{""}, {""}, {""}, {"", Align::right}, {""}, {"", Align::right}, {""}});
+  const bool wide = style.width >= wide_checks;
+  TextTable table({{""},
+                   {""},
+                   {"", Align::left, 0, false, wide ? 0U : 2U},
+                   {"", Align::right},
+                   {"", Align::left, 0, true},
+                   {"", Align::right},
+                   {""}});
   for (const std::string& axis : checked_axes(result))
     for (const Check* check : checks_of(design, axis))
       if (check->verdict == Verdict::violated && check->kind != machine::ConstraintKind::soft)
         table.add({axis,
-                   check->id,
-                   check->title,
+                   wide ? check->id : "",
+                   wide ? check->title : check_cell(*check, check->id),
                    scalar::format_number(check->value),
                    fmt::format("> {}{}{}",
                                scalar::format_number(check->limit),
                                check->unit == "1" ? "" : " ",
                                check->unit == "1" ? "" : check->unit),
                    utilisation_text(*check),
-                   worst_text(*check)});
-  return table.empty() ? std::string() : style.bad("Failed checks") + "\n" + table.str(2) + "\n";
+                   wide ? worst_text(*check) : ""});
+  return table.empty() ? std::string() : style.bad("Failed checks") + "\n" + table.str(2, style) + "\n";
 }
 
 /// The build of a front that is best in one of its objectives.
@@ -156,7 +163,7 @@ std::string nothing_text(const MachineResult& result, const Style& style) {
          (result.has_budget ? "  The limit of cost or mass counts too: without it, 'solve' says what a build takes.\n"
                             : "") +
          (result.unmet.empty() ? "  'check' with a bill of materials (and --complete) shows by how much.\n"
-                               : unmet_text(result) + ways_out_text(result));
+                               : unmet_text(result, style) + ways_out_text(result));
 }
 
 std::string certificate_text(const MachineResult& result, const Style& style) {
@@ -183,8 +190,8 @@ std::string certificate_text(const MachineResult& result, const Style& style) {
                : "  Not proved: the limit was reached, points may be missing.\n";
   }
   out += fmt::format("  {} combinations of parts.\n", scalar::format_number(certificate.combinations, 3));
-  if (!certificate.method.empty()) out += "  " + wrapped(certificate.method, 78, 2) + "\n";
-  if (design != nullptr) out += "  Every figure above was computed again from scratch for the build that is shown.\n";
+  if (!certificate.method.empty()) out += "  " + wrapped(certificate.method, style.width - 2, 2) + "\n";
+  if (design != nullptr) out += "  Every figure above was computed again from scratch for the build shown.\n";
   // Lines of effort begin with "time": they differ from run to run.
   return out + fmt::format("time: {:.2f} s reading, {:.2f} s solving, {} nodes, {} evaluations\n",
                            result.timing.read,
@@ -209,7 +216,7 @@ std::string solve_text(const MachineResult& result, const Style& style) {
   std::string out = title_text(result, style);
   if (result.designs.empty()) {
     out += nothing_text(result, style) + "\n";
-    return result.missing.empty() ? out + certificate_text(result, style) : out;
+    return result.missing.empty() && !style.brief ? out + certificate_text(result, style) : out;
   }
   const Design& design = result.designs.front();
   const std::string& objective = result.objectives.front();
@@ -220,9 +227,10 @@ std::string solve_text(const MachineResult& result, const Style& style) {
                                objective_text(objective, result.lower_bound, design.currency),
                                100.0 * result.gap);
   if (result.fixed_objective && result.status == Status::optimal)
-    out += "  The moves state their times, so every build takes as long: this is the cheapest.\n\n";
-  return out + parts_text(result, design, style) + dimensions_text(design, style) + alternatives_text(result, style) +
-         governing_text(result, design, style) + checks_text(result, design, style) +
+    out += "  Moves state their times, so every build takes as long: this is the cheapest.\n\n";
+  out += parts_text(result, design, style) + dimensions_text(design, style) + alternatives_text(result, style);
+  if (style.brief) return out;
+  return out + governing_text(result, design, style) + checks_text(result, design, style) +
          outside_validity_text(design, style) + requirements_text(result, style) + assumptions_text(design, style) +
          certificate_text(result, style);
 }
@@ -262,6 +270,7 @@ std::string front_text(const MachineResult& result, const Style& style) {
     table.add(cells);
   }
   out += table.str(2, style) + "\n";
+  if (style.brief) return out;
   for (std::size_t k = 0; k < result.objectives.size() && (k == 0 || result.designs.size() > 1); ++k)
     out += end_text(result, best_in(result, result.objectives[k]), result.objectives[k], style);
   return out + assumptions_text(result.designs.front(), style) + certificate_text(result, style);
@@ -283,9 +292,11 @@ std::string check_text(const MachineResult& result, const Style& style) {
                              in_sentence(best_word(result.objectives.front())))
                : "What it leaves open was filled with the cheapest parts that fit.\n";
   out += fmt::format("Totals: {}\n\n", totals_text(design));
-  return out + failures_text(result, design, style) + governing_text(result, design, style) +
-         parts_text(result, design, style) + dimensions_text(design, style) + checks_text(result, design, style) +
-         outside_validity_text(design, style) + requirements_text(result, style) + assumptions_text(design, style);
+  out += failures_text(result, design, style);
+  if (style.brief) return out;
+  return out + governing_text(result, design, style) + parts_text(result, design, style) +
+         dimensions_text(design, style) + checks_text(result, design, style) + outside_validity_text(design, style) +
+         requirements_text(result, style) + assumptions_text(design, style);
 }
 
 }  // namespace millwright::report

@@ -30,7 +30,7 @@ std::string steering_text(const MachineResult& result, const Style& style) {
     table.add({"--without", "", part_name(part.manufacturer, part.part_number)});
   for (const machine::BomLine& line : result.steering.fixed.lines)
     table.add({"--fix", line.axis + "." + line.slot, fixed_text(line)});
-  return style.heading("Asked for beside the problem") + "\n" + table.str(2) + "\n";
+  return style.heading("Asked for beside the problem") + "\n" + table.str(2, style) + "\n";
 }
 
 void add_steering(const MachineResult& result, Json& json) {
