@@ -97,7 +97,7 @@ std::string narrow_tables(const AuditReport& report, const Style& style) {
 
 std::string derivation_text(const AuditRow& row, const Style& style) {
   std::string out = fmt::format("{}  {}  {}\n", style.heading(row.id), row.quantity, style.faint(row.formula));
-  for (const scalar::DerivationLine& line : row.derivation) out += "    " + scalar::to_string(line) + "\n";
+  for (const scalar::DerivationLine& line : row.derivation) out += equation(scalar::to_string(line), 4, style.width);
   for (const std::string& violation : row.violations) out += "    outside the formula's validity: " + violation + "\n";
   return out + fmt::format("    printed {}, {}: {}{}\n\n",
                            row.printed_text,

@@ -49,7 +49,8 @@ std::string calculation_text(const Calculation& calculation, const Style& style)
                 input.meaning});
   }
   out += inputs.str(2, style) + "\n";
-  for (const scalar::DerivationLine& line : calculation.derivation) out += "  " + scalar::to_string(line) + "\n";
+  for (const scalar::DerivationLine& line : calculation.derivation)
+    out += equation(scalar::to_string(line), 2, style.width);
   if (!calculation.derivation.empty()) out += "\n";
   const std::string si = scalar::format(calculation.value, calculation.si_unit, shown_digits);
   out += style.heading(fmt::format("{} = {}", formula.symbol(), value)) + (si == value ? "" : "  (" + si + ")") + "\n";

@@ -32,7 +32,7 @@ std::size_t family_of(const PartLine& part) {
 
 /// One of a family, in the words of a shop. `cut`: of what is sold by length beside the pieces.
 std::string_view word_for(std::size_t family, bool cut) {
-  if (family == no_family) return "reduction";
+  if (family == no_family) return "reduction, as the problem says";
   switch (catalogue::families[family].family) {
     case Family::steppers:
       return "stepper motor";
@@ -109,6 +109,9 @@ void add_part(OrderList& list, const PartLine& part) {
   line.family = family_of(part);
   line.manufacturer = part.manufacturer;
   line.part_number = part.part_number;
+  // A reduction that the problem states without a name has none to order by.
+  const bool unnamed = part.family.empty() && part.manufacturer.empty();
+  if (unnamed) line.part_number.clear();
   line.supplier = part.supplier;
   line.price_date = price_date(part.price_basis);
   line.price_estimate = part.price_estimate;

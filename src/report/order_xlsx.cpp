@@ -76,14 +76,12 @@ struct Formats {
         money(workbook_add_format(book)),
         money_sum(workbook_add_format(book)),
         length(workbook_add_format(book)),
-        length_sum(workbook_add_format(book)),
-        quantity(workbook_add_format(book)) {
+        length_sum(workbook_add_format(book)) {
     for (lxw_format* each : {bold, money_sum, length_sum}) format_set_bold(each);
     for (lxw_format* each : {money, money_sum}) format_set_num_format(each, "0.00");
     for (lxw_format* each : {length, length_sum}) format_set_num_format(each, "0.0");
-    format_set_num_format(quantity, "0.###");
   }
-  lxw_format *bold, *money, *money_sum, *length, *length_sum, *quantity;
+  lxw_format *bold, *money, *money_sum, *length, *length_sum;
 };
 
 void write_order(const OrderList& list, lxw_workbook* book, const Formats& formats) {
@@ -107,7 +105,7 @@ void write_order(const OrderList& list, lxw_workbook* book, const Formats& forma
   for (const OrderLine& line : list.lines) {
     ++row;
     sheet.number(row, 0, static_cast<double>(row));
-    sheet.number(row, 1, line.quantity, formats.quantity);
+    sheet.number(row, 1, line.quantity);
     sheet.text(row, 2, line.unit);
     sheet.text(row, 3, line.description);
     sheet.text(row, 4, line.manufacturer);

@@ -267,6 +267,22 @@ std::string fitted(std::string_view text, std::size_t width) {
   return out;
 }
 
+std::string equation(std::string_view text, std::size_t indent, std::size_t width) {
+  const std::string blanks(indent, ' ');
+  constexpr std::string_view equals = " = ";
+  const std::size_t first = text.find(equals);
+  if (indent + display_width(text) <= width || first == std::string_view::npos)
+    return blanks + std::string(text) + '\n';
+  const std::string below = '\n' + blanks + std::string(display_width(text.substr(0, first)), ' ');
+  std::string out = blanks;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find(equals, at == 0 ? first + 1 : at + 1), text.size());
+    out += (at == 0 ? "" : below) + std::string(text.substr(at, end - at));
+    at = end;
+  }
+  return out + '\n';
+}
+
 std::string wrapped(std::string_view text, std::size_t width, std::size_t indent) {
   std::string out;
   for (const std::string& line : lines_of(text, width)) {

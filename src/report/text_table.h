@@ -57,6 +57,9 @@ class TextTable {
 /// `text` with every line that is longer than `width` broken between words; what follows is indented by two more.
 std::string fitted(std::string_view text, std::size_t width);
 
+/// "a = b = c" behind so many blanks; where that is longer than `width`, "= c" goes on below "= b".
+std::string equation(std::string_view text, std::size_t indent, std::size_t width);
+
 /// `text` in lines of at most `width` columns (words are not broken), each after the first indented.
 std::string wrapped(std::string_view text, std::size_t width, std::size_t indent);
 

@@ -101,6 +101,22 @@ TEST_CASE("Order list: equal parts of all axes are one line, carriages and rails
   CHECK(bar.unit_price == Approx(1.5));
 }
 
+TEST_CASE("Order list: reductions that a problem states are told apart by their prices") {
+  evaluation::Design design;
+  for (const double price : {70.0, 70.0, 45.0}) {
+    PartLine line = part("x", "reduction", "", "", "as the problem states it");
+    line.quantity = 2.0;
+    line.price = 2.0 * price;
+    design.parts.push_back(line);
+  }
+  const OrderList list = order_list(design, "");
+  REQUIRE(list.lines.size() == 2);
+  CHECK(list.lines[0].quantity == 4.0);
+  CHECK(list.lines[0].total == Approx(280.0));
+  CHECK(list.lines[0].description == "reduction, as the problem says");
+  CHECK(list.lines[0].part_number.empty());
+}
+
 TEST_CASE("Order list: by supplier, those without one last, then by kind as the catalogues") {
   const OrderList list = order_list(two_axes(), "Two axes");
   std::vector<std::string> order;

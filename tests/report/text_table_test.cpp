@@ -70,6 +70,13 @@ TEST_CASE("Line ends in a cell begin lines in it, which may hang") {
   CHECK(table.str(0, Style{.width = 17}) == "C-ACC Position  1\n  error\n  (at rest)\n");
 }
 
+TEST_CASE("Equations go on below their first equals sign") {
+  CHECK(equation("T = a + b = 12 N", 2, 18) == "  T = a + b = 12 N\n");
+  CHECK(equation("T = a + b = 12 N", 2, 17) == "  T = a + b\n    = 12 N\n");
+  CHECK(equation("σ = a = b = c", 0, 5) == "σ = a\n  = b\n  = c\n");
+  CHECK(equation("incomprehensible", 1, 5) == " incomprehensible\n");
+}
+
 TEST_CASE("Lines that are too long are broken between words, and go on indented") {
   CHECK(fitted("  one two three\nfour\n\n", 11) == "  one two\n    three\nfour\n\n");
   CHECK(fitted("incomprehensible", 5) == "incomprehensible");
