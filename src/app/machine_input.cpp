@@ -30,6 +30,28 @@ bool is_single(const std::string& setting, text::Diagnostics& diagnostics) {
   return false;
 }
 
+/// Says at the `catalogues` of a problem file which of them do not exist beside it. True if all do.
+bool find_catalogues(const text::Document& document, text::Diagnostics& diagnostics) {
+  const text::Node* catalogues = document.root().find("catalogues");
+  if (catalogues == nullptr) return true;
+  const auto folder = std::filesystem::path(document.text()->path()).parent_path();
+  bool all = true;
+  const auto look = [&](const text::Node& node) {
+    const auto name = node.as_string();  // what is no word has been refused
+    std::error_code unknown;
+    if (!name || std::filesystem::exists(folder / *name, unknown)) return;
+    diagnostics.error(node.span(),
+                      fmt::format("there is no catalogue {}", text::quoted((folder / *name).string(), 200)),
+                      "a folder beside the problem file that holds steppers/, ball_screws/, ...");
+    all = false;
+  };
+  if (catalogues->is_array())
+    for (const text::Node& node : catalogues->items()) look(node);
+  else
+    look(*catalogues);
+  return all;
+}
+
 std::optional<machine::Problem> read_problem(const Options& options, text::Diagnostics& diagnostics) {
   auto document = text::read_document(options.problem, diagnostics);
   if (!document) return std::nullopt;
@@ -37,6 +59,7 @@ std::optional<machine::Problem> read_problem(const Options& options, text::Diagn
   for (const std::string& setting : options.settings)
     good = is_single(setting, diagnostics) && document->set(setting, diagnostics) && good;
   auto problem = machine::problem_of(*document, diagnostics);
+  good = find_catalogues(*document, diagnostics) && good;
   if (!good || !problem) return std::nullopt;
   if (!options.objectives.empty()) count_objectives(options.objectives, *problem, diagnostics);
   return problem;

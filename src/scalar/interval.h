@@ -61,13 +61,14 @@ inline double sum_error(double a, double b, double sum) {
   const double part = sum - a;
   return (a - (sum - part)) + (b - part);
 }
-/// A sum without error is not widened. Which of the two it is cannot be foreseen, so that nothing branches on it.
+/// A sum without error is not widened; one whose error is unknown (NaN) is. Which of the two it is cannot be foreseen,
+/// so that nothing branches on it.
 inline double sum_down(double a, double b) {
   const double sum = a + b;
   const double error = sum_error(a, b, sum);
   const double size = std::fabs(sum);
   if (has_plain_neighbours(size)) [[likely]]
-    return sum - size * (error < 0.0 ? beyond_half_ulp : 0.0);
+    return sum - size * (error >= 0.0 ? 0.0 : beyond_half_ulp);
   return error >= 0.0 && error <= largest ? sum : down(sum);
 }
 inline double sum_up(double a, double b) {
@@ -75,7 +76,7 @@ inline double sum_up(double a, double b) {
   const double error = sum_error(a, b, sum);
   const double size = std::fabs(sum);
   if (has_plain_neighbours(size)) [[likely]]
-    return sum + size * (error > 0.0 ? beyond_half_ulp : 0.0);
+    return sum + size * (error <= 0.0 ? 0.0 : beyond_half_ulp);
   return error <= 0.0 && error >= -largest ? sum : up(sum);
 }
 /// Products of bounds: 0 times infinity is 0, because an infinite bound stands for arbitrarily large finite numbers.

@@ -52,6 +52,9 @@ struct LeafAnswer {
   std::vector<StagePoint> points;
   bool undecided = false;
   std::vector<double> undecided_score;  ///< least own share of what is undecided
+
+  /// Adds something of at least these scores to what is undecided.
+  void leave_undecided(std::span<const double> score);
 };
 
 LeafAnswer solve_leaf(const LeafQuestion& question, Desk& desk);

@@ -27,11 +27,9 @@ inline double rounded(double x, int digits) {
   const std::uint64_t dropped = 2 * half - 1;
   return std::bit_cast<double>((std::bit_cast<std::uint64_t>(x) + half) & ~dropped);
 }
-/// To 40 binary digits.
-inline double rounded(double x) {
-  constexpr int exact_digits = 40;
-  return rounded(x, exact_digits);
-}
+/// So many binary digits decide whether two totals are equal.
+inline constexpr int exact_digits = 40;
+inline double rounded(double x) { return rounded(x, exact_digits); }
 
 struct Criteria {
   std::size_t objectives = 1;               ///< how many of the scores are objectives; they come first

@@ -128,7 +128,7 @@ bool Frontier::pass(const Pass& pass) {
   labels_.assign(plans_.size() + 1, {});
   labels_[0].push_back(first_label(problem_, criteria_));
   for (std::size_t stage = 0; stage < plans_.size(); ++stage) {
-    const int digits = hurried_weight_ > 0.0 ? hurried_digits : Comparison::exact_digits;
+    const int digits = hurried_weight_ > 0.0 ? hurried_digits : exact_digits;
     const Comparison comparison(criteria_, plans_[stage].after, pass.with_states, digits);
     if (!(plans_[stage].any_priced ? advance_priced(stage, comparison) : advance(stage, comparison))) return false;
     if (hurried_weight_ > 0.0) keep_best(stage, hurried_weight_);

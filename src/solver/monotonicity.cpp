@@ -202,7 +202,6 @@ bool Claim::split(const Part& part, Part& left, Part& right, Desk& desk) const {
 }
 
 bool Claim::prove(Desk& desk) {
-  find_influences(desk);
   Pace pace;
   double proved = 0.0;
   std::vector<Part> open;
@@ -210,15 +209,17 @@ bool Claim::prove(Desk& desk) {
   // That something has no influence at all is seen at once or not at all.
   const std::size_t limit = direction_ == Direction::irrelevant ? 1 : question_.node_limit;
   for (std::size_t nodes = 0; !open.empty(); ++nodes) {
-    if (nodes >= limit || pace.has_stalled(nodes, proved)) return false;
+    if (pace.has_stalled(nodes, proved)) return false;
     const Part part = std::move(open.back());
     open.pop_back();
     if ((part.doubt ? *part.doubt : doubt(part, desk)) == 0.0) {
       proved += part.share;
       continue;
     }
+    if (nodes + 1 >= limit) return false;
     Part left;
     Part right;
+    if (influences_.empty()) find_influences(desk);
     if (!split(part, left, right, desk)) return false;
     open.push_back(std::move(left));
     open.push_back(std::move(right));

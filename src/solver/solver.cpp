@@ -210,7 +210,7 @@ class Solve {
     return open;
   }
 
-  /// Totals of the objectives above which nothing can belong to the answer.
+  /// Totals of the objectives beyond which the curves of what is to come need not be known.
   [[nodiscard]] std::vector<double> what_matters() const {
     std::vector<double> most(criteria_.objectives, infinity);
     for (std::size_t k = 0; k < most.size() && criteria_.objectives < 3 && !incumbents_.builds().empty(); ++k) {

@@ -28,8 +28,8 @@ struct Options {
   double front_tolerance = 1e-3;  ///< of a front where continuous variables move the objectives (frontier.h)
   double time_limit_seconds = std::numeric_limits<double>::infinity();
   bool stagewise = true;  ///< one or two objectives stage by stage where that applies, else always label by label
-  std::uint64_t patience =
-      12000;             ///< nodes that a single objective is at most searched label by label before stage by stage
+  /// Nodes that a single objective is at most searched label by label before stage by stage.
+  std::uint64_t patience = 12000;
   bool confirm = true;   ///< ask the local solvers about an answer with priced variables (confirmation.h)
   unsigned threads = 1;  ///< the answer does not depend on it
   const std::atomic<bool>* stop = nullptr;  ///< set by Ctrl-C: end as for the time limit

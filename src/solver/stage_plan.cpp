@@ -53,6 +53,7 @@ bool bearable(const StagePlan& plan, const Answer<Interval>& answer) {
   return true;
 }
 
+/// Whether an answer shows that nothing it was given for is feasible, or leads to something that is.
 bool hopeless(const StagePlan& plan, const Answer<Interval>& answer) {
   return worst_lower(answer.utilisation) > 1.0 || !bearable(plan, answer);
 }
@@ -148,7 +149,7 @@ bool shave_and_profile(StagePlan& plan, Desk& desk) {
   return true;
 }
 
-/// The states that can arrive, from the tool to the base; false when a stage has no feasible design.
+/// The states that can arrive, from the tool to the base; false when no row of some slot fits anything.
 bool find_states(const Problem& problem, std::vector<StagePlan>& plans, Desk& desk) {
   std::vector<Interval> state(problem.first_state.begin(), problem.first_state.end());
   for (StagePlan& plan : plans) {

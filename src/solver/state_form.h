@@ -39,7 +39,6 @@ StateForm find_state_form(const StagePlan& plan, Desk& desk);
 
 class Comparison {
  public:
-  static constexpr int exact_digits = 40;
   /// Without states only scores are compared, with fewer digits what is nearly as good counts as equal: enough for a
   /// quick first answer, not for a proof.
   Comparison(const Criteria& criteria,

@@ -141,6 +141,17 @@ TEST_CASE("A good overlay is accepted") {
   CHECK(solve_with_drivers(std::string(driver_header) + driver_row).exit_code == 0);
 }
 
+TEST_CASE("Catalogues of a problem that do not exist are named where the problem names them") {
+  const Workshop shop;
+  shop.write("m.toml", "catalogues = [\"parts\", \"more\"]\n" + std::string(one_slide));
+  shop.write("parts/drivers/d.csv", std::string(driver_header) + driver_row);
+  const Outcome outcome = shop.run({"solve", "m.toml"});
+  CAPTURE(outcome.err);
+  CHECK(outcome.exit_code == 2);
+  CHECK(outcome.says("m.toml:1:24: error: there is no catalogue 'more'"));
+  CHECK(outcome.says("1 error\n"));
+}
+
 TEST_CASE("An empty catalogue, and an empty folder") {
   refuses_drivers("", "parts/drivers/d.csv: error: is empty: a header was expected");
   const Workshop shop;

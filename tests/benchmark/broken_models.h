@@ -133,9 +133,14 @@ Motion<T> motion_in(const Input& in, const Axis& axis, const T& mass, const T& r
                       mass,
                       ramp);
 }
-template <class T, class Input>
-void hold_drive(
-    const Input& in, const Axis& axis, const Motor<T>& motor, const Motion<T>& motion, std::vector<T>& utilisation) {
+/// A motor straight on its screw.
+template <class T>
+void hold_drive(const Axis& axis,
+                const T& lead,
+                const T& root,
+                const Motor<T>& motor,
+                const Motion<T>& motion,
+                std::vector<T>& utilisation) {
   hold_motor<T>(motion.torque,
                 motion.inertia,
                 motion.acceleration * motion.turns,
@@ -144,14 +149,28 @@ void hold_drive(
                 motor.corner,
                 motor.holding,
                 utilisation);
-  hold_screw<T>(axis, in.row(screw_slot, cut_lead), in.row(screw_slot, cut_root), motion, utilisation);
+  hold_screw<T>(axis, lead, root, motion, utilisation);
+}
+template <class T, class Input>
+void hold_drive(
+    const Input& in, const Axis& axis, const Motor<T>& motor, const Motion<T>& motion, std::vector<T>& utilisation) {
+  hold_drive<T>(axis, in.row(screw_slot, cut_lead), in.row(screw_slot, cut_root), motor, motion, utilisation);
+}
+/// `screw`, `price`: its mass and what it costs.
+template <class T, class Answer>
+void add_up(const T& screw, const T& price, const Motor<T>& motor, const T& mass, Answer& out) {
+  const T own = screw + motor.mass;
+  out.resources.push_back(price + motor.price);
+  out.resources.push_back(own);
+  out.handed_on.push_back(mass + own);
 }
 template <class T, class Input, class Answer>
 void add_up(const Input& in, const Motor<T>& motor, const T& mass, Answer& out) {
-  const T own = in.row(screw_slot, cut_mass) + motor.mass;
-  out.resources.push_back(in.row(screw_slot, cut_price) + motor.price);
-  out.resources.push_back(own);
-  out.handed_on.push_back(mass + own);
+  add_up<T>(in.row(screw_slot, cut_mass), in.row(screw_slot, cut_price), motor, mass, out);
+}
+template <class T, class Input>
+T price_of_blank(const Input& in, const T& mass) {
+  return in.row(screw_slot, blank_price) + in.row(screw_slot, blank_price_per_mass) * mass;
 }
 
 struct SharedSupply {
@@ -317,20 +336,8 @@ struct FreeDiameter {
                                           screw * square(wide * (1.0 + core)) / 32.0,
                                           mass,
                                           in.variable(0));
-    hold_motor<T>(motion.torque,
-                  motion.inertia,
-                  motion.acceleration * motion.turns,
-                  motion.speed * motion.turns,
-                  motor.rotor,
-                  motor.corner,
-                  motor.holding,
-                  out.utilisation);
-    hold_screw<T>(axis, step, wide * core, motion, out.utilisation);
-    const T own = screw + motor.mass;
-    out.resources.push_back(in.row(screw_slot, blank_price) + in.row(screw_slot, blank_price_per_mass) * screw +
-                            motor.price);
-    out.resources.push_back(own);
-    out.handed_on.push_back(mass + own);
+    hold_drive<T>(axis, step, wide * core, motor, motion, out.utilisation);
+    add_up<T>(screw, price_of_blank<T>(in, screw), motor, mass, out);
   }
 };
 

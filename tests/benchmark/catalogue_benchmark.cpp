@@ -9,23 +9,17 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <random>
 
+#include "benchmark/measure.h"
 #include "catalogue/catalogue.h"
 #include "text/csv.h"
 
 namespace {
 
 using namespace millwright;
-
-double processor_seconds() {
-  timespec now{};
-  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 double peak_megabytes() {
   rusage usage{};
@@ -99,13 +93,14 @@ int main(int argc, char** argv) {
   std::size_t said = 0;
   for (int round = 0; round < 3; ++round) {
     text::Diagnostics diagnostics;
-    const double start = processor_seconds();
+    const double start = measure::processor_seconds();
     read = catalogue::Catalogue::load({folder}, diagnostics).rows();
-    best = std::min(best, processor_seconds() - start);
+    best = std::min(best, measure::processor_seconds() - start);
     said = diagnostics.count();
   }
   std::filesystem::remove_all(folder);
   const double megabytes = static_cast<double>(bytes) * 1e-6;
+  fmt::print("{}\n", measure::machine());
   fmt::print("{} rows of steppers, {:.1f} MB, {} diagnostics: {:.3f} s, {:.2f} million rows/s, {:.0f} MB/s\n",
              read,
              megabytes,

@@ -4,20 +4,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <random>
 #include <string>
 #include <vector>
 
+#include "benchmark/measure.h"
 #include "text/csv.h"
 #include "text/text_check.h"
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+using measure::Clock;
+using measure::seconds_since;
 
 /// Rows like those of a stepper catalogue: four texts, one of them quoted now and then, and eight numbers.
 std::string catalogue(std::size_t bytes, char separator, const std::string& line_end) {
@@ -62,7 +61,7 @@ std::string catalogue(std::size_t bytes, char separator, const std::string& line
   return text;
 }
 
-void measure(const std::string& title, std::string contents) {
+void read(const std::string& title, std::string contents) {
   const double megabytes = static_cast<double>(contents.size()) / 1e6;
   const auto text = millwright::text::SourceText::from_string("generated.csv", std::move(contents));
   millwright::text::Diagnostics diagnostics;
@@ -100,6 +99,7 @@ void measure(const std::string& title, std::string contents) {
 
 int main(int argc, char** argv) {
   const std::size_t bytes = (argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 100) * 1000000;
-  measure("comma, LF", catalogue(bytes, ',', "\n"));
-  measure("semicolon, CR LF", catalogue(bytes, ';', "\r\n"));
+  fmt::print("{}\n", measure::machine());
+  read("comma, LF", catalogue(bytes, ',', "\n"));
+  read("semicolon, CR LF", catalogue(bytes, ';', "\r\n"));
 }

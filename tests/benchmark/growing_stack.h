@@ -52,21 +52,9 @@ struct Model {
                                             screw * square(wide * (1.0 + core)) / 32.0,
                                             mass + load(i).payload,
                                             ramp);
-      hold_motor<T>(motion.torque,
-                    motion.inertia,
-                    motion.acceleration * motion.turns,
-                    motion.speed * motion.turns,
-                    motor.rotor,
-                    motor.corner,
-                    motor.holding,
-                    out.utilisation);
-      hold_screw<T>(loaded, step, wide * core, motion, out.utilisation);
+      broken::hold_drive<T>(loaded, step, wide * core, motor, motion, out.utilisation);
     }
-    const T own = screw + motor.mass;
-    out.resources.push_back(in.row(screw_slot, broken::blank_price) +
-                            in.row(screw_slot, broken::blank_price_per_mass) * screw + motor.price);
-    out.resources.push_back(own);
-    out.handed_on.push_back(mass + own);
+    broken::add_up<T>(screw, broken::price_of_blank<T>(in, screw), motor, mass, out);
   }
 };
 

@@ -3,23 +3,15 @@
 // Usage: stack_benchmark [FOLDER...]: instances with axes.csv, screws.csv and motors.csv; without, seeded random ones.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <chrono>
 #include <filesystem>
 
+#include "benchmark/measure.h"
 #include "benchmark/stack_instance.h"
 
 namespace {
 
 using namespace millwright::solver;
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
+using measure::median;
 
 /// Stage by stage the cheapest that complies: what a builder gets who sizes one axis at a time. NaN: stuck.
 double greedy(const stack::Machine& machine) {
@@ -40,21 +32,23 @@ double greedy(const stack::Machine& machine) {
   return cost;
 }
 
-void measure(const std::string& name, const std::filesystem::path& folder, int runs) {
+void solve_instance(const std::string& name, const std::filesystem::path& folder, int runs) {
   std::vector<double> reading, solving, front;
   Summary best, all;
   double by_greed = 0.0;
   for (int run = 0; run < runs; ++run) {
-    const auto start = Clock::now();
+    const double start = measure::processor_seconds();
     const stack::Instance instance = stack::read_instance(folder);
     const stack::Machine machine(instance);
-    reading.push_back(seconds_since(start));
+    const double read = measure::processor_seconds();
+    reading.push_back(read - start);
     best = solve(machine.problem, {});
-    solving.push_back(best.seconds);
+    const double solved = measure::processor_seconds();
+    solving.push_back(solved - read);
     Options both;
     both.objectives = {0, 1};
     all = solve(machine.problem, both);
-    front.push_back(all.seconds);
+    front.push_back(measure::processor_seconds() - solved);
     if (run == 0) by_greed = greedy(machine);
   }
   const bool proved = best.status == Status::optimal && all.status == Status::optimal;
@@ -74,6 +68,7 @@ void measure(const std::string& name, const std::filesystem::path& folder, int r
 }  // namespace
 
 int main(int argc, char** argv) {
+  fmt::print("{}\none thread, processor milliseconds, median of 5\n", measure::machine());
   fmt::print("{:<18} {:>10} {:>8} {:>9} {:>9} {:>9} {:>6} {:>7} {:>9} {:>8}\n",
              "instance",
              "cost",
@@ -85,15 +80,15 @@ int main(int argc, char** argv) {
              "nodes",
              "questions",
              "greedy %");
-  constexpr int runs = 3;
-  for (int i = 1; i < argc; ++i) measure(std::filesystem::path(argv[i]).filename().string(), argv[i], runs);
+  constexpr int runs = 5;
+  for (int i = 1; i < argc; ++i) solve_instance(std::filesystem::path(argv[i]).filename().string(), argv[i], runs);
   if (argc > 1) return 0;
   const auto folder = std::filesystem::temp_directory_path() / "millwright_stack_benchmark";
   // Seeds with which sizing one axis after the other misses the optimum: there the axes have to be weighed together.
   for (const auto& [k, screws, motors, seed] :
        {std::array{2, 20, 20, 9}, {3, 100, 100, 2}, {3, 500, 200, 3}, {3, 2000, 500, 2}, {3, 10000, 2000, 3}}) {
     stack::write_instance(stack::random_instance(k, screws, motors, static_cast<std::uint64_t>(seed)), folder);
-    measure(fmt::format("k{} ({}, {})", k, screws, motors), folder, runs);
+    solve_instance(fmt::format("k{} ({}, {})", k, screws, motors), folder, runs);
   }
   std::filesystem::remove_all(folder);
 }

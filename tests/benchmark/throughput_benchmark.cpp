@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <ctime>
 #include <filesystem>
 
+#include "benchmark/measure.h"
 #include "evaluation/held_parts.h"
 #include "evaluation/machine_model.h"
 #include "machine/bill_of_materials.h"
@@ -20,11 +20,7 @@ namespace {
 using namespace millwright;
 namespace fs = std::filesystem;
 
-double processor_seconds() {
-  timespec now{};
-  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
+using measure::processor_seconds;
 
 /// One build of a machine; what the bill of materials leaves open is the first candidate.
 class Build {
@@ -75,7 +71,7 @@ class Build {
 };
 
 /// Evaluations a second, the median of seven rounds.
-double measure(Build& build, double seconds, double& checksum) {
+double rate_of(Build& build, double seconds, double& checksum) {
   constexpr int rounds = 7;
   std::vector<double> rates;
   for (int round = 0; round < rounds; ++round) {
@@ -92,8 +88,7 @@ double measure(Build& build, double seconds, double& checksum) {
     }
     rates.push_back(static_cast<double>(count) / (now - start));
   }
-  std::sort(rates.begin(), rates.end());
-  return rates[rounds / 2];
+  return measure::median(rates);
 }
 
 }  // namespace
@@ -105,6 +100,7 @@ int main(int argc, char** argv) {
   for (const auto& entry : fs::directory_iterator(source / "problems"))
     if (entry.path().extension() == ".toml") files.push_back(entry.path());
   std::sort(files.begin(), files.end());
+  fmt::print("{}\n", measure::machine());
   fmt::print("{:14} {:>6} {:>11} {:>14} {:>9}\n", "machine", "stages", "constraints", "evaluations/s", "us each");
   double checksum = 0.0;
   for (const fs::path& file : files) {
@@ -130,7 +126,7 @@ int main(int argc, char** argv) {
       if (!line.is_dimension()) given.insert({line.axis, line.slot});
     const evaluation::MachineModel model(*problem, catalogue, given);
     Build build(model, *bom);
-    const double rate = measure(build, seconds, checksum);
+    const double rate = rate_of(build, seconds, checksum);
     fmt::print("{:14} {:6} {:11} {:14.0f} {:9.2f}\n", name, build.stages(), build.constraints(), rate, 1e6 / rate);
   }
   fmt::print("checksum {:.6g}\n", checksum);

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The second half of continuous.h: covers the useful designs of a box of priced variables by feasible points.
+#pragma once
+
+#include "solver/continuous.h"
+
+namespace millwright::solver {
+
+/// For a question whose plan has priced variables.
+LeafAnswer cover(const LeafQuestion& question, Desk& desk);
+
+}  // namespace millwright::solver
