@@ -10,6 +10,7 @@ namespace millwright::app {
 /// solve and pareto.
 int run_search(const Options& options);
 int run_check(const Options& options);
+int run_compare(const Options& options);
 int run_audit(const Options& options);
 int run_calc(const Options& options);
 int run_formulas(const Options& options);

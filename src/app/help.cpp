@@ -40,6 +40,16 @@ constexpr std::pair<std::string_view, std::string_view> texts[] = {
      "  millwright check problems/sander.toml problems/sander-bom.csv --hold-origin paper\n"
      "  millwright check problems/sander.toml problems/sander-bom.csv --report sander.html --language id\n"
      "  millwright check problems/sander.toml problems/sander-bom.csv --limit cost='450 USD'"},
+    {"compare",
+     "A and B are results of solve or check, as --json writes them, or bills of materials. The figures of a result "
+     "are\n"
+     "shown as they were recorded; a bill of materials is evaluated now, with the problem of --problem or, without "
+     "it,\n"
+     "the one that the result names. Exit code 1 if a check of one of both fails.\n"
+     "Examples:\n"
+     "  millwright compare monday.json tuesday.json\n"
+     "  millwright compare sander.json problems/sander-bom.csv\n"
+     "  millwright compare mine.csv problems/sander-bom.csv --problem problems/sander.toml --complete"},
     {"audit",
      "Exit code 0 whatever the verdicts are: a wrong figure in a paper is a finding, not a failure.\n"
      "Examples:\n"

@@ -123,6 +123,7 @@ class CommandLine {
     app_.require_subcommand(1);
     app_.footer(examples("millwright"));
     add_machine_verbs();
+    add_compare();
     add_other_verbs();
     add_catalogue_verbs();
   }
@@ -186,6 +187,25 @@ class CommandLine {
     check.add_flag("--complete", options_.complete, "choose what the bill of materials leaves open");
     check.add_option("--hold-origin", options_.hold_origin, "hold only the lines of this origin, choose the rest")
         ->type_name("ORIGIN");
+  }
+
+  void add_compare() {
+    CLI::App& compare = add(app_, "compare", Verb::compare, "two builds side by side: totals, parts, checks");
+    compare.add_option("A", options_.first, "a result that --json wrote, or a bill of materials (.csv)")->required();
+    compare.add_option("B", options_.second, "the same")->required();
+    compare
+        .add_option("--problem",
+                    options_.problem,
+                    "problem file that bills of materials are judged by (default: the one that a result names)")
+        ->type_name("FILE");
+    compare.add_flag("--complete", options_.complete, "choose what a bill of materials leaves open");
+    add_output_options(compare, options_);
+    add_catalogue_option(compare, options_);
+    add_list_option(compare,
+                    "--set",
+                    options_.settings,
+                    "PATH=VALUE",
+                    "change the problem that bills of materials are judged by (repeatable)");
   }
 
   void add_other_verbs() {
