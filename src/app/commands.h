@@ -11,6 +11,7 @@ namespace millwright::app {
 int run_search(const Options& options);
 int run_check(const Options& options);
 int run_compare(const Options& options);
+int run_explain(const Options& options);
 int run_audit(const Options& options);
 int run_calc(const Options& options);
 int run_formulas(const Options& options);

@@ -40,6 +40,14 @@ constexpr std::pair<std::string_view, std::string_view> texts[] = {
      "  millwright check problems/sander.toml problems/sander-bom.csv --hold-origin paper\n"
      "  millwright check problems/sander.toml problems/sander-bom.csv --report sander.html --language id\n"
      "  millwright check problems/sander.toml problems/sander-bom.csv --limit cost='450 USD'"},
+    {"explain",
+     "Nothing compliant (exit code 1): a smallest set of things that are asked and contradict each other, and by how\n"
+     "much each of them must be eased. Else: what is forced, what the next best choice costs, what each requirement\n"
+     "costs. The machine is solved some dozens of times; --time-limit counts for all of them together.\n"
+     "Examples:\n"
+     "  millwright explain problems/lifter.toml\n"
+     "  millwright explain problems/lifter.toml --set 'axis.z.moves[0].time=0.5 s'\n"
+     "  millwright explain problems/lifter.toml --limit cost='150 USD' --without BK10"},
     {"compare",
      "A and B are results of solve or check, as --json writes them, or bills of materials. The figures of a result "
      "are\n"

@@ -14,6 +14,7 @@ enum class Verb {
   pareto,
   check,
   compare,
+  explain,
   audit,
   calc,
   formulas,
