@@ -43,7 +43,8 @@ constexpr std::pair<std::string_view, std::string_view> texts[] = {
     {"explain",
      "Nothing compliant (exit code 1): a smallest set of things that are asked and contradict each other, and by how\n"
      "much each of them must be eased. Else: what is forced, what the next best choice costs, what each requirement\n"
-     "costs. The machine is solved some dozens of times; --time-limit counts for all of them together.\n"
+     "costs. The machine is solved some dozens of times; --time-limit counts for all of them together,\n"
+     "and a question about a choice or a price gets 10 s at most.\n"
      "Examples:\n"
      "  millwright explain problems/lifter.toml\n"
      "  millwright explain problems/lifter.toml --set 'axis.z.moves[0].time=0.5 s'\n"

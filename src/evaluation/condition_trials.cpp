@@ -17,12 +17,14 @@ ConditionTrials::ConditionTrials(const machine::Asked& asked,
                                  const catalogue::Catalogue& whole,
                                  const std::vector<machine::Condition>& conditions,
                                  const SearchOptions& options,
-                                 ExplanationProgress progress)
+                                 ExplanationProgress progress,
+                                 double patience)
     : asked_(asked),
       whole_(whole),
       conditions_(conditions),
       options_(options),
       progress_(std::move(progress)),
+      patience_(patience),
       started_(now()) {
   options_.builds = 1;
   options_.worksheets = false;
@@ -46,12 +48,16 @@ const catalogue::Catalogue& ConditionTrials::catalogue_for(const machine::Asked&
   return *known;
 }
 
-SearchOptions ConditionTrials::begin(const std::string& what) {
+void ConditionTrials::check_time() const {
+  if (left() <= 0.0 || (options_.stop != nullptr && options_.stop->load())) throw TimeIsUp{};
+}
+
+SearchOptions ConditionTrials::begin(const std::string& what, bool patiently) {
   if (progress_) progress_(solves_, what);
   ++solves_;
   SearchOptions options = options_;
-  options.time_limit_seconds = options_.time_limit_seconds - seconds();
-  if (options.time_limit_seconds <= 0.0 || (options.stop != nullptr && options.stop->load())) throw TimeIsUp{};
+  check_time();
+  options.time_limit_seconds = patiently ? left() : std::min(left(), patience_);
   return options;
 }
 
@@ -62,13 +68,20 @@ std::optional<Design> ConditionTrials::solve(SearchOptions options, const Change
   const MachineModel model(asked.problem, catalogue_for(asked), {}, {.fixed = asked.fixed});
   if (!model.problems().empty()) return std::nullopt;
   Synthesis found = synthesise(model, options);
-  if (found.status == solver::Status::limit) throw TimeIsUp{};
+  if (found.status == solver::Status::limit) {
+    check_time();
+    throw Unsettled{};
+  }
   if (found.designs.empty()) return std::nullopt;
   return std::move(found.designs.front());
 }
 
 std::optional<Design> ConditionTrials::best(const std::string& what, const Change& change) {
   return solve(begin(what), change);
+}
+
+std::optional<Design> ConditionTrials::best_soon(const std::string& what, const Change& change) {
+  return solve(begin(what, false), change);
 }
 
 std::optional<Design> ConditionTrials::best_by(const std::string& objective,

@@ -160,15 +160,26 @@ class Prices {
   }
 
   void find() {
+    // What is not settled for many is asked in parts.
     const ConditionSet dear = those_that_matter(trials_.all(), [&](const ConditionSet& set) {
-      return matters(saving(
-          [&](Asked& asked) {
-            for (const std::size_t i : set) conditions()[i].lift(asked);
-          },
-          "what conditions cost"));
+      try {
+        return matters(saving(
+            [&](Asked& asked) {
+              for (const std::size_t i : set) conditions()[i].lift(asked);
+            },
+            "what conditions cost"));
+      } catch (const Unsettled&) {
+        return true;
+      }
     });
     result_.costless = trials_.all().size() - dear.size();
-    for (const std::size_t i : dear) result_.prices.push_back(price(i));
+    for (const std::size_t i : dear) {
+      try {
+        result_.prices.push_back(price(i));
+      } catch (const Unsettled&) {
+        result_.unsettled.push_back(i);
+      }
+    }
     std::stable_sort(result_.prices.begin(), result_.prices.end(), [](const Price& a, const Price& b) {
       return a.at_most > b.at_most;
     });
@@ -179,7 +190,7 @@ class Prices {
   [[nodiscard]] bool matters(double saving) const { return saving > 1e-5 * std::abs(base_); }
 
   double saving(const ConditionTrials::Change& change, const std::string& what) {
-    const auto design = trials_.best(what, change);
+    const auto design = trials_.best_soon(what, change);
     return design ? base_ - design->total(objective_) : 0.0;
   }
 
@@ -226,11 +237,12 @@ Explanation explain(const Asked& asked,
                     const catalogue::Catalogue& catalogue,
                     std::vector<Condition> conditions,
                     const SearchOptions& options,
-                    const ExplanationProgress& progress) {
+                    const ExplanationProgress& progress,
+                    double patience) {
   Explanation result;
   result.conditions = std::move(conditions);
   result.objective = options.objectives.front();
-  ConditionTrials trials(asked, catalogue, result.conditions, options, progress);
+  ConditionTrials trials(asked, catalogue, result.conditions, options, progress, patience);
   try {
     result.design = trials.best("the machine as it is asked for", {});
     if (result.design) {
@@ -241,6 +253,8 @@ Explanation explain(const Asked& asked,
       Contradictions(trials, result).find();
     }
   } catch (const TimeIsUp&) {
+    result.status = solver::Status::limit;
+  } catch (const Unsettled&) {  // only where all the time there is was given
     result.status = solver::Status::limit;
   }
   result.solves = trials.solves();

@@ -35,6 +35,7 @@ struct Conflict {
 struct SlotChoice {
   std::string axis, slot, part;
   bool only = false;                ///< nothing else could be there at all
+  bool settled = true;              ///< else the question took too long, and it costs `next_best` or more
   std::optional<double> next_best;  ///< by how much the objective is worse without it; nothing: it is forced
   std::string instead;              ///< what the best build without it has there
 };
@@ -61,10 +62,15 @@ struct Explanation {
   std::optional<Design> design;
   std::vector<SlotChoice> choices;
   std::vector<Price> prices;  ///< the largest saving first
+  ConditionSet unsettled;     ///< conditions of which what they cost took too long to find out
   std::size_t costless = 0;   ///< conditions that cost nothing on their own
   std::size_t solves = 0;
   double seconds = 0.0;
 };
+
+/// s, for each question about a choice or a price: some are far harder than the machine itself, and the rest shall not
+/// wait for them.
+inline constexpr double usual_patience = 10.0;
 
 /// Told before each solve what it is for and how many there were.
 using ExplanationProgress = std::function<void(std::size_t solves, const std::string& what)>;
@@ -75,6 +81,7 @@ Explanation explain(const machine::Asked& asked,
                     const catalogue::Catalogue& catalogue,
                     std::vector<machine::Condition> conditions,
                     const SearchOptions& options,
-                    const ExplanationProgress& progress = {});
+                    const ExplanationProgress& progress = {},
+                    double patience = usual_patience);
 
 }  // namespace millwright::evaluation

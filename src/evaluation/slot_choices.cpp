@@ -42,9 +42,12 @@ class Choices {
 
   void find() {
     const SearchOptions options = trials_.begin("which choices are free");
-    const solver::Summary summary = solver::solve(model_.problem(), solver_options(model_, options));
+    solver::Restriction all = solver::unrestricted(model_.problem());
+    thin(all);
+    const solver::RestrictedProblem problem(model_.problem(), all);
+    const solver::Summary summary = solver::solve(problem.problem(), solver_options(model_, options));
     if (summary.status != solver::Status::optimal) throw TimeIsUp{};
-    best_ = summary.builds.front();
+    best_ = problem.whole_build(summary.builds.front());
     design_ = model_.design(best_);
     for (std::size_t stage = 0; stage < model_.entries().size(); ++stage)
       for (std::size_t slot = 0; slot < model_.entries()[stage].tables().size(); ++slot) look_at(stage, slot);
@@ -58,21 +61,47 @@ class Choices {
     return problem;
   }
 
-  /// By how much the best build of what is left is worse, and that build.
-  std::optional<Design> best_of(const solver::Restriction& left, const std::string& what) {
-    const SearchOptions options = trials_.begin(what);
-    const solver::RestrictedProblem restricted(model_.problem(), left);
-    const solver::Summary summary = solver::solve(restricted.problem(), solver_options(model_, options));
-    if (summary.status == solver::Status::limit) throw TimeIsUp{};
-    if (summary.builds.empty()) return std::nullopt;
-    return model_.design(restricted.whole_build(summary.builds.front()));
+  /// Without the rows that another one which is left covers: the best build needs none of them, and the search is
+  /// spared them.
+  void thin(solver::Restriction& left) const {
+    for (std::size_t stage = 0; stage < left.stages.size(); ++stage)
+      for (std::size_t slot = 0; slot < left.stages[stage].allowed.size(); ++slot) {
+        std::vector<Row>& allowed = left.stages[stage].allowed[slot];
+        const auto covered_by = [&](Row row) { return model_.covering_rows(stage, slot, row); };
+        const auto is_left = [&](Row row) { return std::binary_search(allowed.begin(), allowed.end(), row); };
+        // Of rows that cover each other the first stays.
+        const auto counts = [&](Row by, Row row) {
+          if (!is_left(by)) return false;
+          const std::vector<Row> back = covered_by(by);
+          return by < row || std::find(back.begin(), back.end(), row) == back.end();
+        };
+        std::vector<Row> needed;
+        for (const Row row : allowed) {
+          const std::vector<Row> by = covered_by(row);
+          if (std::none_of(by.begin(), by.end(), [&](Row each) { return counts(each, row); })) needed.push_back(row);
+        }
+        allowed = std::move(needed);
+      }
   }
 
-  void judge(SlotChoice& choice, const std::optional<Design>& next) {
-    if (!next) return;
-    choice.next_best = std::max(0.0, next->total(objective_) - design_.total(objective_));
+  /// Finds out what the best build of what is left is.
+  void judge(SlotChoice& choice, solver::Restriction left, const std::string& what) {
+    const SearchOptions options = trials_.begin(what, false);
+    thin(left);
+    const solver::RestrictedProblem restricted(model_.problem(), left);
+    const solver::Summary summary = solver::solve(restricted.problem(), solver_options(model_, options));
+    const double base = design_.total(objective_);
+    if (summary.status == solver::Status::limit) {
+      trials_.check_time();
+      choice.settled = false;
+      choice.next_best = std::max(0.0, summary.lower_bound - base);
+      return;
+    }
+    if (summary.builds.empty()) return;
+    const Design next = model_.design(restricted.whole_build(summary.builds.front()));
+    choice.next_best = std::max(0.0, next.total(objective_) - base);
     choice.instead =
-        choice.slot == "supply_voltage" ? volts(next->supply_voltage) : name_of(*next, choice.axis, choice.slot);
+        choice.slot == "supply_voltage" ? volts(next.supply_voltage) : name_of(next, choice.axis, choice.slot);
   }
 
   /// A row of a table may be several parts: a motor with its driver.
@@ -91,7 +120,7 @@ class Choices {
     std::vector<Row>& allowed = left.stages[stage].allowed[slot];
     std::erase_if(allowed, [&](Row row) { return has(model_.candidate(stage, slot, row), part); });
     choice.only = allowed.empty();
-    if (!choice.only) judge(choice, best_of(left, fmt::format("another {}.{}", choice.axis, choice.slot)));
+    if (!choice.only) judge(choice, std::move(left), fmt::format("another {}.{}", choice.axis, choice.slot));
     result_.choices.push_back(std::move(choice));
   }
 
@@ -106,7 +135,7 @@ class Choices {
     choice.axis = "machine";
     choice.slot = "supply_voltage";
     choice.part = volts(design_.supply_voltage);
-    judge(choice, best_of(left, "another supply voltage"));
+    judge(choice, std::move(left), "another supply voltage");
     result_.choices.push_back(std::move(choice));
   }
 

@@ -78,6 +78,7 @@ void add_feasible(const MachineResult& result, const Explanation& explanation, J
                                {"slot", choice.slot},
                                {"part", choice.part},
                                {"forced", !choice.next_best.has_value()},
+                               {"settled", choice.settled},
                                {"next_best", number(choice.next_best)},
                                {"instead", choice.instead}});
   json["prices"] = Json::array();
@@ -88,6 +89,9 @@ void add_feasible(const MachineResult& result, const Explanation& explanation, J
     line["saving_without"] = number(price.at_most);
     json["prices"].push_back(std::move(line));
   }
+  json["unsettled"] = Json::array();
+  for (const std::size_t i : explanation.unsettled)
+    json["unsettled"].push_back(condition_of(explanation.conditions[i], result.currency));
   json["costless"] = explanation.costless;
 }
 

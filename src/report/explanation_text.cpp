@@ -95,7 +95,8 @@ std::string conflict_text(const Explanation& explanation,
   }
   out += table.str(2, style);
   if (conflict.ways.empty()) return out + "\n";
-  out += "\n  Any one of these is enough, proved by solving (numbers to 1 %):\n";
+  out += conflict.ways.size() == 1 ? "\n  This is enough, proved by solving (numbers to 1 %):\n"
+                                   : "\n  Any one of these is enough, proved by solving (numbers to 1 %):\n";
   std::string useless;
   for (const Relaxation& way : conflict.ways) {
     if (!way.enough) {
@@ -182,7 +183,9 @@ std::string extra_text(const Explanation& explanation,
                        const Style& style) {
   if (!choice.next_best) return style.bad("forced");
   const std::string text = amount(explanation, *choice.next_best, currency);
-  return text.find_first_of("123456789") == std::string::npos ? style.good("free") : "+" + text;
+  const bool nothing = text.find_first_of("123456789") == std::string::npos;
+  if (!choice.settled) return nothing ? std::string("?") : "+" + text + "..";
+  return nothing ? style.good("free") : "+" + text;
 }
 
 std::string choices_text(const Explanation& explanation, const std::string& currency, const Style& style) {
@@ -202,7 +205,8 @@ std::string choices_text(const Explanation& explanation, const std::string& curr
     table.add({choice->axis + "." + choice->slot,
                choice->part,
                extra_text(explanation, *choice, currency, style),
-               choice->only        ? std::string("no other candidate")
+               !choice->settled    ? std::string("took too long: so much, or more")
+               : choice->only      ? std::string("no other candidate")
                : choice->next_best ? choice->instead
                                    : std::string("nothing is compliant")});
   return style.heading("Choices: what the best build costs more without each part") + "\n" + table.str(2, style) + "\n";
@@ -248,9 +252,15 @@ std::string prices_text(const Explanation& explanation, const std::string& curre
                    width - 2,
                    2) +
            "\n";
+  for (const std::size_t i : explanation.unsettled)
+    out += fmt::format("  What {}: {} costs took too long to find out.\n",
+                       explanation.conditions[i].axis,
+                       explanation.conditions[i].name);
   if (explanation.status == solver::Status::optimal)
     out += fmt::format("  {} cost{} nothing on {} own.\n",
-                       explanation.prices.empty() ? "All" : fmt::format("The other {}", explanation.costless),
+                       explanation.prices.empty() && explanation.unsettled.empty()
+                           ? "All"
+                           : fmt::format("The other {}", explanation.costless),
                        explanation.costless == 1 ? "s" : "",
                        explanation.costless == 1 ? "its" : "their");
   return out + "\n";
