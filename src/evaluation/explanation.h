@@ -37,7 +37,8 @@ struct SlotChoice {
   bool only = false;                ///< nothing else could be there at all
   bool settled = true;              ///< else the question took too long, and it costs `next_best` or more
   std::optional<double> next_best;  ///< by how much the objective is worse without it; nothing: it is forced
-  std::string instead;              ///< what the best build without it has there
+  std::optional<double> at_most;    ///< by how much the best one found is worse: the same, if settled
+  std::string instead;              ///< what that build has there
 };
 
 /// What a condition costs.

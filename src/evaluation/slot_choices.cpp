@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "evaluation/machine_stages.h"
 #include "scalar/unit.h"
@@ -29,121 +30,119 @@ std::string name_of(const Design& design, const std::string& axis, const std::st
   return {};
 }
 
+/// Without the rows that another one which is left covers: the best build needs none of them, and the search is spared
+/// them.
+void thin(const MachineModel& model, solver::Restriction& left) {
+  for (std::size_t stage = 0; stage < left.stages.size(); ++stage)
+    for (std::size_t slot = 0; slot < left.stages[stage].allowed.size(); ++slot) {
+      std::vector<Row>& allowed = left.stages[stage].allowed[slot];
+      const auto covered_by = [&](Row row) { return model.covering_rows(stage, slot, row); };
+      // Of rows that cover each other the first stays.
+      const auto counts = [&](Row by, Row row) {
+        if (!std::binary_search(allowed.begin(), allowed.end(), by)) return false;
+        const std::vector<Row> back = covered_by(by);
+        return by < row || std::find(back.begin(), back.end(), row) == back.end();
+      };
+      std::vector<Row> needed;
+      for (const Row row : allowed) {
+        const std::vector<Row> by = covered_by(row);
+        if (std::none_of(by.begin(), by.end(), [&](Row each) { return counts(each, row); })) needed.push_back(row);
+      }
+      allowed = std::move(needed);
+    }
+}
+
 class Choices {
  public:
   Choices(ConditionTrials& trials, Explanation& result)
       : trials_(trials),
         result_(result),
         objective_(machine::objective_named(result.objective)),
-        model_(problem_of(trials, result),
-               trials.catalogue_for(trials.asked()),
-               {},
-               {.fixed = trials.asked().fixed, .every_candidate = true}) {}
+        problem_(trials.asked().problem) {
+    problem_.counted = machine::counted_quantities({result.objective});
+    model_.emplace(
+        problem_, trials.catalogue_for(trials.asked()), GivenSlots{}, ModelOptions{.fixed = trials.asked().fixed});
+  }
 
   void find() {
     const SearchOptions options = trials_.begin("which choices are free");
-    solver::Restriction all = solver::unrestricted(model_.problem());
-    thin(all);
-    const solver::RestrictedProblem problem(model_.problem(), all);
-    const solver::Summary summary = solver::solve(problem.problem(), solver_options(model_, options));
+    const solver::Summary summary = solver::solve(model_->problem(), solver_options(*model_, options));
     if (summary.status != solver::Status::optimal) throw TimeIsUp{};
-    best_ = problem.whole_build(summary.builds.front());
-    design_ = model_.design(best_);
-    for (std::size_t stage = 0; stage < model_.entries().size(); ++stage)
-      for (std::size_t slot = 0; slot < model_.entries()[stage].tables().size(); ++slot) look_at(stage, slot);
-    look_at_voltage();
+    const solver::Build& best = summary.builds.front();
+    design_ = model_->design(best);
+    for (std::size_t stage = 0; stage < model_->entries().size(); ++stage)
+      for (std::size_t slot = 0; slot < model_->entries()[stage].tables().size(); ++slot)
+        // A row of a table may be several parts: a motor with its driver.
+        for (const PartUse& part : model_->candidate(stage, slot, best.stages[stage].rows[slot]).parts)
+          look_at(stage, slot, part);
+    look_at_voltage(best);
   }
 
  private:
-  static machine::Problem problem_of(const ConditionTrials& trials, const Explanation& result) {
-    machine::Problem problem = trials.asked().problem;
-    problem.counted = machine::counted_quantities({result.objective});
-    return problem;
-  }
-
-  /// Without the rows that another one which is left covers: the best build needs none of them, and the search is
-  /// spared them.
-  void thin(solver::Restriction& left) const {
-    for (std::size_t stage = 0; stage < left.stages.size(); ++stage)
-      for (std::size_t slot = 0; slot < left.stages[stage].allowed.size(); ++slot) {
-        std::vector<Row>& allowed = left.stages[stage].allowed[slot];
-        const auto covered_by = [&](Row row) { return model_.covering_rows(stage, slot, row); };
-        const auto is_left = [&](Row row) { return std::binary_search(allowed.begin(), allowed.end(), row); };
-        // Of rows that cover each other the first stays.
-        const auto counts = [&](Row by, Row row) {
-          if (!is_left(by)) return false;
-          const std::vector<Row> back = covered_by(by);
-          return by < row || std::find(back.begin(), back.end(), row) == back.end();
-        };
-        std::vector<Row> needed;
-        for (const Row row : allowed) {
-          const std::vector<Row> by = covered_by(row);
-          if (std::none_of(by.begin(), by.end(), [&](Row each) { return counts(each, row); })) needed.push_back(row);
-        }
-        allowed = std::move(needed);
-      }
+  /// With the drivers too that the model leaves out because another one is never worse: without that one they count.
+  const MachineModel& model_of_drivers() {
+    if (!with_covered_)
+      with_covered_.emplace(problem_,
+                            trials_.catalogue_for(trials_.asked()),
+                            GivenSlots{},
+                            ModelOptions{.fixed = trials_.asked().fixed, .every_candidate = true});
+    return *with_covered_;
   }
 
   /// Finds out what the best build of what is left is.
-  void judge(SlotChoice& choice, solver::Restriction left, const std::string& what) {
+  void judge(SlotChoice& choice, const MachineModel& model, const solver::Restriction& left, const std::string& what) {
     const SearchOptions options = trials_.begin(what, false);
-    thin(left);
-    const solver::RestrictedProblem restricted(model_.problem(), left);
-    const solver::Summary summary = solver::solve(restricted.problem(), solver_options(model_, options));
+    const solver::RestrictedProblem restricted(model.problem(), left);
+    const solver::Summary summary = solver::solve(restricted.problem(), solver_options(model, options));
     const double base = design_.total(objective_);
-    if (summary.status == solver::Status::limit) {
-      trials_.check_time();
-      choice.settled = false;
-      choice.next_best = std::max(0.0, summary.lower_bound - base);
-      return;
-    }
+    const bool settled = summary.status != solver::Status::limit;
+    if (!settled) trials_.check_time();
+    choice.settled = settled;
+    if (!settled) choice.next_best = std::max(0.0, summary.lower_bound - base);
     if (summary.builds.empty()) return;
-    const Design next = model_.design(restricted.whole_build(summary.builds.front()));
-    choice.next_best = std::max(0.0, next.total(objective_) - base);
+    const Design next = model.design(restricted.whole_build(summary.builds.front()));
+    choice.at_most = std::max(0.0, next.total(objective_) - base);
+    if (settled) choice.next_best = choice.at_most;
     choice.instead =
         choice.slot == "supply_voltage" ? volts(next.supply_voltage) : name_of(next, choice.axis, choice.slot);
   }
 
-  /// A row of a table may be several parts: a motor with its driver.
-  void look_at(std::size_t stage, std::size_t slot) {
-    const Candidate& chosen = model_.candidate(stage, slot, best_.stages[stage].rows[slot]);
-    for (const PartUse& part : chosen.parts) look_at(stage, slot, part);
-  }
-
   void look_at(std::size_t stage, std::size_t slot, const PartUse& part) {
     SlotChoice choice;
-    choice.axis = model_.entries()[stage].axis;
+    choice.axis = model_->entries()[stage].axis;
     choice.slot = part.slot;
     choice.part = name_of(design_, choice.axis, choice.slot);
     if (choice.part.empty() || !part.is_named()) return;  // the only one, as the problem states it
-    solver::Restriction left = solver::unrestricted(model_.problem());
+    const bool driver = part.slot == "driver";
+    const MachineModel& model = driver ? model_of_drivers() : *model_;
+    solver::Restriction left = solver::unrestricted(model.problem());
     std::vector<Row>& allowed = left.stages[stage].allowed[slot];
-    std::erase_if(allowed, [&](Row row) { return has(model_.candidate(stage, slot, row), part); });
+    std::erase_if(allowed, [&](Row row) { return has(model.candidate(stage, slot, row), part); });
     choice.only = allowed.empty();
-    if (!choice.only) judge(choice, std::move(left), fmt::format("another {}.{}", choice.axis, choice.slot));
+    if (driver) thin(model, left);
+    if (!choice.only) judge(choice, model, left, fmt::format("another {}.{}", choice.axis, choice.slot));
     result_.choices.push_back(std::move(choice));
   }
 
   static std::string volts(double value) { return scalar::format(value, scalar::Unit::of("V")); }
 
-  void look_at_voltage() {
-    const std::size_t count = model_.machine().supply_voltages.size();
-    if (count < 2) return;
-    solver::Restriction left = solver::unrestricted(model_.problem());
-    std::erase(left.shared.front(), best_.shared.front());
+  void look_at_voltage(const solver::Build& best) {
+    if (model_->machine().supply_voltages.size() < 2) return;
+    solver::Restriction left = solver::unrestricted(model_->problem());
+    std::erase(left.shared.front(), best.shared.front());
     SlotChoice choice;
     choice.axis = "machine";
     choice.slot = "supply_voltage";
     choice.part = volts(design_.supply_voltage);
-    judge(choice, std::move(left), "another supply voltage");
+    judge(choice, *model_, left, "another supply voltage");
     result_.choices.push_back(std::move(choice));
   }
 
   ConditionTrials& trials_;
   Explanation& result_;
   machine::Objective objective_;
-  MachineModel model_;
-  solver::Build best_;
+  machine::Problem problem_;
+  std::optional<MachineModel> model_, with_covered_;
   Design design_;
 };
 

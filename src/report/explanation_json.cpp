@@ -80,6 +80,7 @@ void add_feasible(const MachineResult& result, const Explanation& explanation, J
                                {"forced", !choice.next_best.has_value()},
                                {"settled", choice.settled},
                                {"next_best", number(choice.next_best)},
+                               {"at_most", number(choice.at_most)},
                                {"instead", choice.instead}});
   json["prices"] = Json::array();
   for (const evaluation::Price& price : explanation.prices) {

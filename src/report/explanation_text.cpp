@@ -184,8 +184,16 @@ std::string extra_text(const Explanation& explanation,
   if (!choice.next_best) return style.bad("forced");
   const std::string text = amount(explanation, *choice.next_best, currency);
   const bool nothing = text.find_first_of("123456789") == std::string::npos;
-  if (!choice.settled) return nothing ? std::string("?") : "+" + text + "..";
+  if (!choice.settled) return nothing ? std::string("?") : "+" + text + " ?";
   return nothing ? style.good("free") : "+" + text;
+}
+
+std::string instead_text(const Explanation& explanation, const SlotChoice& choice, const std::string& currency) {
+  if (choice.only) return "no other candidate";
+  if (!choice.next_best) return "nothing is compliant";
+  if (choice.settled) return choice.instead;
+  if (!choice.at_most) return "none found yet";
+  return fmt::format("at most +{}: {}", amount(explanation, *choice.at_most, currency), choice.instead);
 }
 
 std::string choices_text(const Explanation& explanation, const std::string& currency, const Style& style) {
@@ -205,11 +213,11 @@ std::string choices_text(const Explanation& explanation, const std::string& curr
     table.add({choice->axis + "." + choice->slot,
                choice->part,
                extra_text(explanation, *choice, currency, style),
-               !choice->settled    ? std::string("took too long: so much, or more")
-               : choice->only      ? std::string("no other candidate")
-               : choice->next_best ? choice->instead
-                                   : std::string("nothing is compliant")});
-  return style.heading("Choices: what the best build costs more without each part") + "\n" + table.str(2, style) + "\n";
+               instead_text(explanation, *choice, currency)});
+  const bool all_settled =
+      std::all_of(order.begin(), order.end(), [](const SlotChoice* choice) { return choice->settled; });
+  return style.heading("Choices: what the best build costs more without each part") + "\n" + table.str(2, style) +
+         (all_settled ? "" : "  ? took too long: so much or more is proved\n") + "\n";
 }
 
 /// Set by `--set`, whose words are a text of their own.
