@@ -52,8 +52,10 @@ bool find_catalogues(const text::Document& document, text::Diagnostics& diagnost
   return all;
 }
 
-std::optional<machine::Problem> read_problem(const Options& options, text::Diagnostics& diagnostics) {
-  auto document = text::read_document(options.problem, diagnostics);
+std::optional<machine::Problem> read_problem(const Options& options,
+                                             std::optional<text::Document>& document,
+                                             text::Diagnostics& diagnostics) {
+  document = text::read_document(options.problem, diagnostics);
   if (!document) return std::nullopt;
   bool good = true;
   for (const std::string& setting : options.settings)
@@ -80,7 +82,8 @@ std::vector<std::filesystem::path> catalogue_places(const std::vector<std::strin
 }
 
 std::optional<MachineInput> read_machine(const Options& options, text::Diagnostics& diagnostics) {
-  auto problem = read_problem(options, diagnostics);
+  std::optional<text::Document> document;
+  auto problem = read_problem(options, document, diagnostics);
   std::vector<std::string> overlays;
   if (problem) {
     const auto folder = std::filesystem::path(options.problem).parent_path();
@@ -102,8 +105,12 @@ std::optional<MachineInput> read_machine(const Options& options, text::Diagnosti
   std::vector<catalogue::Part> dropped;
   for (const machine::ExcludedPart& part : steering.without)
     dropped.insert(dropped.end(), part.rows.begin(), part.rows.end());
-  catalogue.drop(dropped);
-  return MachineInput{std::move(*problem), std::move(catalogue), std::move(steering)};
+  MachineInput input{std::move(*problem), std::move(catalogue), std::move(steering), std::move(document), std::nullopt};
+  if (!dropped.empty()) {
+    input.whole_catalogue = input.catalogue;
+    input.catalogue.drop(dropped);
+  }
+  return input;
 }
 
 void shorten_places(evaluation::Design& design) {

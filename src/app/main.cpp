@@ -17,6 +17,10 @@ int run(const Options& options) {
       return run_search(options);
     case Verb::check:
       return run_check(options);
+    case Verb::compare:
+      return run_compare(options);
+    case Verb::explain:
+      return run_explain(options);
     case Verb::audit:
       return run_audit(options);
     case Verb::calc:

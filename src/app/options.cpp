@@ -66,10 +66,10 @@ void add_catalogue_option(CLI::App& verb, Options& options) {
       verb, "--catalogue", options.catalogues, "DIR", "parts of your own on top of the shipped ones (repeatable)");
 }
 
-void add_machine_options(CLI::App& verb, Options& options) {
+void add_machine_options(CLI::App& verb, Options& options, bool with_page = true) {
   verb.add_option("PROBLEM", options.problem, "problem file (.toml or .json)")->required();
   add_output_options(verb, options);
-  add_report_options(verb, options);
+  if (with_page) add_report_options(verb, options);
   add_catalogue_option(verb, options);
   add_list_option(verb,
                   "--set",
@@ -139,6 +139,8 @@ class CommandLine {
     app_.require_subcommand(1);
     app_.footer(examples("millwright"));
     add_machine_verbs();
+    add_explain();
+    add_compare();
     add_other_verbs();
     add_catalogue_verbs();
   }
@@ -206,6 +208,36 @@ class CommandLine {
     check.add_flag("--complete", options_.complete, "choose what the bill of materials leaves open");
     check.add_option("--hold-origin", options_.hold_origin, "hold only the lines of this origin, choose the rest")
         ->type_name("ORIGIN");
+  }
+
+  void add_explain() {
+    CLI::App& explain = add(app_,
+                            "explain",
+                            Verb::explain,
+                            "why nothing is compliant and what would help; or what is forced and what each thing "
+                            "that is asked costs");
+    add_machine_options(explain, options_, false);
+    add_fix_option(explain, options_);
+    add_objectives(explain, options_.objectives, "by which builds are best (default: as the problem says)");
+  }
+
+  void add_compare() {
+    CLI::App& compare = add(app_, "compare", Verb::compare, "two builds side by side: totals, parts, checks");
+    compare.add_option("A", options_.first, "a result that --json wrote, or a bill of materials (.csv)")->required();
+    compare.add_option("B", options_.second, "the same")->required();
+    compare
+        .add_option("--problem",
+                    options_.problem,
+                    "problem file that bills of materials are judged by (default: the one that a result names)")
+        ->type_name("FILE");
+    compare.add_flag("--complete", options_.complete, "choose what a bill of materials leaves open");
+    add_output_options(compare, options_);
+    add_catalogue_option(compare, options_);
+    add_list_option(compare,
+                    "--set",
+                    options_.settings,
+                    "PATH=VALUE",
+                    "change the problem that bills of materials are judged by (repeatable)");
   }
 
   void add_other_verbs() {
@@ -314,8 +346,9 @@ bool settle_objectives(Options& options) {
     print(diagnostics);
     return false;
   }
-  if (options.verb == Verb::solve && options.objectives.size() > 1) {
-    complain("solve minimises one objective", "'millwright pareto' gives the front of two");
+  if ((options.verb == Verb::solve || options.verb == Verb::explain) && options.objectives.size() > 1) {
+    complain(fmt::format("{} minimises one objective", options.verb == Verb::solve ? "solve" : "explain"),
+             "'millwright pareto' gives the front of two");
     return false;
   }
   if (options.verb != Verb::pareto) return true;

@@ -9,7 +9,19 @@
 
 namespace millwright::app {
 
-enum class Verb { solve, pareto, check, audit, calc, formulas, catalogue_list, catalogue_show, catalogue_lint };
+enum class Verb {
+  solve,
+  pareto,
+  check,
+  compare,
+  explain,
+  audit,
+  calc,
+  formulas,
+  catalogue_list,
+  catalogue_show,
+  catalogue_lint
+};
 
 /// Exit codes of the program.
 enum ExitCode : int {
@@ -44,6 +56,7 @@ struct Options {
   std::string order;                                            ///< list of what to buy, .csv or .xlsx; empty for none
   bool complete = false;
   std::string hold_origin;
+  std::string first, second;  ///< of compare: results or bills of materials
   // audit, calc, formulas, catalogue
   std::string subject;             ///< claims file, formula, word or family
   std::vector<std::string> words;  ///< arguments, parts or files

@@ -8,17 +8,13 @@
 
 #include "report/design_difference.h"
 #include "report/design_json.h"
+#include "report/design_text.h"
 
 namespace millwright::report {
 
 using evaluation::Design;
 
 namespace {
-
-std::string signed_text(double difference, int digits) {
-  const std::string text = fmt::format("{:+.{}f}", difference, digits);
-  return text.find_first_of("123456789") == std::string::npos ? std::string("=") : text;
-}
 
 /// Several builds were asked for.
 bool asked(const MachineResult& result) { return result.builds_asked > 1 && !result.designs.empty(); }

@@ -72,6 +72,11 @@ std::string part_name(const std::string& manufacturer, const std::string& part_n
 
 std::string part_name(const PartLine& part) { return part_name(part.manufacturer, part.part_number); }
 
+std::string signed_text(double difference, int digits) {
+  const std::string text = fmt::format("{:+.{}f}", difference, digits);
+  return text.find_first_of("123456789") == std::string::npos ? std::string("=") : text;
+}
+
 std::string worst_text(const Check& check) {
   const bool both = !check.phase.empty() && !check.position.empty();
   return check.phase + (both ? "; " : "") + check.position;

@@ -21,11 +21,6 @@ using evaluation::Verdict;
 
 namespace {
 
-std::string title_text(const MachineResult& result, const Style& style) {
-  const std::string title = result.title.empty() ? result.file : result.title + " (" + result.file + ")";
-  return style.heading(title) + "\n\n" + steering_text(result, style);
-}
-
 /// "Cheapest", "Lightest"; "Best" of a weighted sum.
 std::string best_word(const std::string& objective) {
   const auto quantity = machine::objective_named(objective).single();
@@ -147,6 +142,11 @@ std::string end_text(const MachineResult& result,
 }
 
 }  // namespace
+
+std::string title_text(const MachineResult& result, const Style& style) {
+  const std::string title = result.title.empty() ? result.file : result.title + " (" + result.file + ")";
+  return style.heading(title) + "\n\n" + steering_text(result, style);
+}
 
 std::string nothing_text(const MachineResult& result, const Style& style) {
   if (!result.missing.empty()) {
