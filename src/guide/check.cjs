@@ -115,7 +115,7 @@ function check_examples() {
   let examples = 0;
   for (const verb of ["", ...verbs(program)]) {
     const folder = example_workshop();
-    const text = help(program, verb);
+    const text = help(program, verb).replace(/ \\\n +/g, " ");  // lines that go on
     const lines = text.slice(text.indexOf("Examples:\n")).split("\n").filter((line) => line.startsWith("  millwright "));
     if (lines.length === 0) fail(`millwright ${verb} --help`, "has no example");
     for (const line of lines) {

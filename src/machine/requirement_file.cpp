@@ -21,67 +21,6 @@ using text::TableReader;
 
 namespace {
 
-/// The kind of factor tells which side of 1 it belongs on; the other side is legal, for what-if questions, but odd.
-enum class Side { any, share, safety };
-
-Side side_of(Requirement requirement) {
-  switch (requirement) {
-    case Requirement::torque_margin:
-    case Requirement::torque_margin_estimate:
-    case Requirement::load_torque_factor:
-    case Requirement::step_rate_factor:
-    case Requirement::holding_factor:
-    case Requirement::detent_factor:
-    case Requirement::bearing_pressure_factor:
-    case Requirement::pv_factor:
-    case Requirement::buckling_factor:
-    case Requirement::critical_speed_factor:
-    case Requirement::driver_voltage_factor:
-    case Requirement::start_rate_factor:
-    case Requirement::nut_wear_fraction:
-    case Requirement::largest_preload_fraction:
-    case Requirement::lead_error_share:
-    case Requirement::windup_share:
-    case Requirement::thermal_growth_share:
-    case Requirement::belt_stretch_share:
-    case Requirement::resolution_fraction:
-    case Requirement::guide_shaft_deflection_ratio:
-    case Requirement::frame_deflection_ratio:
-    case Requirement::column_factor:
-    case Requirement::fatigue_reliability_factor:
-    case Requirement::bolt_preload_fraction:
-    case Requirement::spindle_power_factor:
-      return Side::share;
-    case Requirement::brake_factor:
-    case Requirement::screw_safety_factor:
-    case Requirement::screw_shear_safety_factor:
-    case Requirement::thread_safety_factor:
-    case Requirement::self_locking_factor:
-    case Requirement::static_safety:
-    case Requirement::fatigue_load_factor:
-    case Requirement::supply_reserve:
-    case Requirement::coupling_shock_factor:
-    case Requirement::belt_service_factor:
-    case Requirement::belt_preload_fraction:
-    case Requirement::resonance_distance:
-    case Requirement::torsional_frequency_factor:
-    case Requirement::guide_static_safety:
-    case Requirement::guide_load_factor:
-    case Requirement::guide_shaft_safety_factor:
-    case Requirement::frame_safety_factor:
-    case Requirement::shaft_safety_factor:
-    case Requirement::bushing_binding_factor:
-    case Requirement::fatigue_safety_factor:
-    case Requirement::bolt_proof_safety:
-    case Requirement::bolt_separation_safety:
-    case Requirement::bolt_slip_safety:
-    case Requirement::bolt_shear_safety_factor:
-      return Side::safety;
-    default:
-      return Side::any;
-  }
-}
-
 void warn_of_side(const Node& node, const RequirementDeclaration& declaration, double value, Diagnostics& diagnostics) {
   const Side side = side_of(declaration.requirement);
   if (side == Side::share && value > 1.0)
