@@ -56,8 +56,20 @@ std::string HelpFormatter::make_description(const CLI::App* verb) const {
 std::string HelpFormatter::make_footer(const CLI::App* verb) const {
   std::istringstream footer(Formatter::make_footer(verb));
   std::string out;
-  for (std::string line; std::getline(footer, line);)
+  std::string paragraph;  // sentences go on from line to line
+  const auto close = [&] {
+    if (!paragraph.empty()) out += report::wrapped(paragraph, width, 0) + "\n";
+    paragraph.clear();
+  };
+  for (std::string line; std::getline(footer, line);) {
+    if (!line.empty() && line.front() != ' ' && line.back() != ':') {
+      paragraph += (paragraph.empty() ? "" : " ") + line;
+      continue;
+    }
+    close();
     out += line.rfind("  millwright ", 0) == 0 ? command_lines(line) : report::fitted(line, width) + "\n";
+  }
+  close();
   return out;
 }
 

@@ -61,7 +61,7 @@ SearchOptions ConditionTrials::begin(const std::string& what, bool patiently) {
   return options;
 }
 
-std::optional<Design> ConditionTrials::solve(SearchOptions options, const Change& change) {
+std::optional<Design> ConditionTrials::solve(const SearchOptions& options, const Change& change) {
   machine::Asked asked = asked_;
   if (change) change(asked);
   asked.problem.counted = machine::counted_quantities(options.objectives);
@@ -89,14 +89,14 @@ std::optional<Design> ConditionTrials::best_by(const std::string& objective,
                                                const Change& change) {
   SearchOptions options = begin(what);
   options.objectives = {objective};
-  return solve(std::move(options), change);
+  return solve(options, change);
 }
 
 bool ConditionTrials::possible(const std::string& what, const Change& change) {
   SearchOptions options = begin(what);
   options.objectives = {"cost"};
   options.gap = 1.0;
-  return solve(std::move(options), change).has_value();
+  return solve(options, change).has_value();
 }
 
 bool ConditionTrials::possible(const ConditionSet& imposed) {

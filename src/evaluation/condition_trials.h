@@ -59,7 +59,7 @@ class ConditionTrials {
   [[nodiscard]] double seconds() const;
 
  private:
-  std::optional<Design> solve(SearchOptions options, const Change& change);
+  std::optional<Design> solve(const SearchOptions& options, const Change& change);
   [[nodiscard]] double left() const { return options_.time_limit_seconds - seconds(); }
 
   const machine::Asked& asked_;

@@ -349,11 +349,14 @@ class Collector {
     }
     for (const ExcludedPart& part : asked_.without) {
       const std::string maker = part.manufacturer, number = part.part_number;
-      choice(add("machine", "--without", {}), maker.empty() ? number : maker + " " + number, "", [=](Asked& asked) {
-        std::erase_if(asked.without, [&](const ExcludedPart& each) {
-          return each.manufacturer == maker && each.part_number == number;
-        });
-      });
+      choice(add("machine", "--without", {}),
+             maker.empty() ? number : fmt::format("{} {}", maker, number),
+             "",
+             [=](Asked& asked) {
+               std::erase_if(asked.without, [&](const ExcludedPart& each) {
+                 return each.manufacturer == maker && each.part_number == number;
+               });
+             });
     }
   }
 
@@ -380,14 +383,6 @@ class Collector {
   std::vector<Condition> result_;
 };
 
-scalar::Unit display_unit(const Condition& condition) {
-  const scalar::Unit declared = scalar::Unit::of(condition.unit);
-  if (condition.unit == "rad") return scalar::Unit::of("deg");
-  const bool scaled =
-      condition.unit == "s" || condition.unit == "m" || condition.unit == "Pa" || condition.unit == "m/s";
-  return scaled ? scalar::readable_unit(declared.dimension(), condition.value) : declared;
-}
-
 }  // namespace
 
 std::vector<Condition> conditions_of(const Asked& asked, const text::Document& document, const Catalogue& catalogue) {
@@ -398,22 +393,6 @@ std::vector<Condition> conditions_of(const Asked& asked, const text::Document& d
         set(each, far);
       };
   return result;
-}
-
-std::string shown(const Condition& condition, double value, const std::string& currency, int digits) {
-  if (condition.kind == ConditionKind::choice) return condition.present;
-  if (condition.unit.empty()) return fmt::format("{:.2f} {}", value, currency);
-  return scalar::format(value, display_unit(condition), digits);
-}
-
-double rounded_looser(const Condition& condition, double value) {
-  const bool money = condition.unit.empty();
-  const double number = money ? value : display_unit(condition).from_si(value);
-  if (!(number > 0.0)) return value;
-  const double step = money ? 0.01 : std::pow(10.0, std::floor(std::log10(number)) - 2.0);
-  const double steps = number / step;
-  const double rounded = (condition.larger_is_looser ? std::ceil(steps - 1e-9) : std::floor(steps + 1e-9)) * step;
-  return money ? rounded : display_unit(condition).to_si(rounded);
 }
 
 }  // namespace millwright::machine

@@ -20,7 +20,6 @@ using evaluation::Relaxation;
 using evaluation::SlotChoice;
 using evaluation::UnmetCheck;
 using machine::Condition;
-using machine::ConditionKind;
 
 namespace {
 
@@ -85,7 +84,7 @@ std::string conflict_text(const Explanation& explanation,
                           const std::string& currency,
                           const Style& style) {
   std::string out;
-  TextTable table({{"axis"}, {"what is asked", Align::left, 30}, {"", Align::right}, {"where", Align::left, 36}});
+  TextTable table({{"axis"}, {"what is asked", Align::left, 26}, {"", Align::right}, {"where", Align::left, 28}});
   for (const std::size_t i : conflict.conditions) {
     const Condition& condition = explanation.conditions[i];
     table.add({condition.axis,
@@ -101,8 +100,12 @@ std::string conflict_text(const Explanation& explanation,
   for (const Relaxation& way : conflict.ways) {
     if (!way.enough) {
       const Condition& condition = explanation.conditions[way.condition];
-      useless += fmt::format(
-          "    not enough alone, another conflict is left without it: {}: {}\n", condition.axis, condition.name);
+      useless +=
+          "    " +
+          wrapped(fmt::format("not enough alone, another conflict is left: {}: {}", condition.axis, condition.name),
+                  width - 4,
+                  6) +
+          "\n";
       continue;
     }
     out += "    " + wrapped(way_words(explanation, way, currency), width - 4, 6) + "\n";
@@ -122,7 +125,7 @@ std::string conflict_text(const Explanation& explanation,
 
 std::string unmet_text(const Explanation& explanation, const Style& style) {
   TextTable table(
-      {{"axis"}, {"check"}, {"", Align::left, 26}, {"at least", Align::right}, {"nearest", Align::left, 24}});
+      {{"axis"}, {"check"}, {"", Align::left, 22}, {"at least", Align::right}, {"nearest", Align::left, 19}});
   for (const UnmetCheck& check : explanation.unmet)
     table.add({check.axis,
                check.id,
@@ -206,9 +209,9 @@ std::string choices_text(const Explanation& explanation, const std::string& curr
   std::stable_sort(
       order.begin(), order.end(), [&](const SlotChoice* a, const SlotChoice* b) { return extra(a) > extra(b); });
   TextTable table({{"slot"},
-                   {"chosen", Align::left, 24},
+                   {"chosen", Align::left, 21},
                    {heading_unit(explanation, currency), Align::right},
-                   {"best without it", Align::left, 24}});
+                   {"best without it", Align::left, 21}});
   for (const SlotChoice* choice : order)
     table.add({choice->axis + "." + choice->slot,
                choice->part,
@@ -216,7 +219,7 @@ std::string choices_text(const Explanation& explanation, const std::string& curr
                instead_text(explanation, *choice, currency)});
   const bool all_settled =
       std::all_of(order.begin(), order.end(), [](const SlotChoice* choice) { return choice->settled; });
-  return style.heading("Choices: what the best build costs more without each part") + "\n" + table.str(2, style) +
+  return style.heading("Choices: by how much the best build is worse without each part") + "\n" + table.str(2, style) +
          (all_settled ? "" : "  ? took too long: so much or more is proved\n") + "\n";
 }
 
@@ -235,7 +238,7 @@ std::string prices_text(const Explanation& explanation, const std::string& curre
   const std::string unit = heading_unit(explanation, currency);
   std::string out = style.heading("What each thing that is asked costs, all else as it is") + "\n";
   TextTable table({{"axis"},
-                   {"asked", Align::left, 22},
+                   {"asked", Align::left, 18},
                    {"at"},
                    {"now", Align::right, 10},
                    {"eased to", Align::right},

@@ -68,6 +68,9 @@ TEST_CASE("Answers, fronts, runners-up and refusals fit 80 columns") {
   fits({"solve", problems + "rotary-table.toml", "--limit", "cost=400 USD", "--without", "A4988"});
   fits({"pareto", problems + "lifter.toml"});
   fits({"solve", problems + "lifter.toml", "--limit", "cost=10 USD"});
+  fits({"explain", problems + "lifter.toml", "--limit", "cost=10 USD"});
+  const std::string bill = problems + "lifter-bom.csv";
+  fits({"compare", bill, bill, "--problem", problems + "lifter.toml"});
   fits({"solve", problems + "lifter.toml", "--set", "axis.z.structure_mass=5:15:3 kg", "--minimise", "cost + 25*mass"});
 }
 
@@ -85,7 +88,7 @@ TEST_CASE("Formulas, catalogues and help fit 80 columns") {
   fits({"catalogue", "show", "DFU2505-4"});
   fits({"catalogue", "show", "23HS22-2804S"});
   fits({"--help"});
-  for (const char* verb : {"solve", "pareto", "check", "audit", "calc", "formulas", "catalogue"})
+  for (const char* verb : {"solve", "pareto", "check", "explain", "compare", "audit", "calc", "formulas", "catalogue"})
     fits({verb, "--help"});
   for (const char* verb : {"list", "show", "lint"}) fits({"catalogue", verb, "--help"});
 }

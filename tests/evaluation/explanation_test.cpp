@@ -268,7 +268,7 @@ TEST_CASE("What the next best choice costs is what the machine costs without tha
   }
 }
 
-TEST_CASE("What a condition costs is what is saved without it; all others cost nothing") {
+TEST_CASE("What a condition costs is what is saved without it and all others cost nothing") {
   const TinyCatalogue tiny;
   const Case machine(slide("", "inertia_ratio = 0.5\nlife = \"20000 h\""), tiny);
   const Explanation explanation = machine.explain();
