@@ -106,7 +106,11 @@ function example_workshop() {
   fs.mkdirSync(path.join(folder, "my-parts", "steppers"), { recursive: true });
   fs.copyFileSync(motors, path.join(folder, "my-parts", "steppers", "motors.csv"));
   fs.copyFileSync(motors, path.join(folder, "motors.csv"));
-  fs.copyFileSync(path.join(source, "problems", "sander-bom.csv"), path.join(folder, "my-bom.csv"));
+  for (const name of ["my-bom.csv", "mine.csv"])
+    fs.copyFileSync(path.join(source, "problems", "sander-bom.csv"), path.join(folder, name));
+  const recorded = { "monday.json": "solve", "tuesday.json": "lightest", "sander.json": "solve" };
+  for (const [name, result] of Object.entries(recorded))
+    fs.copyFileSync(path.join(source, "results", "sander", result + ".json"), path.join(folder, name));
   return folder;
 }
 
@@ -120,7 +124,7 @@ function check_examples() {
     if (lines.length === 0) fail(`millwright ${verb} --help`, "has no example");
     for (const line of lines) {
       ++examples;
-      const soon = /^ {2}millwright (solve|pareto|check) /.test(line) ? " --time-limit 0.3" : "";
+      const soon = /^ {2}millwright (solve|pareto|check|explain) /.test(line) ? " --time-limit 0.3" : "";
       const result = run(line.replace("| less", "| cat") + soon, folder);
       if (![0, 1, 3].includes(result.code)) fail(`millwright ${verb} --help`, `'${line}':\n${result.lines.join("\n")}`);
     }
