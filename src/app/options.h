@@ -59,7 +59,7 @@ struct Options {
   std::string order;                                            ///< list of what to buy, .csv or .xlsx; empty for none
   bool complete = false;
   std::string hold_origin;
-  bool force = false;  ///< of new: overwrite
+  bool force = false;         ///< of new: overwrite
   std::string first, second;  ///< of compare: results or bills of materials
   // audit, calc, formulas, catalogue
   std::string subject;             ///< claims file, formula, word, family or template
