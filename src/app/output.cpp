@@ -46,6 +46,12 @@ void print(const text::Diagnostics& diagnostics) {
 
 namespace {
 
+/// Whether the lines are what another program reads (a schema, Markdown) or point at characters: those stay as they
+/// are.
+bool has_lines_of_its_own(Verb verb) {
+  return verb == Verb::catalogue_lint || verb == Verb::schema || verb == Verb::reference;
+}
+
 bool write_stdout(const std::string& text) {
   const bool good = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
   if (!good) fmt::print(stderr, "millwright: error: standard output cannot be written\n");
@@ -66,8 +72,7 @@ bool deliver(const Options& options, const std::string& text, const std::string&
     print(diagnostics);
     return false;
   }
-  // Complaints point at characters of a line: those stay as they are.
-  return write_stdout(options.verb == Verb::catalogue_lint ? text : report::fitted(text, output_width()));
+  return write_stdout(has_lines_of_its_own(options.verb) ? text : report::fitted(text, output_width()));
 }
 
 namespace {

@@ -113,7 +113,7 @@ TEST_CASE("solve writes an order as workbook, and none of a build that does not 
   CHECK_FALSE(shop.has("h.xlsx"));
 }
 
-TEST_CASE("--order takes files it can write, of kinds it knows, and spares what is read") {
+TEST_CASE("Option --order takes files it can write, of kinds it knows, and spares what is read") {
   const Workshop shop;
   shop.write("m.toml", one_slide);
   shop.write("b-cutting.csv/file", "");

@@ -93,7 +93,7 @@ TEST_CASE("Formulas, catalogues and help fit 80 columns") {
   for (const char* verb : {"list", "show", "lint"}) fits({"catalogue", verb, "--help"});
 }
 
-TEST_CASE("--quiet leaves the result") {
+TEST_CASE("Option --quiet leaves the result") {
   const Workshop shop;
   shop.write("m.toml", one_slide);
   const Outcome full = shop.run({"solve", "m.toml", "--bom", "b.csv"});
