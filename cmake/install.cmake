@@ -13,6 +13,7 @@ if(TARGET millwright)
   install(TARGETS millwright RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
 install(DIRECTORY catalogues DESTINATION ${CMAKE_INSTALL_DATADIR}/millwright)
+install(DIRECTORY problems DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 configure_package_config_file(cmake/millwrightConfig.cmake.in ${PROJECT_BINARY_DIR}/millwrightConfig.cmake

@@ -17,7 +17,7 @@ foreach(target IN ITEMS ${room_targets} millwright)
   endif()
   get_target_property(sources ${target} SOURCES)
   # Registrations only list formulas, and take a quarter of the time; the formulas' headers are read with what uses them.
-  list(FILTER sources EXCLUDE REGEX "_formulas\\.cpp$|/page_assets\\.cpp$")
+  list(FILTER sources EXCLUDE REGEX "_formulas\\.cpp$|/(page|template)_assets\\.cpp$")
   set(includes "$<REMOVE_DUPLICATES:$<TARGET_PROPERTY:${target},INCLUDE_DIRECTORIES>>")
   set(definitions "$<REMOVE_DUPLICATES:$<TARGET_PROPERTY:${target},COMPILE_DEFINITIONS>>")
   # pkg-config hands some definitions on as options.

@@ -6,17 +6,23 @@ if(NOT NODE_PROGRAM OR NOT NPM_PROGRAM)
   message(FATAL_ERROR "node and npm are needed to bundle the report page (Debian: apt-get install nodejs npm)")
 endif()
 
+# millwright_npm_packages(<sources> <folder> <what for>): the packages of the lock file in <sources> are in
+# <folder>/node_modules once <folder>/npm.stamp is there.
+function(millwright_npm_packages sources folder what)
+  file(MAKE_DIRECTORY ${folder})
+  add_custom_command(OUTPUT ${folder}/npm.stamp
+    COMMAND ${CMAKE_COMMAND} -E copy ${sources}/package.json ${sources}/package-lock.json ${folder}
+    COMMAND ${NPM_PROGRAM} ci --ignore-scripts --no-audit --no-fund --prefer-offline --loglevel=error
+    COMMAND ${CMAKE_COMMAND} -E touch ${folder}/npm.stamp
+    DEPENDS ${sources}/package.json ${sources}/package-lock.json
+    WORKING_DIRECTORY ${folder}
+    COMMENT "npm ci (${what})" VERBATIM)
+endfunction()
+
 set(page_sources ${PROJECT_SOURCE_DIR}/src/report/page)
 set(page_build ${PROJECT_BINARY_DIR}/report_page)
-file(MAKE_DIRECTORY ${page_build})
 
-add_custom_command(OUTPUT ${page_build}/npm.stamp
-  COMMAND ${CMAKE_COMMAND} -E copy ${page_sources}/package.json ${page_sources}/package-lock.json ${page_build}
-  COMMAND ${NPM_PROGRAM} ci --ignore-scripts --no-audit --no-fund --prefer-offline --loglevel=error
-  COMMAND ${CMAKE_COMMAND} -E touch ${page_build}/npm.stamp
-  DEPENDS ${page_sources}/package.json ${page_sources}/package-lock.json
-  WORKING_DIRECTORY ${page_build}
-  COMMENT "npm ci (report page)" VERBATIM)
+millwright_npm_packages(${page_sources} ${page_build} "report page")
 
 file(GLOB page_scripts CONFIGURE_DEPENDS ${page_sources}/*.js)
 set(licence "/* With Observable Plot and D3, copyright Observable, Inc. and Mike Bostock, ISC licence. */")
@@ -29,9 +35,10 @@ add_custom_command(OUTPUT ${page_build}/page.js
   COMMENT "Bundling the report page" VERBATIM)
 
 add_custom_command(OUTPUT ${page_build}/page_assets.cpp
-  COMMAND ${CMAKE_COMMAND} -D STYLE=${page_sources}/style.css -D SCRIPT=${page_build}/page.js
-    -D OUTPUT=${page_build}/page_assets.cpp -P ${page_sources}/embed.cmake
-  DEPENDS ${page_build}/page.js ${page_sources}/style.css ${page_sources}/embed.cmake
+  COMMAND ${CMAKE_COMMAND} -D LITERALS=${PROJECT_SOURCE_DIR}/cmake/text_literals.cmake -D STYLE=${page_sources}/style.css
+    -D SCRIPT=${page_build}/page.js -D SOURCES=${PROJECT_SOURCE_DIR}/src/mechanics/sources.bib -D OUTPUT=${page_build}/page_assets.cpp -P ${page_sources}/embed.cmake
+  DEPENDS ${page_build}/page.js ${page_sources}/style.css ${PROJECT_SOURCE_DIR}/src/mechanics/sources.bib ${page_sources}/embed.cmake
+    ${PROJECT_SOURCE_DIR}/cmake/text_literals.cmake
   COMMENT "Embedding the report page" VERBATIM)
 
 target_sources(millwright_report PRIVATE ${page_build}/page_assets.cpp)

@@ -12,14 +12,26 @@ constexpr std::pair<std::string_view, std::string_view> texts[] = {
      "Exit codes:\n"
      "  0 done and compliant   1 no compliant design, or a check failed   2 bad input\n"
      "  3 a limit was reached before the proof was complete   70 a mistake of this program\n\n"
+     "Environment:\n"
+     "  MILLWRIGHT_CATALOGUES  folder of the shipped catalogues, if they are not where they were installed\n"
+     "  NO_COLOR               set: no colours on a terminal\n\n"
      "Examples:\n"
+     "  millwright new --template mill my-mill.toml\n"
      "  millwright solve problems/sander.toml\n"
      "  millwright check problems/sander.toml my-bom.csv\n"
      "  millwright calc power_screw.raising_torque force='6.4 kN' mean_diameter='30 mm' lead='8 mm' friction=0.08\n"
      "'millwright COMMAND --help' tells more about each command."},
+    {"new",
+     "The file says what every line means; optional keys are there behind a '#'. It solves as it is.\n"
+     "Examples:\n"
+     "  millwright new --template mill my-mill.toml\n"
+     "  millwright new --template printer my-printer.toml --force"},
     {"solve",
      "Examples:\n"
      "  millwright solve problems/sander.toml --bom sander.csv\n"
+     "  millwright solve problems/sander.toml --order sander.xlsx\n"
+     "  millwright solve problems/sander.toml --set 'axis.x.moves[0].time=12:36:7 s' --csv sweep.csv --report "
+     "sweep.html\n"
      "  millwright solve problems/sander.toml --report sander.html\n"
      "  millwright solve problems/sander.toml --minimise mass --set axis.x.stroke='800 mm'\n"
      "  millwright solve problems/sander.toml --minimise 'cost + 25*mass'\n"
@@ -39,7 +51,27 @@ constexpr std::pair<std::string_view, std::string_view> texts[] = {
      "  millwright check problems/sander.toml problems/sander-bom.csv\n"
      "  millwright check problems/sander.toml problems/sander-bom.csv --hold-origin paper\n"
      "  millwright check problems/sander.toml problems/sander-bom.csv --report sander.html --language id\n"
-     "  millwright check problems/sander.toml problems/sander-bom.csv --limit cost='450 USD'"},
+     "  millwright check problems/sander.toml problems/sander-bom.csv --limit cost='450 USD'\n"
+     "  millwright check problems/sander.toml problems/sander-bom.csv --order order.csv"},
+    {"explain",
+     "Nothing compliant (exit code 1): a smallest set of things that are asked and contradict each other, and by how\n"
+     "much each of them must be eased. Else: what is forced, what the next best choice costs, what each requirement\n"
+     "costs. The machine is solved some dozens of times; --time-limit counts for all of them together,\n"
+     "and a question about a choice or a price gets 10 s at most.\n"
+     "Examples:\n"
+     "  millwright explain problems/lifter.toml\n"
+     "  millwright explain problems/lifter.toml --set 'axis.z.moves[0].time=0.5 s'\n"
+     "  millwright explain problems/lifter.toml --limit cost='150 USD' --without BK10"},
+    {"compare",
+     "A and B are results of solve or check, as --json writes them, or bills of materials. The figures of a result "
+     "are\n"
+     "shown as they were recorded; a bill of materials is evaluated now, with the problem of --problem or, without "
+     "it,\n"
+     "the one that the result names. Exit code 1 if a check of one of both fails.\n"
+     "Examples:\n"
+     "  millwright compare monday.json tuesday.json\n"
+     "  millwright compare sander.json problems/sander-bom.csv\n"
+     "  millwright compare mine.csv problems/sander-bom.csv --problem problems/sander.toml --complete"},
     {"audit",
      "Exit code 0 whatever the verdicts are: a wrong figure in a paper is a finding, not a failure.\n"
      "Examples:\n"
@@ -55,6 +87,15 @@ constexpr std::pair<std::string_view, std::string_view> texts[] = {
      "Examples:\n"
      "  millwright formulas torque\n"
      "  millwright formulas --json formulas.json"},
+    {"reference",
+     "Examples:\n"
+     "  millwright reference | less\n"
+     "  millwright reference > problem-file.md"},
+    {"schema",
+     "Editors that know TOML complete and check a problem file whose first line names the schema:\n"
+     "  #:schema ./millwright.schema.json\n"
+     "Examples:\n"
+     "  millwright schema > millwright.schema.json"},
     {"catalogue",
      "Examples:\n"
      "  millwright catalogue list steppers\n"

@@ -6,6 +6,7 @@
 #include "catalogue/location.h"
 #include "machine/problem_file.h"
 #include "machine/references.h"
+#include "machine/setting_range.h"
 #include "text/document.h"
 
 namespace millwright::app {
@@ -20,6 +21,13 @@ void count_objectives(const std::vector<std::string>& objectives,
   for (const machine::Quantity quantity : problem.counted)
     if (const auto reason = machine::uncountable(problem, quantity))
       diagnostics.error("--minimise: " + reason->message, reason->hint);
+}
+
+/// Ranges have been resolved where there may be any.
+bool is_single(const std::string& setting, text::Diagnostics& diagnostics) {
+  if (!machine::is_setting_range(setting)) return true;
+  diagnostics.error(fmt::format("--set {}: only 'solve' takes a range", text::printable(setting)), "give it one value");
+  return false;
 }
 
 /// Says at the `catalogues` of a problem file which of them do not exist beside it. True if all do.
@@ -44,11 +52,14 @@ bool find_catalogues(const text::Document& document, text::Diagnostics& diagnost
   return all;
 }
 
-std::optional<machine::Problem> read_problem(const Options& options, text::Diagnostics& diagnostics) {
-  auto document = text::read_document(options.problem, diagnostics);
+std::optional<machine::Problem> read_problem(const Options& options,
+                                             std::optional<text::Document>& document,
+                                             text::Diagnostics& diagnostics) {
+  document = text::read_document(options.problem, diagnostics);
   if (!document) return std::nullopt;
   bool good = true;
-  for (const std::string& setting : options.settings) good = document->set(setting, diagnostics) && good;
+  for (const std::string& setting : options.settings)
+    good = is_single(setting, diagnostics) && document->set(setting, diagnostics) && good;
   auto problem = machine::problem_of(*document, diagnostics);
   good = find_catalogues(*document, diagnostics) && good;
   if (!good || !problem) return std::nullopt;
@@ -71,7 +82,8 @@ std::vector<std::filesystem::path> catalogue_places(const std::vector<std::strin
 }
 
 std::optional<MachineInput> read_machine(const Options& options, text::Diagnostics& diagnostics) {
-  auto problem = read_problem(options, diagnostics);
+  std::optional<text::Document> document;
+  auto problem = read_problem(options, document, diagnostics);
   std::vector<std::string> overlays;
   if (problem) {
     const auto folder = std::filesystem::path(options.problem).parent_path();
@@ -93,8 +105,12 @@ std::optional<MachineInput> read_machine(const Options& options, text::Diagnosti
   std::vector<catalogue::Part> dropped;
   for (const machine::ExcludedPart& part : steering.without)
     dropped.insert(dropped.end(), part.rows.begin(), part.rows.end());
-  catalogue.drop(dropped);
-  return MachineInput{std::move(*problem), std::move(catalogue), std::move(steering)};
+  MachineInput input{std::move(*problem), std::move(catalogue), std::move(steering), std::move(document), std::nullopt};
+  if (!dropped.empty()) {
+    input.whole_catalogue = input.catalogue;
+    input.catalogue.drop(dropped);
+  }
+  return input;
 }
 
 void shorten_places(evaluation::Design& design) {

@@ -11,6 +11,7 @@
 #include "machine/problem.h"
 #include "machine/steering.h"
 #include "text/diagnostic.h"
+#include "text/document.h"
 
 namespace millwright::app {
 
@@ -19,6 +20,8 @@ struct MachineInput {
   machine::Problem problem;        ///< with the budgets of `--limit`
   catalogue::Catalogue catalogue;  ///< without the parts of `--without`
   machine::Steering steering;
+  std::optional<text::Document> document;               ///< from which the problem was read, after `--set`
+  std::optional<catalogue::Catalogue> whole_catalogue;  ///< where parts are left out: with them
 };
 
 /// Reads the problem, after `--set`, and the catalogues: the shipped ones, those the problem names (relative to its

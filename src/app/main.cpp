@@ -12,16 +12,26 @@ using namespace millwright::app;
 int run(const Options& options) {
   switch (options.verb) {
     case Verb::solve:
+      return has_range(options) ? run_sweep(options) : run_search(options);
     case Verb::pareto:
       return run_search(options);
     case Verb::check:
       return run_check(options);
+    case Verb::compare:
+      return run_compare(options);
+    case Verb::explain:
+      return run_explain(options);
     case Verb::audit:
       return run_audit(options);
     case Verb::calc:
       return run_calc(options);
     case Verb::formulas:
       return run_formulas(options);
+    case Verb::start:
+      return run_new(options);
+    case Verb::reference:
+    case Verb::schema:
+      return run_reference(options);
     case Verb::catalogue_list:
     case Verb::catalogue_show:
     case Verb::catalogue_lint:

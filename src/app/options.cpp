@@ -7,9 +7,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <memory>
 #include <set>
 
 #include "app/help.h"
+#include "app/help_formatter.h"
+#include "app/name_lists.h"
 #include "app/output.h"
 #include "machine/objective.h"
 #include "report/page_texts.h"
@@ -27,7 +30,8 @@ void add_output_options(CLI::App& verb, Options& options) {
           "--json", options.json, "write the result as JSON to FILE; - : to standard output, nothing else there")
       ->type_name("FILE|-")
       ->group(shared_group);
-  verb.add_flag("--quiet,-q", options.quiet, "no progress on the terminal")->group(shared_group);
+  verb.add_flag("--quiet,-q", options.quiet, "the result only: no progress, no calculations, no remarks")
+      ->group(shared_group);
 }
 
 void add_report_options(CLI::App& verb, Options& options) {
@@ -63,13 +67,17 @@ void add_catalogue_option(CLI::App& verb, Options& options) {
       verb, "--catalogue", options.catalogues, "DIR", "parts of your own on top of the shipped ones (repeatable)");
 }
 
-void add_machine_options(CLI::App& verb, Options& options) {
+void add_machine_options(CLI::App& verb, Options& options, bool with_page = true) {
   verb.add_option("PROBLEM", options.problem, "problem file (.toml or .json)")->required();
   add_output_options(verb, options);
-  add_report_options(verb, options);
+  if (with_page) add_report_options(verb, options);
   add_catalogue_option(verb, options);
-  add_list_option(
-      verb, "--set", options.settings, "PATH=VALUE", "change the problem, e.g. axis.x.stroke='800 mm' (repeatable)");
+  add_list_option(verb,
+                  "--set",
+                  options.settings,
+                  "PATH=VALUE",
+                  "change the problem, e.g. axis.x.stroke='800 mm' (repeatable); of 'solve' one may be a range, "
+                  "'0.2:0.5:7 s': the best build at each of 7 values");
   add_list_option(verb,
                   "--limit",
                   options.limits,
@@ -99,15 +107,17 @@ void add_fix_option(CLI::App& verb, Options& options) {
                   "machine.supply_voltage='24 V' (repeatable)");
 }
 
+void add_order_option(CLI::App& verb, Options& options) {
+  verb.add_option("--order",
+                  options.order,
+                  "write what to buy: equal parts of all axes in one line, with totals, and a cutting list; "
+                  "of a .csv the cutting list is FILE-cutting.csv")
+      ->type_name("FILE.csv|.xlsx");
+}
+
 /// `cost,mass` in one word; what they are is looked at when the line has been read.
 void add_objectives(CLI::App& verb, std::vector<std::string>& list, const std::string& text) {
   verb.add_option("--minimise,--minimize", list, text)->type_name("OBJECTIVE")->delimiter(',')->allow_extra_args(false);
-}
-
-std::string all_quantities() {
-  std::vector<std::string_view> names;
-  for (const machine::QuantityDeclaration& each : machine::quantities()) names.push_back(each.name);
-  return fmt::format("{}", fmt::join(names, ", "));
 }
 
 struct VerbEntry {
@@ -119,10 +129,14 @@ class CommandLine {
  public:
   explicit CommandLine(Options& options) : options_(options) {
     app_.name("millwright");
+    app_.formatter(std::make_shared<HelpFormatter>());
     app_.set_version_flag("--version", std::string("millwright ") + version);
     app_.require_subcommand(1);
     app_.footer(examples("millwright"));
+    add_new();
     add_machine_verbs();
+    add_explain();
+    add_compare();
     add_other_verbs();
     add_catalogue_verbs();
   }
@@ -158,6 +172,14 @@ class CommandLine {
     return sub;
   }
 
+  void add_new() {
+    CLI::App& start = add(app_, "new", Verb::start, "a commented problem file to begin with");
+    start.add_option("FILE", options_.problem, "file to write (.toml)")->required();
+    start.add_option("--template", options_.subject, fmt::format("the machine to begin with: {}", all_templates()))
+        ->type_name("NAME");
+    start.add_flag("--force", options_.force, "overwrite the file if it is there");
+  }
+
   void add_machine_verbs() {
     CLI::App& solve =
         add(app_, "solve", Verb::solve, "the cheapest (lightest, fastest, ...) compliant build, with proof");
@@ -166,7 +188,10 @@ class CommandLine {
     add_objectives(solve,
                    options_.objectives,
                    fmt::format("{}, or a weighted sum (default: as the problem says)", all_quantities()));
-    solve.add_option("--bom", options_.bom, "write the build as a bill of materials")->type_name("FILE.csv");
+    solve.add_option("--bom", options_.bom, "write the build as a bill of materials, which 'check' reads")
+        ->type_name("FILE.csv");
+    add_order_option(solve, options_);
+    solve.add_option("--csv", options_.csv, "with --set over a range: write the table")->type_name("FILE.csv");
     solve
         .add_option(
             "--alternatives", options_.builds, "the best K builds, not only the best one (1 to 100); by cost or mass")
@@ -183,9 +208,40 @@ class CommandLine {
     CLI::App& check = add(app_, "check", Verb::check, "does what I plan to buy work?");
     add_machine_options(check, options_);
     check.add_option("BOM", options_.bom, "bill of materials (.csv)")->required();
+    add_order_option(check, options_);
     check.add_flag("--complete", options_.complete, "choose what the bill of materials leaves open");
     check.add_option("--hold-origin", options_.hold_origin, "hold only the lines of this origin, choose the rest")
         ->type_name("ORIGIN");
+  }
+
+  void add_explain() {
+    CLI::App& explain = add(app_,
+                            "explain",
+                            Verb::explain,
+                            "why nothing is compliant and what would help; or what is forced and what each thing "
+                            "that is asked costs");
+    add_machine_options(explain, options_, false);
+    add_fix_option(explain, options_);
+    add_objectives(explain, options_.objectives, "by which builds are best (default: as the problem says)");
+  }
+
+  void add_compare() {
+    CLI::App& compare = add(app_, "compare", Verb::compare, "two builds side by side: totals, parts, checks");
+    compare.add_option("A", options_.first, "a result that --json wrote, or a bill of materials (.csv)")->required();
+    compare.add_option("B", options_.second, "the same")->required();
+    compare
+        .add_option("--problem",
+                    options_.problem,
+                    "problem file that bills of materials are judged by (default: the one that a result names)")
+        ->type_name("FILE");
+    compare.add_flag("--complete", options_.complete, "choose what a bill of materials leaves open");
+    add_output_options(compare, options_);
+    add_catalogue_option(compare, options_);
+    add_list_option(compare,
+                    "--set",
+                    options_.settings,
+                    "PATH=VALUE",
+                    "change the problem that bills of materials are judged by (repeatable)");
   }
 
   void add_other_verbs() {
@@ -204,6 +260,8 @@ class CommandLine {
     CLI::App& formulas = add(app_, "formulas", Verb::formulas, "the formulas: arguments, units, validity, source");
     formulas.add_option("WORD", options_.subject, "only those with this word in name, title or handbook id");
     add_output_options(formulas, options_);
+    add(app_, "reference", Verb::reference, "every key of the problem file: units, defaults, sources (Markdown)");
+    add(app_, "schema", Verb::schema, "the same for editors: a JSON Schema of the problem file");
   }
 
   void add_catalogue_verbs() {
@@ -294,8 +352,9 @@ bool settle_objectives(Options& options) {
     print(diagnostics);
     return false;
   }
-  if (options.verb == Verb::solve && options.objectives.size() > 1) {
-    complain("solve minimises one objective", "'millwright pareto' gives the front of two");
+  if ((options.verb == Verb::solve || options.verb == Verb::explain) && options.objectives.size() > 1) {
+    complain(fmt::format("{} minimises one objective", options.verb == Verb::solve ? "solve" : "explain"),
+             "'millwright pareto' gives the front of two");
     return false;
   }
   if (options.verb != Verb::pareto) return true;

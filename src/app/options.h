@@ -9,7 +9,22 @@
 
 namespace millwright::app {
 
-enum class Verb { solve, pareto, check, audit, calc, formulas, catalogue_list, catalogue_show, catalogue_lint };
+enum class Verb {
+  solve,
+  pareto,
+  check,
+  compare,
+  explain,
+  audit,
+  calc,
+  formulas,
+  start,
+  reference,
+  schema,
+  catalogue_list,
+  catalogue_show,
+  catalogue_lint
+};
 
 /// Exit codes of the program.
 enum ExitCode : int {
@@ -40,10 +55,14 @@ struct Options {
   double time_limit = std::numeric_limits<double>::infinity();  ///< s
   unsigned threads = 0;                                         ///< 0 = one per core
   std::string bom;                                              ///< written by solve, read by check
+  std::string csv;                                              ///< table of a range, empty for none
+  std::string order;                                            ///< list of what to buy, .csv or .xlsx; empty for none
   bool complete = false;
   std::string hold_origin;
+  bool force = false;         ///< of new: overwrite
+  std::string first, second;  ///< of compare: results or bills of materials
   // audit, calc, formulas, catalogue
-  std::string subject;             ///< claims file, formula, word or family
+  std::string subject;             ///< claims file, formula, word, family or template
   std::vector<std::string> words;  ///< arguments, parts or files
   bool derive = false;
   std::string unit;

@@ -2,6 +2,7 @@
 #include "app/output.h"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -10,16 +11,32 @@
 #include <filesystem>
 #include <string_view>
 
+#include "report/order_files.h"
 #include "text/output_file.h"
 
 namespace millwright::app {
 
-report::Style output_style() {
+namespace {
+
+/// Columns of the terminal that standard output is; 80 where it is none, so that what is written does not hang on who
+/// writes it.
+std::size_t output_width() {
+  constexpr std::size_t usual = 80;
+  constexpr std::size_t least = 60;  // tables of numbers do not go below
+  constexpr std::size_t most = 160;  // lines that are longer are hard to read
+  winsize size{};
+  if (isatty(STDOUT_FILENO) == 0 || ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return usual;
+  return std::clamp<std::size_t>(size.ws_col, least, most);
+}
+
+}  // namespace
+
+report::Style output_style(const Options& options) {
   const char* no_colour = std::getenv("NO_COLOR");
   const char* terminal = std::getenv("TERM");
   const bool wanted =
       (no_colour == nullptr || *no_colour == '\0') && (terminal != nullptr && std::string_view(terminal) != "dumb");
-  return report::Style{.colour = wanted && isatty(STDOUT_FILENO) != 0};
+  return report::Style{.colour = wanted && isatty(STDOUT_FILENO) != 0, .width = output_width(), .brief = options.quiet};
 }
 
 void print(const text::Diagnostics& diagnostics) {
@@ -28,6 +45,12 @@ void print(const text::Diagnostics& diagnostics) {
 }
 
 namespace {
+
+/// Whether the lines are what another program reads (a schema, Markdown) or point at characters: those stay as they
+/// are.
+bool has_lines_of_its_own(Verb verb) {
+  return verb == Verb::catalogue_lint || verb == Verb::schema || verb == Verb::reference;
+}
 
 bool write_stdout(const std::string& text) {
   const bool good = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
@@ -49,7 +72,36 @@ bool deliver(const Options& options, const std::string& text, const std::string&
     print(diagnostics);
     return false;
   }
-  return write_stdout(text);
+  return write_stdout(has_lines_of_its_own(options.verb) ? text : report::fitted(text, output_width()));
+}
+
+namespace {
+
+bool is_workbook(const std::string& file) { return std::filesystem::path(file).extension() == ".xlsx"; }
+
+/// The files of `--order`: a workbook, or a table and beside it the cutting list.
+std::vector<std::string> order_files(const std::string& file) {
+  if (file.empty() || is_workbook(file)) return {file};
+  const std::filesystem::path path(file);
+  return {file, (path.parent_path() / (path.stem().string() + "-cutting.csv")).string()};
+}
+
+}  // namespace
+
+bool write_order(const Options& options, const evaluation::Design& design, const std::string& title) {
+  if (options.order.empty()) return true;
+  const report::OrderList list = report::order_list(design, title);
+  text::Diagnostics failures;
+  if (is_workbook(options.order)) {
+    if (const auto workbook = report::order_xlsx(list, failures))
+      text::write_file_atomically(options.order, *workbook, failures);
+  } else {
+    const std::vector<std::string> files = order_files(options.order);
+    text::write_file_atomically(files[0], report::order_csv(list), failures);
+    text::write_file_atomically(files[1], report::cutting_csv(list), failures);
+  }
+  print(failures);
+  return !failures.has_errors();
 }
 
 report::Language page_language(const Options& options) {
@@ -62,14 +114,29 @@ bool outputs_are_writable(const Options& options, text::Diagnostics& diagnostics
   if (!options.json.empty() && options.json != "-") targets.push_back(options.json);
   if (options.verb == Verb::solve && !options.bom.empty()) targets.push_back(options.bom);
   if (!options.report.empty()) targets.push_back(options.report);
+  if (!options.csv.empty()) targets.push_back(options.csv);
   const std::size_t errors = diagnostics.error_count();
+  if (!options.order.empty()) {
+    const std::string kind = fs::path(options.order).extension().string();
+    if (kind != ".csv" && kind != ".xlsx")
+      diagnostics.error(fmt::format("--order: {} is neither a .csv nor an .xlsx file", text::printable(options.order)),
+                        "write for example --order order.xlsx");
+    for (const std::string& each : order_files(options.order)) targets.push_back(each);
+  }
   for (std::size_t i = 0; i < targets.size(); ++i)
     if (std::find(targets.begin(), targets.begin() + static_cast<std::ptrdiff_t>(i), targets[i]) !=
         targets.begin() + static_cast<std::ptrdiff_t>(i))
       diagnostics.error(fmt::format("{}: two outputs cannot go to one file", text::printable(targets[i])),
                         "name another file for one of them");
+  std::vector<std::string> sources{options.problem};
+  if (options.verb == Verb::check) sources.push_back(options.bom);
   for (const std::string& target : targets) {
     std::error_code failure;
+    if (std::any_of(sources.begin(), sources.end(), [&](const std::string& source) {
+          return fs::equivalent(source, target, failure);
+        }))
+      diagnostics.error(fmt::format("{}: cannot be written: it is read too", text::printable(target)),
+                        "name another file for the output");
     const fs::path parent = fs::path(target).parent_path();
     const fs::path folder = parent.empty() ? fs::path(".") : parent;
     if (!fs::is_directory(folder, failure))

@@ -4,14 +4,16 @@
 #include <string>
 
 #include "app/options.h"
+#include "evaluation/ledger.h"
 #include "report/page_texts.h"
 #include "report/text_table.h"
 #include "text/diagnostic.h"
 
 namespace millwright::app {
 
-/// Colours for standard output, if it is a terminal that wants them (NO_COLOR, TERM=dumb).
-report::Style output_style();
+/// Colours for standard output, if it is a terminal that wants them (NO_COLOR, TERM=dumb); its width; the essentials
+/// only with --quiet.
+report::Style output_style(const Options& options);
 
 /// Prints the diagnostics to standard error.
 void print(const text::Diagnostics& diagnostics);
@@ -19,6 +21,10 @@ void print(const text::Diagnostics& diagnostics);
 /// Prints the text, or with `--json -` the JSON, to standard output, and writes the JSON file and the page if they are
 /// asked for. False, with a complaint on standard error, if something could not be written.
 bool deliver(const Options& options, const std::string& text, const std::string& json, const std::string& page = {});
+
+/// Writes the files of `--order`, if it is given. False, with a complaint on standard error, if one could not be
+/// written.
+bool write_order(const Options& options, const evaluation::Design& design, const std::string& title);
 
 /// The language of the page.
 report::Language page_language(const Options& options);

@@ -16,7 +16,7 @@ int run_audit(const Options& options) {
   print(diagnostics);
   if (!claims || !writable) return exit_bad_input;
   const evaluation::AuditReport report = evaluation::audit(*claims, options.derive || !options.report.empty());
-  const std::string text = report::audit_text(report, options.derive, output_style());
+  const std::string text = report::audit_text(report, options.derive, output_style(options));
   const std::string json = report::audit_json(report, options.subject);
   const std::string page = options.report.empty()
                                ? std::string()

@@ -107,7 +107,7 @@ int run_calc(const Options& options) {
   outputs_are_writable(options, diagnostics);
   print(diagnostics);
   if (diagnostics.has_errors()) return exit_bad_input;
-  const std::string text = report::calculation_text(*calculation, output_style());
+  const std::string text = report::calculation_text(*calculation, output_style(options));
   return deliver(options, text, report::calculation_json(*calculation)) ? exit_done : exit_bad_input;
 }
 

@@ -43,11 +43,12 @@ int list(const Options& options) {
   bool delivered = false;
   if (family) {
     const auto parts = catalogue::list_parts(loaded->table(*family));
-    delivered =
-        deliver(options, report::parts_list_text(parts, output_style()), report::parts_json(options.subject, parts));
+    delivered = deliver(
+        options, report::parts_list_text(parts, output_style(options)), report::parts_json(options.subject, parts));
   } else {
     const auto families = catalogue::summarise(*loaded);
-    delivered = deliver(options, report::families_text(families, output_style()), report::families_json(families));
+    delivered =
+        deliver(options, report::families_text(families, output_style(options)), report::families_json(families));
   }
   return delivered ? exit_done : exit_bad_input;
 }
@@ -67,7 +68,7 @@ int show(const Options& options) {
   if (diagnostics.has_errors()) return exit_bad_input;
   std::string text;
   for (const catalogue::PartSheet& sheet : sheets)
-    text += (text.empty() ? "" : "\n") + report::sheet_text(sheet, output_style());
+    text += (text.empty() ? "" : "\n") + report::sheet_text(sheet, output_style(options));
   return deliver(options, text, report::sheets_json(sheets)) ? exit_done : exit_bad_input;
 }
 

@@ -89,13 +89,14 @@ int run_check(const Options& options) {
   if (diagnostics.has_errors()) return exit_bad_input;
   result.timing.read = read;
   result.timing.total = watch.seconds();
+  if (!result.designs.empty() && !write_order(options, result.designs.front(), result.title)) return exit_bad_input;
   const bool satisfied = !result.designs.empty() && result.designs.front().satisfied();
   const std::string json = report::check_json(result);
   const std::string page =
       options.report.empty()
           ? std::string()
           : report::machine_page(result, input->problem, report::PageKind::check, json, page_language(options));
-  if (!deliver(options, report::check_text(result, output_style()), json, page)) return exit_bad_input;
+  if (!deliver(options, report::check_text(result, output_style(options)), json, page)) return exit_bad_input;
   return satisfied ? exit_done : exit_failed;
 }
 

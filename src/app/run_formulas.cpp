@@ -48,9 +48,11 @@ int run_formulas(const Options& options) {
   outputs_are_writable(options, diagnostics);
   print(diagnostics);
   if (diagnostics.has_errors()) return exit_bad_input;
+  const report::Style style = output_style(options);
   std::string text;
-  for (const mechanics::Formula* formula : chosen) text += report::formula_text(*formula, output_style()) + "\n";
-  text += fmt::format("{} formula{}\n", chosen.size(), chosen.size() == 1 ? "" : "s");
+  for (const mechanics::Formula* formula : chosen)
+    text += report::formula_text(*formula, style) + (style.brief ? "" : "\n");
+  if (!style.brief) text += fmt::format("{} formula{}\n", chosen.size(), chosen.size() == 1 ? "" : "s");
   return deliver(options, text, report::formulas_json(chosen)) ? exit_done : exit_bad_input;
 }
 

@@ -2,6 +2,7 @@
 #include "app/search_watch.h"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -42,9 +43,12 @@ const std::atomic<bool>* StopSignal::stopped() const { return &stop_requested; }
 ProgressLine::ProgressLine(bool quiet, std::string unit)
     : active_(!quiet && isatty(STDERR_FILENO) != 0), unit_(std::move(unit)) {}
 
-ProgressLine::~ProgressLine() {
+ProgressLine::~ProgressLine() { clear(); }
+
+void ProgressLine::clear() {
   if (shown_) fmt::print(stderr, "\r\x1B[K");
   std::fflush(stderr);
+  shown_ = false;
 }
 
 void ProgressLine::show(const solver::Progress& progress) {
@@ -56,13 +60,18 @@ void ProgressLine::show(const solver::Progress& progress) {
                          : 1.0;
   const std::string best = found ? fmt::format("best {:.2f} {}, gap {:.2f} %", progress.incumbent, unit_, 100.0 * gap)
                                  : std::string("no build yet");
-  fmt::print(stderr,
-             "\r\x1B[Kbound {:.2f} {}, {}, {} nodes, {:.1f} s",
-             progress.lower_bound,
-             unit_,
-             best,
-             progress.nodes,
-             progress.elapsed_seconds);
+  std::string line = fmt::format("{}bound {:.2f} {}, {}, {} nodes, {:.1f} s",
+                                 before_,
+                                 progress.lower_bound,
+                                 unit_,
+                                 best,
+                                 progress.nodes,
+                                 progress.elapsed_seconds);
+  // In a line of its own it is written over; what runs on into the next stays.
+  winsize size{};
+  if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1U && line.size() >= size.ws_col)
+    line.resize(size.ws_col - 1U);
+  fmt::print(stderr, "\r\x1B[K{}", line);
   std::fflush(stderr);
 }
 

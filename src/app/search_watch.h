@@ -28,12 +28,16 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
   void show(const solver::Progress& progress);
+  /// Takes the line away again.
+  void clear();
+  /// What stands before the figures, "3/7 ".
+  void begin_with(std::string words) { before_ = std::move(words); }
   bool active() const { return active_; }
 
  private:
   bool active_;
   bool shown_ = false;
-  std::string unit_;
+  std::string unit_, before_;
 };
 
 }  // namespace millwright::app

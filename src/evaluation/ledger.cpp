@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "evaluation/cuts.h"
 #include "evaluation/drive_drawing.h"
 #include "evaluation/machine_model.h"
 #include "evaluation/machine_stages.h"
@@ -207,7 +208,11 @@ PartLine part_line(const MachineModel& model, const PartUse& use, const std::str
   line.confidence = table.confidence(use.row);
   line.supplier = table.text(catalogue::column(use.family, "supplier"), use.row);
   line.source = table.text(catalogue::column(use.family, "source"), use.row);
-  line.estimate = table.price(use.row).estimate || line.confidence == "low";
+  const catalogue::Price price = table.price(use.row);
+  line.price_estimate = price.estimate;
+  line.estimate = price.estimate || line.confidence == "low";
+  line.cuts = cuts_of(model.machine(), use, axis);
+  line.length_price = length_price_of(price, use, line.cuts);
   return line;
 }
 

@@ -34,20 +34,30 @@ struct Check {
   std::string note;         ///< "torque is an estimate: no published curve", ...
 };
 
+/// Equal pieces to cut from what is sold by length or mass.
+struct Cut {
+  double count = 1.0;
+  double length = 0.0;  ///< m
+  double width = 0.0;   ///< m, of a plate
+};
+
 struct PartLine {
   std::string axis, slot, family, manufacturer, part_number;
   double quantity = 1.0;
-  double length = 0.0;      ///< m, 0 for whole pieces
-  double unit_price = 0.0;  ///< price / quantity, in `currency`
-  double price = 0.0;       ///< of the line, in `currency`
+  double length = 0.0;        ///< m, 0 for whole pieces
+  double unit_price = 0.0;    ///< price / quantity, in `currency`
+  double price = 0.0;         ///< of the line, in `currency`
+  std::vector<Cut> cuts;      ///< empty for what is bought in whole pieces; of a guide its rails
+  double length_price = 0.0;  ///< share of `price` that is paid for lengths; the rest is paid for pieces
   std::string currency;
   double mass = 0.0;  ///< kg, of the line
   std::string where;  ///< catalogue file and line
   std::string price_basis, confidence;
-  std::string supplier;   ///< who sells it at that price, where the catalogue says so
-  std::string source;     ///< where the figures come from
-  bool estimate = false;  ///< price or a figure of the part is an estimate
-  std::string origin;     ///< "paper", "ours" from a BOM; empty otherwise
+  std::string supplier;         ///< who sells it at that price, where the catalogue says so
+  std::string source;           ///< where the figures come from
+  bool estimate = false;        ///< price or a figure of the part is an estimate
+  bool price_estimate = false;  ///< the price is
+  std::string origin;           ///< "paper", "ours" from a BOM; empty otherwise
 };
 
 struct DimensionLine {

@@ -111,6 +111,10 @@ void MachineModel::fix() {
   restricted_.emplace(solver_problem_, restriction_);
 }
 
+const Candidate& MachineModel::candidate(std::size_t stage, std::size_t slot, solver::Row row) const {
+  return entries_[stage].tables()[slot].candidate(restricted_ ? restriction_.stages[stage].allowed[slot][row] : row);
+}
+
 std::vector<solver::Row> MachineModel::covering_rows(std::size_t stage, std::size_t slot, solver::Row row) const {
   const SlotTable& table = entries_[stage].tables()[slot];
   if (!restricted_) return table.candidate(row).covered_by;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "evaluation/machine_stages.h"
 
@@ -32,6 +33,13 @@ std::vector<machine::Declaration> searched(const StageEntry& entry, const machin
   return result;
 }
 
+/// Below which a utilisation does not come, and the row that comes nearest in the slot that says so.
+struct Least {
+  double utilisation = 0.0;
+  std::optional<std::size_t> slot;
+  Row row = 0;
+};
+
 /// All that one stage can be, with one supply voltage and every state that can reach it.
 class StageBounds {
  public:
@@ -49,20 +57,22 @@ class StageBounds {
   [[nodiscard]] const std::vector<Interval>& handed_on() const { return whole_.handed_on; }
 
   /// Below which no utilisation comes: of all rows together, or of every row of the slot that says most.
-  [[nodiscard]] std::vector<double> least() {
-    std::vector<double> result;
-    for (const Interval& u : whole_.utilisation) result.push_back(known(u.lower));
+  [[nodiscard]] std::vector<Least> least() {
+    std::vector<Least> result;
+    for (const Interval& u : whole_.utilisation) result.push_back({known(u.lower), std::nullopt, 0});
     solver::Answer<Interval> answer;
     for (std::size_t slot = 0; slot < all_.size(); ++slot) {
-      std::vector<double> of_slot(result.size(), scalar::rounding::infinity);
+      std::vector<Least> of_slot(result.size(), {scalar::rounding::infinity, slot, 0});
       for (const Row& row : all_[slot]) {
         alive_[slot] = std::span<const Row>(&row, 1);
         stage_.bound(box(), answer);
         for (std::size_t i = 0; i < of_slot.size(); ++i)
-          of_slot[i] = std::min(of_slot[i], known(answer.utilisation[i].lower));
+          if (const double u = known(answer.utilisation[i].lower); u < of_slot[i].utilisation)
+            of_slot[i] = {u, slot, row};
       }
       alive_[slot] = all_[slot];
-      for (std::size_t i = 0; i < result.size(); ++i) result[i] = std::max(result[i], of_slot[i]);
+      for (std::size_t i = 0; i < result.size(); ++i)
+        if (of_slot[i].utilisation > result[i].utilisation) result[i] = of_slot[i];
     }
     return result;
   }
@@ -82,10 +92,10 @@ class StageBounds {
 };
 
 /// The least utilisations of every stage with one supply voltage.
-std::vector<std::vector<double>> least_with(const MachineModel& model, Row voltage) {
+std::vector<std::vector<Least>> least_with(const MachineModel& model, Row voltage) {
   std::vector<Interval> state;
   for (const double x : model.problem().first_state) state.emplace_back(x);
-  std::vector<std::vector<double>> result;
+  std::vector<std::vector<Least>> result;
   for (const solver::Stage* stage : model.problem().stages) {
     StageBounds bounds(*stage, voltage, state);
     result.push_back(bounds.least());
@@ -94,28 +104,47 @@ std::vector<std::vector<double>> least_with(const MachineModel& model, Row volta
   return result;
 }
 
+/// The part of a slot that comes nearest; nothing of a slot without parts to choose from.
+void name_nearest(const MachineModel& model, std::size_t stage, const Least& least, UnmetCheck& check) {
+  if (!least.slot) return;
+  const Candidate& candidate = model.candidate(stage, *least.slot, least.row);
+  if (candidate.parts.empty()) return;
+  const PartUse& part = candidate.parts.front();
+  if (!part.is_named()) return;
+  check.slot = part.slot;
+  const catalogue::Table& table = model.catalogue().table(part.family);
+  const std::string maker(part.stated.empty() ? table.manufacturer(part.row) : std::string_view());
+  const std::string number(part.stated.empty() ? std::string(table.part_number(part.row)) : part.stated);
+  check.nearest = maker.empty() ? number : maker + " " + number;
+}
+
 }  // namespace
 
 std::vector<UnmetCheck> unmet_checks(const MachineModel& model) {
-  std::vector<std::vector<double>> least;
+  std::vector<std::vector<Least>> least;
   for (Row voltage = 0; voltage < model.machine().supply_voltages.size(); ++voltage) {
-    std::vector<std::vector<double>> with = least_with(model, voltage);
+    std::vector<std::vector<Least>> with = least_with(model, voltage);
     if (least.empty()) least = with;
     for (std::size_t i = 0; i < least.size(); ++i)
-      for (std::size_t k = 0; k < least[i].size(); ++k) least[i][k] = std::min(least[i][k], with[i][k]);
+      for (std::size_t k = 0; k < least[i].size(); ++k)
+        if (with[i][k].utilisation < least[i][k].utilisation) least[i][k] = with[i][k];
   }
   std::vector<UnmetCheck> result;
   for (std::size_t i = 0; i < least.size(); ++i) {
     const StageEntry& entry = model.entries()[i];
     const std::vector<machine::Declaration> declarations = searched(entry, model.machine());
     for (std::size_t k = 0; k < least[i].size(); ++k)
-      if (least[i][k] > 1.0)
+      if (least[i][k].utilisation > 1.0) {
         result.push_back({entry.axis,
                           entry.element,
                           std::string(declarations[k].id),
                           std::string(declarations[k].title),
                           std::string(declarations[k].requirement),
-                          least[i][k]});
+                          least[i][k].utilisation,
+                          {},
+                          {}});
+        name_nearest(model, i, least[i][k], result.back());
+      }
   }
   return result;
 }

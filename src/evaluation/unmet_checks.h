@@ -16,6 +16,7 @@ struct UnmetCheck {
   std::string requirement;  ///< key of its factor or limit, empty if none
   /// No build comes below this; 1 is the limit. Not less than useless_utilisation: no part states what is needed.
   double least_utilisation = 0.0;
+  std::string slot, nearest;  ///< the slot that says most, and its part that comes nearest; empty where none alone does
 };
 
 std::vector<UnmetCheck> unmet_checks(const MachineModel& model);

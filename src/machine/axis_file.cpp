@@ -32,10 +32,14 @@ SourceSpan place(const TableReader& table, std::string_view key) {
 }
 
 void read_direction(TableReader& table, QuantityReader& q, Axis& axis, Diagnostics& diagnostics) {
-  const auto word = table.word("direction", {"horizontal", "vertical", "inclined"});
-  const bool wrong = !word && table.has("direction");
-  const std::string direction = word.value_or("horizontal");
-  const auto inclination = q.quantity("inclination", "deg", Sign::positive);
+  const std::vector<std::string> directions{"horizontal", "vertical", "inclined"};
+  const std::string direction = table.word_or({"direction", "of the travel"}, directions, "horizontal");
+  const Node* said = table.find("direction");
+  const bool wrong =
+      said != nullptr &&
+      std::find(directions.begin(), directions.end(), said->as_string().value_or("")) == directions.end();
+  const auto inclination =
+      q.quantity({"inclination", "of an inclined axis, from 0 deg, level, to 90 deg, upright"}, "deg", Sign::positive);
   axis.direction = direction == "vertical"   ? Direction::vertical
                    : direction == "inclined" ? Direction::inclined
                                              : Direction::horizontal;
@@ -57,12 +61,21 @@ void read_direction(TableReader& table, QuantityReader& q, Axis& axis, Diagnosti
 
 void read_loads(TableReader& table, QuantityReader& q, Axis& axis, Diagnostics& diagnostics) {
   const std::size_t before = diagnostics.error_count();
-  axis.structure_mass = q.quantity_or("structure_mass", "kg", 0.0);
-  axis.payload_mass = q.quantity_or("payload_mass", "kg", 0.0);
+  axis.structure_mass =
+      q.quantity_or({"structure_mass",
+                     "what moves with the axis and is not chosen here: slide, table, cables; chosen parts add theirs"},
+                    "kg",
+                    0.0);
+  axis.payload_mass = q.quantity_or({"payload_mass", "tool or workpiece"}, "kg", 0.0);
   const bool masses = diagnostics.error_count() == before;
-  axis.guide_friction = q.quantity_or("guide_friction", "1", 0.0);
-  axis.guide_drag = q.quantity_or("guide_drag", "N", 0.0);
-  axis.counterbalance_force = q.quantity_or("counterbalance_force", "N", 0.0);
+  axis.guide_friction = q.quantity_or(
+      {"guide_friction",
+       "coefficient on the weight that presses on the guides: rails 0.003 to 0.01, plain slides 0.05 to 0.2"},
+      "1",
+      0.0);
+  axis.guide_drag = q.quantity_or({"guide_drag", "friction whatever the load: seals, wipers, hoses"}, "N", 0.0);
+  axis.counterbalance_force =
+      q.quantity_or({"counterbalance_force", "of a spring or weight that carries a part of a vertical axis"}, "N", 0.0);
   warn_above(table.node(),
              "guide_friction",
              axis.guide_friction,
@@ -148,14 +161,17 @@ void check_current_keys(const Node& axis, Diagnostics& diagnostics) {
 void read_parts(TableReader& table, QuantityReader& q, Axis& axis, Diagnostics& diagnostics) {
   const std::string of = fmt::format(" of axis '{}'", axis.name);
   if (q.required("mechanism", "mechanism = { kind = \"screw\", screw = [\"lead_screws\"] }") != nullptr)
-    if (const Node* mechanism = table.table("mechanism"); mechanism != nullptr)
+    if (const Node* mechanism = table.table({"mechanism", "what turns the motor into travel"}); mechanism != nullptr)
       axis.mechanism = read_mechanism(*mechanism, "mechanism" + of, diagnostics);
-  if (const Node* motor = table.table("motor"); motor != nullptr)
+  if (const Node* motor = table.table({"motor", "which motors may be taken"}); motor != nullptr)
     axis.motor = read_motor(*motor, "motor" + of, diagnostics);
-  if (const Node* guide = table.table("guide"); guide != nullptr)
+  if (const Node* guide = table.table({"guide", "what the axis slides on; without it guides are not chosen here"});
+      guide != nullptr)
     axis.guide = read_guide(*guide, "guide" + of, diagnostics);
-  if (const Node* members = table.array("members"); members != nullptr) read_members(*members, axis, diagnostics);
-  if (const Node* require = table.table("require"); require != nullptr)
+  if (const Node* members = table.array({"members", "structure that carries the axis and is sized by the search"});
+      members != nullptr)
+    read_members(*members, axis, diagnostics);
+  if (const Node* require = table.table({"require", "what this axis must keep"}); require != nullptr)
     read_requirements(*require, "[axis.require]" + of, axis.require, diagnostics);
   if (const Node* require = table.find("require"); require != nullptr)
     check_accuracy_keys(*require, is_rotary(axis), diagnostics);
@@ -184,29 +200,38 @@ Axis read_axis(const Node& node, const AxisSurroundings& around, Diagnostics& di
   const std::string known_as = name == nullptr ? "" : name->as_string().value_or("");
   TableReader table(node, known_as.empty() ? "axis" : fmt::format("axis '{}'", known_as), diagnostics);
   QuantityReader q(table, diagnostics);
-  axis.name = q.required_text("name", "name = \"x\"");
+  axis.name = q.required_text(
+      {"name", "letter, then letters, digits, _ and -; stands in bills of materials and in --set"}, "name = \"x\"");
   if (name != nullptr) (void)check_name(*name, "an axis", diagnostics);
-  if (!says_rotary(node)) axis.carries = table.strings("carries");
+  if (!says_rotary(node))
+    axis.carries = table.strings({"carries", "axes that ride on this one: their masses and chosen parts are its load"});
   const bool rotary = says_rotary(node);
   if (!rotary) {
     read_direction(table, q, axis, diagnostics);
     read_axis_directions(table, axis, diagnostics);
   }
-  const auto stroke = q.quantity("stroke", rotary ? "rad" : "mm", Sign::positive, Presence::required);
+  const auto stroke = q.quantity({"stroke", "usable travel; of a rotary axis an angle"},
+                                 rotary ? "rad" : "mm",
+                                 Sign::positive,
+                                 Presence::required);
   axis.stroke = stroke.value_or(0.1);
   if (rotary)
     read_rotary_loads(table, axis, diagnostics);
   else
     read_loads(table, q, axis, diagnostics);
-  const auto ramps = q.range("acceleration_time", "s");
+  const auto ramps = q.range(
+      {"acceleration_time", "duration of each ramp: one value, or a range to choose from; 0.05 s to 0.5 s without it"},
+      "s");
   axis.acceleration_time = ramps.value_or(axis.acceleration_time);
-  axis.jerk = q.quantity("jerk", rotary ? "rad/s^3" : "m/s^3", Sign::positive);
+  axis.jerk = q.quantity({"jerk", "rounds the ramps of all moves that state no jerk of their own"},
+                         rotary ? "rad/s^3" : "m/s^3",
+                         Sign::positive);
   read_parts(table, q, axis, diagnostics);
   if (stroke && !rotary) check_stroke(table, axis, diagnostics);
   const Node* given = table.find("acceleration_time");
   const bool others = around.together.count(axis.name) > 0 && !table.has("moves");
   if (!others && q.required("moves", "an [[axis.moves]] with distance and time") != nullptr)
-    if (const Node* moves = table.array("moves"); moves != nullptr)
+    if (const Node* moves = table.array({"moves", "what the axis does in a cycle"}); moves != nullptr)
       read_moves(*moves,
                  {stroke.has_value(), given == nullptr || ramps.has_value(), given, table.find("jerk"), around.folder},
                  axis,

@@ -91,7 +91,7 @@ std::optional<CuttingProcess> read_cutting(const text::Node& node,
 void read_bolts(text::TableReader& table, Member& member, text::Diagnostics& diagnostics);
 
 /// x, y or z.
-std::optional<std::size_t> read_direction_name(text::TableReader& table, std::string_view key);
+std::optional<std::size_t> read_direction_name(text::TableReader& table, const text::Key& key);
 /// In which directions of the machine an axis travels and its guides press, as far as that is said or follows.
 void read_axis_directions(text::TableReader& table, Axis& axis, text::Diagnostics& diagnostics);
 /// [tool], once the axes are known. `axes`: their nodes, if they could be read.

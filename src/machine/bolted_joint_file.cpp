@@ -24,14 +24,15 @@ SourceSpan place(const Node& table, const char* key) {
 void read_pattern(TableReader& table, QuantityReader& q, Member& member, Diagnostics& diagnostics) {
   BoltPattern& bolts = member.bolts;
   const std::size_t before = diagnostics.error_count();
-  bolts.rows = q.count_or("rows", bolts.rows, 1, 20);
-  bolts.columns = q.count_or("columns", bolts.columns, 1, 20);
-  const auto size = [&](const char* key) { return q.quantity(key, "mm", Sign::positive).value_or(0.0); };
-  bolts.row_spacing = size("row_spacing");
-  bolts.column_spacing = size("column_spacing");
-  bolts.edge_distance = size("edge_distance");
-  member.lever_arm = q.quantity_or("lever_arm", "mm", 0.0);
-  bolts.eccentricity = q.quantity_or("eccentricity", "mm", 0.0);
+  bolts.rows = q.count_or({"rows", "of screws, one above the other"}, bolts.rows, 1, 20);
+  bolts.columns = q.count_or({"columns", "of screws, side by side"}, bolts.columns, 1, 20);
+  const auto size = [&](const text::Key& key) { return q.quantity(key, "mm", Sign::positive).value_or(0.0); };
+  bolts.row_spacing = size({"row_spacing", "from row to row"});
+  bolts.column_spacing = size({"column_spacing", "from column to column"});
+  bolts.edge_distance = size({"edge_distance", "from the edge about which the joint tilts to the nearest screws"});
+  member.lever_arm = q.quantity_or({"lever_arm", "of the load from the face of the joint"}, "mm", 0.0);
+  bolts.eccentricity =
+      q.quantity_or({"eccentricity", "of the load from the middle of the pattern, along the face"}, "mm", 0.0);
   if (diagnostics.error_count() > before) return;
   const Node& node = table.node();
   const auto spaced = [&](const char* count, double pieces, const char* key, double spacing) {
@@ -58,14 +59,21 @@ void read_bolts(TableReader& table, Member& member, Diagnostics& diagnostics) {
   QuantityReader q(table, diagnostics);
   read_pattern(table, q, member, diagnostics);
   BoltPattern& bolts = member.bolts;
-  bolts.pull_force = q.quantity_or("pull_force", "N", 0.0);
-  bolts.friction = q.quantity_or("friction", "1", bolts.friction, Sign::positive);
-  bolts.joint_constant = q.share_or("joint_constant", bolts.joint_constant);
-  bolts.nut_factor = q.quantity_or("nut_factor", "1", bolts.nut_factor, Sign::positive);
-  bolts.tightening_torque = q.quantity("tightening_torque", "N.m", Sign::positive);
-  bolts.fitted = table.boolean("fitted").value_or(false);
-  bolts.sizes = q.words("sizes");
-  bolts.property_classes = q.words("property_classes");
+  bolts.pull_force = q.quantity_or({"pull_force", "straight off the face, on all joints together"}, "N", 0.0);
+  bolts.friction = q.quantity_or({"friction", "of the joint: steel 0.15 dry, aluminium 0.12, painted faces 0.10"},
+                                 "1",
+                                 bolts.friction,
+                                 Sign::positive);
+  bolts.joint_constant =
+      q.share_or({"joint_constant", "share of an external tension that a screw feels"}, bolts.joint_constant);
+  bolts.nut_factor = q.quantity_or(
+      {"nut_factor", "tightening torque over preload and diameter"}, "1", bolts.nut_factor, Sign::positive);
+  bolts.tightening_torque =
+      q.quantity({"tightening_torque", "without it the preload is a share of the proof load"}, "N.m", Sign::positive);
+  bolts.fitted = table.boolean_or({"fitted", "screws fill their holes and carry the shear themselves"}, false);
+  bolts.sizes = q.words({"sizes", "screws that may be taken (M6, M8, ...); all without it"});
+  bolts.property_classes =
+      q.words({"property_classes", "classes that may be taken (8.8, 10.9, A2-70, ...); all without it"});
   if (!bolts.tightening_torque)
     q.refuse(
         {"nut_factor"}, "counts only with a tightening torque", "add tightening_torque = \"10 N.m\", or leave it out");

@@ -41,15 +41,16 @@ class CoordinatedReader {
     QuantityReader q(table, diagnostics_);
     Move path;
     path.where = node.span();
-    path.name = q.required_text("name", "name = \"diagonal\"");
+    path.name = q.required_text({"name", "of the move; new among the moves of all its axes"}, "name = \"diagonal\"");
     q.refuse({"distance"}, "each axis goes its own", "write axes = { x = \"100 mm\", y = \"50 mm\" }");
     q.refuse({"force"}, "a force acts on one axis", "write forces = { x = \"20 N\" }");
     q.refuse({"cutting"}, "a cut belongs to a move of one axis", "write forces = { x = \"20 N\" }");
-    path.time = q.quantity("time", "s", Sign::positive);
-    path.speed = q.quantity("speed", "mm/s", Sign::positive);
-    path.acceleration_time = q.quantity("acceleration_time", "s", Sign::positive, text::Presence::required);
-    path.jerk = q.quantity("jerk", "m/s^3", Sign::positive);
-    path.dwell = q.quantity_or("dwell", "s", 0.0);
+    path.time = q.quantity({"time", "of the whole move; with a speed the most it may take"}, "s", Sign::positive);
+    path.speed = q.quantity({"speed", "along the path"}, "mm/s", Sign::positive);
+    path.acceleration_time = q.quantity(
+        {"acceleration_time", "of both ramps, the same for all axes"}, "s", Sign::positive, text::Presence::required);
+    path.jerk = q.quantity({"jerk", "along the path; without it the axes' own decide"}, "m/s^3", Sign::positive);
+    path.dwell = q.quantity_or({"dwell", "rest after the move"}, "s", 0.0);
     if (node.is_table() && !table.has("time") && !table.has("speed"))
       diagnostics_.error(node.span(),
                          "coordinated move needs a time or a speed along its path",
@@ -76,10 +77,13 @@ class CoordinatedReader {
   std::vector<Part> read_axes(TableReader& table, QuantityReader& q) {
     std::vector<Part> parts;
     if (q.required("axes", "axes = { x = \"100 mm\", y = \"50 mm\" }") == nullptr) return parts;
-    const Node* axes = table.table("axes");
+    const Node* axes = table.table({"axes", "how far each axis goes"});
     if (axes == nullptr) return parts;
     if (axes->size() == 0)
       diagnostics_.error(axes->span(), "axes: no axis is named", "write axes = { x = \"100 mm\", y = \"50 mm\" }");
+    TableReader distances(*axes, "axes", diagnostics_);
+    QuantityReader(distances, diagnostics_)
+        .describe({"*", "by the name of an axis: how far it goes"}, text::Expected::quantity, "mm", Sign::positive);
     for (const text::TableEntry& entry : axes->entries()) {
       const auto axis = find_axis(entry, "axes");
       if (!axis) continue;
@@ -90,9 +94,12 @@ class CoordinatedReader {
   }
 
   void read_forces(TableReader& table, QuantityReader& q, std::vector<Part>& parts) {
-    const Node* forces = table.table("forces");
+    const Node* forces = table.table({"forces", "of the process against the motion of an axis"});
     if (forces == nullptr) return;
     const Node* axes = table.find("axes");
+    TableReader values(*forces, "forces", diagnostics_);
+    QuantityReader(values, diagnostics_)
+        .describe({"*", "by the name of an axis of the move"}, text::Expected::quantity, "N", Sign::not_negative);
     for (const text::TableEntry& entry : forces->entries()) {
       const auto axis = find_axis(entry, "forces");
       if (!axis) continue;

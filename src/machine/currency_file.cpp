@@ -51,6 +51,7 @@ class Reader {
   Reader(Problem& problem, Diagnostics& diagnostics) : problem_(problem), diagnostics_(diagnostics) {}
 
   void read(const Node& node) {
+    describe_codes(node);
     if (node.size() == 0) {
       diagnostics_.error(node.span(), "currency: the table is empty", "write USD = 1.0, or leave [currency] out");
       return;
@@ -64,6 +65,21 @@ class Reader {
   }
 
  private:
+  /// Every code is a key: a rate, or a table of rate and date.
+  void describe_codes(const Node& node) {
+    text::Question rate;
+    rate.key = "*";
+    rate.meaning = "by its code of three letters: what one unit is worth in the currency of the report";
+    rate.expected = text::Expected::number;
+    rate.least = smallest_rate;
+    rate.most = largest_rate;
+    rate.example = "1.08";
+    const TableReader table(node, "[currency]", diagnostics_);
+    table.describe(rate);
+    rate.expected = text::Expected::table;
+    table.describe(rate);
+  }
+
   void read_one(const text::TableEntry& entry) {
     check_code(entry);
     CurrencyRate rate;
@@ -72,8 +88,20 @@ class Reader {
       const std::string title = fmt::format("currency {}", entry.key);
       TableReader table(entry.value, title, diagnostics_);
       QuantityReader q(table, diagnostics_);
-      number = q.required("rate", "rate = 1.08");
-      if (const Node* date = table.find("date"); date != nullptr) rate.date = read_date(*date, entry.key);
+      number = q.required({"rate", "what one unit is worth in the currency of the report"}, "rate = 1.08");
+      text::Question rate_question;
+      rate_question.key = "rate";
+      rate_question.expected = text::Expected::number;
+      rate_question.least = smallest_rate;
+      rate_question.most = largest_rate;
+      table.describe(rate_question);
+      text::Question date_question;
+      date_question.key = "date";
+      date_question.expected = text::Expected::date;
+      date_question.example = "2026-01-15";
+      table.describe(date_question);
+      if (const Node* date = table.find({"date", "of the rate"}); date != nullptr)
+        rate.date = read_date(*date, entry.key);
       table.finish();
       if (number == nullptr) return;
     }

@@ -57,8 +57,10 @@ void read_material(TableReader& table, QuantityReader& q, CuttingProcess& proces
   const Node* given = table.find("specific_force");
   if (given != nullptr) {
     q.refuse({"material"}, "the specific force is given as well", "leave one out");
-    process.unit_specific_force = q.quantity("specific_force", "Pa", Sign::positive).value_or(1e9);
-    process.exponent = q.share_or("exponent", process.exponent, true);
+    process.unit_specific_force =
+        q.quantity({"specific_force", "at a chip of 1 mm, instead of a material"}, "Pa", Sign::positive).value_or(1e9);
+    process.exponent =
+        q.share_or({"exponent", "how the specific force falls with the thickness of the chip"}, process.exponent, true);
     return;
   }
   q.refuse({"exponent"}, "a material has its own", "this key goes with specific_force");
@@ -67,7 +69,7 @@ void read_material(TableReader& table, QuantityReader& q, CuttingProcess& proces
     return;
   std::vector<std::string> names;
   for (const CutMaterial& material : materials) names.emplace_back(material.name);
-  process.material = table.word("material", names).value_or("");
+  process.material = table.word({"material", "what is cut"}, names).value_or("");
   for (const CutMaterial& material : materials) {
     if (material.name != process.material) continue;
     process.unit_specific_force = material.unit_specific_force;
@@ -83,21 +85,25 @@ std::optional<CuttingProcess> read_cutting(const Node& node, const std::string& 
   TableReader table(node, title, diagnostics);
   if (!node.is_table()) return std::nullopt;
   QuantityReader q(table, diagnostics);
-  const auto size = [&](const char* key) {
+  const auto size = [&](const text::Key& key) {
     return q.quantity(key, "mm", Sign::positive, Presence::required).value_or(0.001);
   };
   read_material(table, q, process);
-  process.depth = size("depth");
+  process.depth = size({"depth", "of the cut, along the axis of the cutter"});
   const std::size_t sizes = diagnostics.error_count();
-  process.width = size("width");
-  process.diameter = size("diameter");
+  process.width = size({"width", "of the cut, across the feed; at most the diameter"});
+  process.diameter = size({"diameter", "of the cutter"});
   const bool sized = diagnostics.error_count() == sizes;
-  process.feed_per_tooth = size("feed_per_tooth");
-  process.teeth = q.count_or("teeth", process.teeth, 1, 100);
+  process.feed_per_tooth = size({"feed_per_tooth", "of the cutter"});
+  process.teeth = q.count_or({"teeth", "of the cutter"}, process.teeth, 1, 100);
   (void)q.required("teeth", "teeth = 2");
-  process.cutting_speed = q.quantity("cutting_speed", "m/s", Sign::positive, Presence::required).value_or(1.0);
-  process.force_ratio = q.share_or("force_ratio", process.force_ratio);
-  process.spindle_power = q.quantity("spindle_power", "W", Sign::positive).value_or(0.0);
+  process.cutting_speed =
+      q.quantity({"cutting_speed", "of the teeth"}, "m/s", Sign::positive, Presence::required).value_or(1.0);
+  process.force_ratio = q.share_or(
+      {"force_ratio", "force along this axis over the cutting force; 0.3 to 0.5 along the tool"}, process.force_ratio);
+  process.spindle_power =
+      q.quantity({"spindle_power", "at the speed of the cut; checked where it is stated"}, "W", Sign::positive)
+          .value_or(0.0);
   if (sized && process.width > process.diameter * (1.0 + 1e-12))
     diagnostics.error(table.find("width")->span(),
                       fmt::format("width: a cutter of {} cannot cut as wide as {}",

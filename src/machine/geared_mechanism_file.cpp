@@ -23,7 +23,12 @@ namespace {
 
 /// "60 USD": a number, a blank, the code of a currency.
 void read_price(TableReader& table, Reduction& reduction, Diagnostics& diagnostics) {
-  const Node* node = table.find("price");
+  const Node* node = table.find({"price", "of one reduction, in a currency of the problem"});
+  text::Question amount;
+  amount.expected = text::Expected::amount;
+  amount.key = "price";
+  amount.example = "\"60 USD\"";
+  table.describe(amount);
   if (node == nullptr) return;
   const std::string text = node->as_string().value_or("");
   const std::size_t blank = std::min(text.find(' '), text.size());
@@ -45,7 +50,13 @@ void read_price(TableReader& table, Reduction& reduction, Diagnostics& diagnosti
 /// What the output shaft of a reduction is for, or why there is none.
 void read_shaft(QuantityReader& q, const Mechanism& mechanism, Reduction& reduction) {
   const auto of = [&](Presence presence) {
-    reduction.shaft = q.quantity("shaft", "mm", Sign::positive, presence).value_or(0.014);
+    reduction.shaft = q.quantity({"shaft",
+                                  "diameter of the output shaft: the one that carries pinion or drive pulley; on a "
+                                  "screw the one for the coupling"},
+                                 "mm",
+                                 Sign::positive,
+                                 presence)
+                          .value_or(0.014);
   };
   switch (mechanism.kind) {
     case MechanismKind::rotary:
@@ -64,7 +75,12 @@ void read_shaft(QuantityReader& q, const Mechanism& mechanism, Reduction& reduct
   if (mechanism.nut_rotates)
     q.refuse({"shaft"}, "its last wheel sits on the nut that turns", "leave it out");
   else
-    reduction.shaft = q.quantity("shaft", "mm", Sign::positive).value_or(0.0);
+    reduction.shaft = q.quantity({"shaft",
+                                  "diameter of the output shaft: the one that carries pinion or drive pulley; on a "
+                                  "screw the one for the coupling"},
+                                 "mm",
+                                 Sign::positive)
+                          .value_or(0.0);
 }
 
 Reduction read_reduction(const Node& node,
@@ -77,19 +93,26 @@ Reduction read_reduction(const Node& node,
   TableReader table(node, title, diagnostics);
   QuantityReader q(table, diagnostics);
   if (!node.is_table()) return reduction;
-  if (one_of_many || table.has("name")) reduction.name = q.required_text("name", "name = \"3:1 belt\"");
-  if (q.required("ratio", "ratio = 5") != nullptr) reduction.ratio = q.quantity_or("ratio", "1", 1.0, Sign::positive);
+  if (one_of_many || table.has("name"))
+    reduction.name = q.required_text({"name", "on the bill of materials; needed where one of a list is chosen"},
+                                     "name = \"3:1 belt\"");
+  if (q.required("ratio", "ratio = 5") != nullptr)
+    reduction.ratio =
+        q.quantity_or({"ratio", "turns of the motor for one turn of the output, 1 or more"}, "1", 1.0, Sign::positive);
   if (const Node* ratio = table.find("ratio"); ratio != nullptr && reduction.ratio < 1.0)
     diagnostics.error(ratio->span(),
                       fmt::format("ratio: {:.6g} makes the output faster than the motor", reduction.ratio),
                       "turns of the motor for one turn of the output: 5 for 5:1");
-  reduction.efficiency = q.share_or("efficiency", 0.9);
-  reduction.inertia = q.quantity_or("inertia", "kg.m2", 0.0);
-  reduction.backlash = q.quantity_or("backlash", "deg", 0.0);
-  reduction.mass = q.quantity_or("mass", "kg", 0.0);
-  reduction.rated_torque = q.quantity("torque", "N.m", Sign::positive);
-  reduction.largest_speed = q.quantity("speed", "rpm", Sign::positive);
-  reduction.stiffness = q.quantity("stiffness", "N.m/rad", Sign::positive);
+  reduction.efficiency = q.share_or({"efficiency", "of the reduction"}, 0.9);
+  reduction.inertia = q.quantity_or({"inertia", "at its input"}, "kg.m2", 0.0);
+  reduction.backlash = q.quantity_or({"backlash", "at its output"}, "deg", 0.0);
+  reduction.mass = q.quantity_or({"mass", "of one reduction"}, "kg", 0.0);
+  reduction.rated_torque =
+      q.quantity({"torque", "rated torque at the output; checked where it is stated"}, "N.m", Sign::positive);
+  reduction.largest_speed =
+      q.quantity({"speed", "largest speed of the input; checked where it is stated"}, "rpm", Sign::positive);
+  reduction.stiffness =
+      q.quantity({"stiffness", "at the output; counts as stiff without it"}, "N.m/rad", Sign::positive);
   read_shaft(q, mechanism, reduction);
   read_price(table, reduction, diagnostics);
   table.finish();
@@ -125,7 +148,12 @@ void check_list(const std::vector<const Node*>& nodes, const Mechanism& mechanis
 }  // namespace
 
 void read_reductions(TableReader& table, Mechanism& mechanism, Diagnostics& diagnostics) {
-  const Node* given = table.find("reduction");
+  const Node* given =
+      table.find({"reduction", "between the motor and what it turns: one, or a list of which one is chosen"});
+  text::Question tables;
+  tables.expected = text::Expected::table_or_tables;
+  tables.key = "reduction";
+  table.describe(tables);
   if (given == nullptr) return;
   const bool many = given->is_array();
   const std::vector<const Node*> nodes = table.list("reduction");
@@ -140,9 +168,10 @@ void read_reductions(TableReader& table, Mechanism& mechanism, Diagnostics& diag
 void read_rack(TableReader& table, Mechanism& mechanism, Diagnostics& diagnostics) {
   QuantityReader q(table, diagnostics);
   mechanism.kind = MechanismKind::rack;
-  mechanism.motor_rides = table.boolean("motor_rides").value_or(true);
-  mechanism.rack_efficiency = q.share_or("efficiency", mechanism.rack_efficiency);
-  mechanism.backlash = q.quantity_or("backlash", "mm", mechanism.backlash);
+  mechanism.motor_rides = table.boolean_or(
+      {"motor_rides", "motor and pinion move with the axis and the rack stands; else the other way round"}, true);
+  mechanism.rack_efficiency = q.share_or({"efficiency", "of the mesh of rack and pinion"}, mechanism.rack_efficiency);
+  mechanism.backlash = q.quantity_or({"backlash", "of the mesh, as it is set"}, "mm", mechanism.backlash);
   warn_above(table.node(),
              "backlash",
              mechanism.backlash,
@@ -172,12 +201,13 @@ void read_rotary_loads(TableReader& table, Axis& axis, Diagnostics& diagnostics)
   q.refuse({"members"}, "a rotary axis has none", "give them to the axis that carries it");
   q.refuse({"carries"}, "a rotary axis carries no axis", "let another axis carry both");
   const std::size_t before = diagnostics.error_count();
-  axis.structure_mass = q.quantity_or("structure_mass", "kg", 0.0);
-  axis.payload_mass = q.quantity_or("payload_mass", "kg", 0.0);
+  axis.structure_mass = q.quantity_or({"structure_mass", "of the table; what carries it has to bear it"}, "kg", 0.0);
+  axis.payload_mass = q.quantity_or({"payload_mass", "of the workpiece"}, "kg", 0.0);
   const bool given = q.required("structure_inertia", "structure_inertia = \"0.02 kg.m2\"") != nullptr;
-  axis.inertia = q.quantity_or("structure_inertia", "kg.m2", 0.0, Sign::positive);
-  axis.inertia += q.quantity_or("payload_inertia", "kg.m2", 0.0);
-  axis.friction_torque = q.quantity_or("friction_torque", "N.m", 0.0);
+  axis.inertia =
+      q.quantity_or({"structure_inertia", "of the table about its axis of rotation"}, "kg.m2", 0.0, Sign::positive);
+  axis.inertia += q.quantity_or({"payload_inertia", "of the workpiece about the axis of rotation"}, "kg.m2", 0.0);
+  axis.friction_torque = q.quantity_or({"friction_torque", "of the bearing and seals"}, "N.m", 0.0);
   if (given && diagnostics.error_count() == before && axis.structure_mass + axis.payload_mass == 0.0)
     diagnostics.warning(table.node().find("structure_inertia")->span(),
                         fmt::format("structure_inertia: table '{}' has an inertia, but no mass", axis.name),
@@ -186,6 +216,10 @@ void read_rotary_loads(TableReader& table, Axis& axis, Diagnostics& diagnostics)
 
 void check_accuracy_keys(const Node& require, bool rotary, Diagnostics& diagnostics) {
   const auto refuse = [&](const char* key, const char* instead) {
+    text::Question question;
+    question.key = key;
+    question.expected = text::Expected::not_allowed;
+    if (diagnostics.listener() != nullptr) diagnostics.listener()->asked(require, question);
     if (require.find(key) == nullptr) return;
     diagnostics.error(require.key_span(key),
                       fmt::format("{}: the travel of this axis is {}", key, rotary ? "an angle" : "a length"),

@@ -76,7 +76,13 @@ void read_limits(const Node& node, Problem& problem, Diagnostics& diagnostics) {
   QuantityReader q(table, diagnostics);
   if (node.size() == 0)
     diagnostics.error(node.span(), "limits: the table is empty", "write cost = \"400 USD\" or mass = \"12 kg\"");
-  problem.mass_limit = q.quantity("mass", "kg", Sign::positive);
+  problem.mass_limit = q.quantity({"mass", "of everything that is chosen"}, "kg", Sign::positive);
+  text::Question amount;
+  amount.expected = text::Expected::amount;
+  amount.key = "cost";
+  amount.meaning = "of everything that is chosen, in a currency of the problem";
+  amount.example = "\"400 USD\"";
+  table.describe(amount);
   if (const Node* cost = table.find("cost"); cost != nullptr) {
     QuantityFault fault;
     problem.cost_limit = read_amount(cost->as_string().value_or(""), problem, false, fault);

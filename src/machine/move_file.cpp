@@ -29,7 +29,7 @@ std::string seconds(double time) { return scalar::format(time, scalar::Unit::of(
 /// A cut gives the move its force and its speed, the feed.
 void read_process(
     TableReader& table, QuantityReader& q, const std::string& title, Move& move, Diagnostics& diagnostics) {
-  const Node* node = table.table("cutting");
+  const Node* node = table.table({"cutting", "what the tool does in this move; gives it its force and its speed"});
   if (node == nullptr) return;
   q.refuse({"force"}, "the cut gives the force already", "leave out force or cutting");
   q.refuse({"speed"}, "the feed of the cut is the speed already", "leave out speed; feed_per_tooth sets the feed");
@@ -46,7 +46,13 @@ bool read_measured(TableReader& table,
                    const std::filesystem::path& folder,
                    Move& move,
                    Diagnostics& diagnostics) {
-  const Node* node = table.find("profile");
+  const Node* node = table.find(
+      {"profile", "a CSV file beside the problem with a measured motion, instead of distance, time, speed and force"});
+  text::Question file;
+  file.expected = text::Expected::text;
+  file.key = "profile";
+  file.example = "\"motion.csv\"";
+  table.describe(file);
   if (node == nullptr) return false;
   q.refuse({"distance", "time", "speed", "acceleration_time", "jerk"},
            "the measured profile says how the axis moves",
@@ -66,20 +72,26 @@ Move read_move(
   move.where = node.span();
   TableReader table(node, title, diagnostics);
   QuantityReader q(table, diagnostics);
-  move.name = table.string("name").value_or("");
-  move.dwell = q.quantity_or("dwell", "s", 0.0);
+  move.name = table.string({"name", "for reports"}).value_or("");
+  move.dwell = q.quantity_or({"dwell", "rest after the move"}, "s", 0.0);
   if (read_measured(table, q, rotary, limits.folder, move, diagnostics)) {
     table.finish();
     return move;
   }
-  move.distance = q.quantity("distance", rotary ? "rad" : "mm", Sign::positive, Presence::required).value_or(1.0);
-  move.time = q.quantity("time", "s", Sign::positive);
-  move.speed = q.quantity("speed", rotary ? "rpm" : "mm/s", Sign::positive);
-  move.acceleration_time = q.quantity("acceleration_time", "s", Sign::positive);
-  move.jerk = q.quantity("jerk", rotary ? "rad/s^3" : "m/s^3", Sign::positive);
+  move.distance = q.quantity({"distance", "from rest to rest; of a rotary axis an angle"},
+                             rotary ? "rad" : "mm",
+                             Sign::positive,
+                             Presence::required)
+                      .value_or(1.0);
+  move.time = q.quantity({"time", "of the whole move; with a speed the most it may take"}, "s", Sign::positive);
+  move.speed = q.quantity({"speed", "of the constant part"}, rotary ? "rpm" : "mm/s", Sign::positive);
+  move.acceleration_time =
+      q.quantity({"acceleration_time", "of both ramps of this move, instead of the axis's"}, "s", Sign::positive);
+  move.jerk = q.quantity({"jerk", "rounds the ramps of this move"}, rotary ? "rad/s^3" : "m/s^3", Sign::positive);
   if (!move.jerk) move.jerk = axis.jerk;
   if (rotary) q.refuse({"force"}, "a table is turned against a torque", "write torque = \"2 N.m\"");
-  move.force = rotary ? q.quantity_or("torque", "N.m", 0.0) : q.quantity_or("force", "N", 0.0);
+  move.force = rotary ? q.quantity_or({"torque", "of the process, against the motion"}, "N.m", 0.0)
+                      : q.quantity_or({"force", "of the process, against the motion"}, "N", 0.0);
   if (rotary)
     q.refuse({"cutting"}, "cuts along a length only", "give the table the torque of the cut: torque = \"2 N.m\"");
   else

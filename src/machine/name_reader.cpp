@@ -48,39 +48,54 @@ bool check_name(const Node& node, const std::string& what, Diagnostics& diagnost
   return false;
 }
 
-const Node* QuantityReader::required(std::string_view key, std::string_view example) {
-  const Node* node = table_.find(key);
+const Node* QuantityReader::required(const text::Key& key, std::string_view example) {
+  text::Question asked;
+  asked.key = key.name;
+  asked.meaning = key.meaning;
+  asked.required = true;
+  table_.describe(asked);
+  const Node* node = table_.find(key.name);
   if (node == nullptr && table_.node().is_table())
     diagnostics_.error(table_.node().span(),
-                       fmt::format("{} needs the key '{}'", table_.title(), key),
+                       fmt::format("{} needs the key '{}'", table_.title(), key.name),
                        fmt::format("add {}", example));
   return node;
 }
 
-std::string QuantityReader::required_text(std::string_view key, std::string_view example) {
-  const Node* node = required(key, example);
-  if (node == nullptr) return "";
+std::string QuantityReader::required_text(const text::Key& key, std::string_view example) {
+  const Node* node = required(key.name, example);
   const auto word = table_.string(key);
+  if (node == nullptr) return "";
   if (word && word->empty())
-    diagnostics_.error(node->span(), fmt::format("{}: is empty", key), fmt::format("write {}", example));
+    diagnostics_.error(node->span(), fmt::format("{}: is empty", key.name), fmt::format("write {}", example));
   return word.value_or("");
 }
 
-std::vector<std::string> QuantityReader::words(std::string_view key) {
-  std::vector<std::string> words = table_.strings(key);
+std::vector<std::string> QuantityReader::words(const text::Key& key, const std::vector<std::string>& allowed) {
+  if (!allowed.empty()) {
+    text::Question asked;
+    asked.expected = text::Expected::words;
+    asked.key = key.name;
+    asked.meaning = key.meaning;
+    asked.words = allowed;
+    table_.describe(asked);
+  }
+  std::vector<std::string> words = allowed.empty() ? table_.strings(key) : table_.strings(key.name);
   std::vector<std::string> seen;
-  for (const Node* node : table_.list(key)) {
+  for (const Node* node : table_.list(key.name)) {
     const auto word = node->as_string();
     if (!word) continue;
     if (word->empty())
-      diagnostics_.error(node->span(), fmt::format("{}: an empty word", key), "leave it out, or write what is wanted");
+      diagnostics_.error(
+          node->span(), fmt::format("{}: an empty word", key.name), "leave it out, or write what is wanted");
     if (!word->empty() && std::find(seen.begin(), seen.end(), *word) != seen.end())
-      diagnostics_.error(node->span(), fmt::format("{}: {} is there twice", key, text::quoted(*word)), "leave one out");
+      diagnostics_.error(
+          node->span(), fmt::format("{}: {} is there twice", key.name, text::quoted(*word)), "leave one out");
     seen.push_back(*word);
   }
-  const Node* list = table_.find(key);
+  const Node* list = table_.find(key.name);
   if (list != nullptr && list->is_array() && list->size() == 0)
-    diagnostics_.error(list->span(), fmt::format("{}: the list is empty", key), "leave the key out to allow all");
+    diagnostics_.error(list->span(), fmt::format("{}: the list is empty", key.name), "leave the key out to allow all");
   return words;
 }
 
@@ -88,6 +103,11 @@ void QuantityReader::refuse(std::initializer_list<std::string_view> keys,
                             const std::string& because,
                             const std::string& hint) {
   for (const std::string_view key : keys) {
+    text::Question asked;
+    asked.expected = text::Expected::not_allowed;
+    asked.key = key;
+    asked.meaning = hint;
+    table_.describe(asked);
     if (table_.node().find(key) == nullptr) continue;
     (void)table_.has(key);
     diagnostics_.error(table_.node().key_span(key), fmt::format("{}: {}", key, because), hint);

@@ -29,7 +29,8 @@ void read_supply(const Node& node, Problem& problem, Diagnostics& diagnostics) {
   TableReader table(node, "[supply]", diagnostics);
   QuantityReader q(table, diagnostics);
   if (q.required("voltage", "voltage = [\"24 V\", \"36 V\"]") != nullptr)
-    problem.supply_voltages = q.choices("voltage", "V");
+    problem.supply_voltages =
+        q.choices({"voltage", "voltages the supply may have; the search takes one for the whole machine"}, "V");
   table.finish();
 }
 
@@ -64,7 +65,9 @@ void read_objective(const Node& node, Problem& problem, Diagnostics& diagnostics
   TableReader reader(node, "[objective]", diagnostics);
   QuantityReader q(reader, diagnostics);
   if (q.required("minimise", "minimise = \"cost\"") != nullptr)
-    if (const auto text = reader.string("minimise")) {
+    if (const auto text = reader.string({"minimise",
+                                         "what is best: cost, mass, cycle_time, energy, position_error, or a weighted "
+                                         "sum such as cost + 25*mass"})) {
       ObjectiveFault fault;
       if (const auto objective = parse_objective(*text, fault))
         problem.objective = objective->name();
@@ -101,35 +104,51 @@ std::optional<Problem> problem_of(const text::Document& document, Diagnostics& d
   Problem problem;
   problem.file = document.text()->path();
   TableReader table(document.root(), "problem", diagnostics);
-  problem.title = table.string("title").value_or("");
-  problem.source = table.string("source").value_or("");
+  (void)table.string({"$schema", "of a JSON file: the schema for editors; nothing is computed from it"});
+  problem.title = table.string({"title", "stands over every report"}).value_or("");
+  problem.source =
+      table.string({"source", "where the figures come from; for people, nothing is computed from it"}).value_or("");
   QuantityReader q(table, diagnostics);
   if (const Node* catalogues = table.find("catalogues"); catalogues != nullptr && catalogues->size() > 0)
-    problem.catalogues = q.words("catalogues");
+    problem.catalogues = q.words(
+        {"catalogues",
+         "folders with parts of your own, seen from the problem file; they add to the shipped ones or replace them"});
   else
-    problem.catalogues = table.strings("catalogues");
-  if (const Node* objective = table.table("objective"); objective != nullptr)
+    problem.catalogues = table.strings(
+        {"catalogues",
+         "folders with parts of your own, seen from the problem file; they add to the shipped ones or replace them"});
+  if (const Node* objective = table.table({"objective", "what is best; without this table the cheapest build"});
+      objective != nullptr)
     read_objective(*objective, problem, diagnostics);
-  if (const Node* currencies = table.table("currency"); currencies != nullptr)
+  if (const Node* currencies = table.table(
+          {"currency",
+           "rates of exchange: what one unit of each currency is worth in the one of the report, whose own rate is 1"});
+      currencies != nullptr)
     read_currencies(*currencies, problem, diagnostics);
   if (q.required("supply", "a table [supply] with voltage = [\"24 V\", \"36 V\"]") != nullptr)
-    if (const Node* supply = table.table("supply"); supply != nullptr) read_supply(*supply, problem, diagnostics);
+    if (const Node* supply = table.table({"supply", "the power supply of the machine"}); supply != nullptr)
+      read_supply(*supply, problem, diagnostics);
   AxisSurroundings around;
   around.folder = std::filesystem::path(problem.file).parent_path();
-  if (const Node* require = table.table("require"); require != nullptr)
+  if (const Node* require =
+          table.table({"require", "what every axis must keep, unless its own [axis.require] says otherwise"});
+      require != nullptr)
     read_requirements(*require, "[require]", around.require, diagnostics);
   problem.require = around.require;
-  const Node* together = table.array("moves");
+  const Node* together = table.array({"moves", "moves in which several axes go along a straight line together"});
   if (together != nullptr) around.together = axes_moved_together(*together);
   const std::size_t before_axes = diagnostics.error_count();
   if (q.required("axis", "an [[axis]] with its name, stroke, mechanism and moves") != nullptr)
-    if (const Node* axes = table.array("axis"); axes != nullptr) read_axes(*axes, around, problem, diagnostics);
+    if (const Node* axes = table.array({"axis", "the axes of the machine"}); axes != nullptr)
+      read_axes(*axes, around, problem, diagnostics);
   if (together != nullptr)
     read_coordinated_moves(*together, diagnostics.error_count() == before_axes, problem, diagnostics);
   for (const Axis& axis : problem.axes) check_currency(axis, problem, diagnostics);
-  if (const Node* tool = table.table("tool"); tool != nullptr)
+  if (const Node* tool = table.table({"tool", "what presses on the tool and how far it may give way or be off"});
+      tool != nullptr)
     read_tool(*tool, table.find("axis"), problem, diagnostics);
-  if (const Node* limits = table.table("limits"); limits != nullptr) read_limits(*limits, problem, diagnostics);
+  if (const Node* limits = table.table({"limits", "budgets of the whole machine"}); limits != nullptr)
+    read_limits(*limits, problem, diagnostics);
   if (diagnostics.error_count() == errors) count_quantities(table.find("objective"), problem, diagnostics);
   table.finish();
   if (diagnostics.error_count() > errors) return std::nullopt;

@@ -13,6 +13,8 @@
 
 namespace millwright::machine {
 
+using text::Expected;
+using text::Key;
 using text::Node;
 using text::Presence;
 
@@ -105,6 +107,19 @@ std::optional<std::string> look_alike(std::string_view text) {
 
 }  // namespace
 
+std::string as_written(double value, std::string_view unit) {
+  if (!std::isfinite(value)) return {};
+  if (unit == "1") return fmt::format("{:.6g}", value);
+  const double size = std::fabs(value);
+  const std::string_view shown = unit == "m" && size < 1.0      ? "mm"
+                                 : unit == "s" && size >= 3600. ? "h"
+                                 : unit == "rad"                ? "deg"
+                                 : unit == "rad/m"              ? "deg/m"
+                                 : unit == "Pa"                 ? "N/mm^2"
+                                                                : unit;
+  return fmt::format("\"{}\"", scalar::format(value, scalar::Unit::of(shown), 6));
+}
+
 UsualValues usual_values(std::string_view unit) {
   for (const UsualValues& values : usual)
     if (values.unit == unit) return values;
@@ -153,6 +168,29 @@ std::optional<double> read_quantity(std::string_view text, std::string_view unit
   return std::nullopt;
 }
 
+text::Question QuantityReader::question(const Key& key, Expected expected, std::string_view unit, Sign sign) const {
+  text::Question asked;
+  asked.expected = expected;
+  asked.key = key.name;
+  asked.meaning = key.meaning;
+  asked.unit = unit;
+  asked.example = quoted_unless_number(unit, usual_values(unit).example);
+  if (sign != Sign::any) asked.least = 0.0;
+  asked.above_least = sign == Sign::positive;
+  return asked;
+}
+
+void QuantityReader::describe_with(double fallback, text::Question asked) const {
+  if (!table_.heard()) return;
+  const bool stands_for_missing = asked.above_least && fallback <= asked.least;  // a value that may not be given
+  if (!stands_for_missing) asked.fallback = as_written(fallback, asked.unit);
+  table_.describe(asked);
+}
+
+void QuantityReader::describe(const Key& key, Expected expected, std::string_view unit, Sign sign) const {
+  if (table_.heard()) table_.describe(question(key, expected, unit, sign));
+}
+
 std::optional<double> QuantityReader::of_node(const Node& node,
                                               std::string_view what,
                                               std::string_view unit,
@@ -190,79 +228,89 @@ std::optional<double> QuantityReader::of_node(const Node& node,
   return std::nullopt;
 }
 
-std::optional<double> QuantityReader::quantity(std::string_view key,
-                                               std::string_view unit,
-                                               Sign sign,
-                                               Presence presence) {
+std::optional<double> QuantityReader::quantity(const Key& key, std::string_view unit, Sign sign, Presence presence) {
+  describe(key, Expected::quantity, unit, sign);
   const Node* node =
       presence == Presence::required
-          ? required(key, fmt::format("{} = {}", key, quoted_unless_number(unit, usual_values(unit).example)))
-          : table_.find(key);
+          ? required(key.name, fmt::format("{} = {}", key.name, quoted_unless_number(unit, usual_values(unit).example)))
+          : table_.find(key.name);
   if (node == nullptr) return std::nullopt;
-  return of_node(*node, key, unit, sign);
+  return of_node(*node, key.name, unit, sign);
 }
 
-double QuantityReader::quantity_or(std::string_view key, std::string_view unit, double fallback, Sign sign) {
+double QuantityReader::quantity_or(const Key& key, std::string_view unit, double fallback, Sign sign) {
+  describe_with(fallback, question(key, Expected::quantity, unit, sign));
   return quantity(key, unit, sign).value_or(fallback);
 }
 
-double QuantityReader::share_or(std::string_view key, double fallback, bool zero) {
-  const auto value = quantity(key, "1", zero ? Sign::not_negative : Sign::positive);
+double QuantityReader::share_or(const Key& key, double fallback, bool zero) {
+  const Sign sign = zero ? Sign::not_negative : Sign::positive;
+  text::Question asked = question(key, Expected::quantity, "1", sign);
+  asked.most = 1.0;
+  describe_with(fallback, std::move(asked));
+  const auto value = quantity(key, "1", sign);
   if (!value) return fallback;
   if (*value <= 1.0) return *value;
-  diagnostics_.error(table_.find(key)->span(),
-                     fmt::format("{}: a share is at most 1, this is {:.6g}", key, *value),
+  diagnostics_.error(table_.find(key.name)->span(),
+                     fmt::format("{}: a share is at most 1, this is {:.6g}", key.name, *value),
                      "80 percent are 0.8 or \"80 %\"");
   return fallback;
 }
 
-double QuantityReader::count_or(std::string_view key, double fallback, int least, int most) {
-  const auto value = quantity(key, "1", Sign::any);
+double QuantityReader::count_or(const Key& key, double fallback, int least, int most) {
+  text::Question asked = question(key, Expected::integer, "1", Sign::any);
+  asked.least = least;
+  asked.most = most;
+  describe_with(fallback, std::move(asked));
+  const Node* node = table_.find(key.name);
+  const auto value = node == nullptr ? std::nullopt : of_node(*node, key.name, "1", Sign::any);
   if (!value) return fallback;
   if (*value == std::floor(*value) && *value >= least && *value <= most) return *value;
   diagnostics_.error(
-      table_.find(key)->span(),
-      fmt::format("{}: a whole number from {} to {} is needed, this is {:.6g}", key, least, most, *value),
+      node->span(),
+      fmt::format("{}: a whole number from {} to {} is needed, this is {:.6g}", key.name, least, most, *value),
       fmt::format("write for example {}", fallback));
   return fallback;
 }
 
-std::optional<Range> QuantityReader::range(std::string_view key, std::string_view unit, Presence presence) {
+std::optional<Range> QuantityReader::range(const Key& key, std::string_view unit, Presence presence) {
+  describe(key, Expected::range, unit, Sign::positive);
   const std::string_view example = usual_values(unit).example;
-  const Node* node =
-      presence == Presence::required ? required(key, fmt::format("{} = \"{}\"", key, example)) : table_.find(key);
+  const Node* node = presence == Presence::required ? required(key.name, fmt::format("{} = \"{}\"", key.name, example))
+                                                    : table_.find(key.name);
   if (node == nullptr) return std::nullopt;
   if (!node->is_array()) {
-    const auto value = of_node(*node, key, unit, Sign::positive);
+    const auto value = of_node(*node, key.name, unit, Sign::positive);
     if (!value) return std::nullopt;
     return Range{*value, *value};
   }
   if (node->size() != 2) {
     diagnostics_.error(node->span(),
-                       fmt::format("{}: a range has two ends, this list has {}", key, node->size()),
+                       fmt::format("{}: a range has two ends, this list has {}", key.name, node->size()),
                        fmt::format("write [\"1 {}\", \"2 {}\"]", unit, unit));
     return std::nullopt;
   }
-  const auto lower = of_node(node->at(0), key, unit, Sign::positive);
-  const auto upper = of_node(node->at(1), key, unit, Sign::positive);
+  const auto lower = of_node(node->at(0), key.name, unit, Sign::positive);
+  const auto upper = of_node(node->at(1), key.name, unit, Sign::positive);
   if (!lower || !upper) return std::nullopt;
   if (*lower > *upper) {
-    diagnostics_.error(node->span(), fmt::format("{}: the lower end is above the upper end", key), "swap the two");
+    diagnostics_.error(node->span(), fmt::format("{}: the lower end is above the upper end", key.name), "swap the two");
     return std::nullopt;
   }
   return Range{*lower, *upper};
 }
 
-std::vector<double> QuantityReader::choices(std::string_view key, std::string_view unit) {
-  const Node* given = table_.find(key);
+std::vector<double> QuantityReader::choices(const Key& key, std::string_view unit) {
+  describe(key, Expected::quantities, unit, Sign::positive);
+  const Node* given = table_.find(key.name);
   if (given != nullptr && given->is_array() && given->size() == 0)
     diagnostics_.error(given->span(),
-                       fmt::format("{}: the list is empty", key),
-                       fmt::format("write for example {} = [\"{}\"]", key, usual_values(unit).example));
+                       fmt::format("{}: the list is empty", key.name),
+                       fmt::format("write for example {} = [\"{}\"]", key.name, usual_values(unit).example));
   std::vector<double> values;
   std::vector<const Node*> nodes;
-  for (const Node* node : table_.list(key)) {
-    const auto value = of_node(*node, key, unit, Sign::positive);
+  for (const Node* node : table_.list(key.name)) {
+    const auto value = of_node(*node, key.name, unit, Sign::positive);
     if (!value) continue;
     const auto same = std::find_if(
         values.begin(), values.end(), [&](double other) { return std::abs(other - *value) <= 1e-9 * *value; });
@@ -273,7 +321,7 @@ std::vector<double> QuantityReader::choices(std::string_view key, std::string_vi
     }
     text::Diagnostic twice;
     twice.where = node->span();
-    twice.message = fmt::format("{}: {:.6g} {} is there twice", key, *value, unit);
+    twice.message = fmt::format("{}: {:.6g} {} is there twice", key.name, *value, unit);
     twice.hint = "leave one out";
     twice.related = nodes[static_cast<std::size_t>(same - values.begin())]->span();
     twice.related_message = "first here";

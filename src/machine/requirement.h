@@ -129,6 +129,15 @@ std::span<const RequirementDeclaration> requirements();
 /// The declaration with this key, if any.
 const RequirementDeclaration* find_requirement(std::string_view key);
 
+/// The kind of factor tells which side of 1 it belongs on; the other side is legal, for what-if questions, but odd.
+enum class Side { any, share, safety };
+Side side_of(Requirement requirement);
+
+/// On which side a requirement is looser; `neither` for what describes the machine instead of asking something of it,
+/// or acts both ways.
+enum class Looser { larger, smaller, neither };
+Looser looser_side(Requirement requirement);
+
 /// The requirements of one axis: defaults, overridden by the problem file.
 class Requirements {
  public:

@@ -21,67 +21,6 @@ using text::TableReader;
 
 namespace {
 
-/// The kind of factor tells which side of 1 it belongs on; the other side is legal, for what-if questions, but odd.
-enum class Side { any, share, safety };
-
-Side side_of(Requirement requirement) {
-  switch (requirement) {
-    case Requirement::torque_margin:
-    case Requirement::torque_margin_estimate:
-    case Requirement::load_torque_factor:
-    case Requirement::step_rate_factor:
-    case Requirement::holding_factor:
-    case Requirement::detent_factor:
-    case Requirement::bearing_pressure_factor:
-    case Requirement::pv_factor:
-    case Requirement::buckling_factor:
-    case Requirement::critical_speed_factor:
-    case Requirement::driver_voltage_factor:
-    case Requirement::start_rate_factor:
-    case Requirement::nut_wear_fraction:
-    case Requirement::largest_preload_fraction:
-    case Requirement::lead_error_share:
-    case Requirement::windup_share:
-    case Requirement::thermal_growth_share:
-    case Requirement::belt_stretch_share:
-    case Requirement::resolution_fraction:
-    case Requirement::guide_shaft_deflection_ratio:
-    case Requirement::frame_deflection_ratio:
-    case Requirement::column_factor:
-    case Requirement::fatigue_reliability_factor:
-    case Requirement::bolt_preload_fraction:
-    case Requirement::spindle_power_factor:
-      return Side::share;
-    case Requirement::brake_factor:
-    case Requirement::screw_safety_factor:
-    case Requirement::screw_shear_safety_factor:
-    case Requirement::thread_safety_factor:
-    case Requirement::self_locking_factor:
-    case Requirement::static_safety:
-    case Requirement::fatigue_load_factor:
-    case Requirement::supply_reserve:
-    case Requirement::coupling_shock_factor:
-    case Requirement::belt_service_factor:
-    case Requirement::belt_preload_fraction:
-    case Requirement::resonance_distance:
-    case Requirement::torsional_frequency_factor:
-    case Requirement::guide_static_safety:
-    case Requirement::guide_load_factor:
-    case Requirement::guide_shaft_safety_factor:
-    case Requirement::frame_safety_factor:
-    case Requirement::shaft_safety_factor:
-    case Requirement::bushing_binding_factor:
-    case Requirement::fatigue_safety_factor:
-    case Requirement::bolt_proof_safety:
-    case Requirement::bolt_separation_safety:
-    case Requirement::bolt_slip_safety:
-    case Requirement::bolt_shear_safety_factor:
-      return Side::safety;
-    default:
-      return Side::any;
-  }
-}
-
 void warn_of_side(const Node& node, const RequirementDeclaration& declaration, double value, Diagnostics& diagnostics) {
   const Side side = side_of(declaration.requirement);
   if (side == Side::share && value > 1.0)
@@ -101,10 +40,13 @@ void warn_of_side(const Node& node, const RequirementDeclaration& declaration, d
 void read_position_error(const Node& value, Requirements& require, Diagnostics& diagnostics) {
   TableReader inner(value, "position_error", diagnostics);
   QuantityReader q(inner, diagnostics);
-  if (const auto limit = q.quantity("limit", "mm", Sign::positive, Presence::required))
+  if (const auto limit = q.quantity({"limit", "the error, at most"}, "mm", Sign::positive, Presence::required))
     require.set(Requirement::position_error, *limit);
-  if (const auto over = q.quantity("over", "mm", Sign::positive)) require.set(Requirement::position_error_over, *over);
-  const auto lead_error = inner.word("lead_error", {"as made", "mapped"});
+  if (const auto over =
+          q.quantity({"over", "travel over which it is meant; the stroke without it"}, "mm", Sign::positive))
+    require.set(Requirement::position_error_over, *over);
+  const auto lead_error =
+      inner.word({"lead_error", "whether the controller corrects the measured lead error"}, {"as made", "mapped"});
   if (lead_error == "as made") require.forget(Requirement::mapped_lead_error);
   if (lead_error == "mapped" && !require.known(Requirement::mapped_lead_error))
     require.set(Requirement::mapped_lead_error, usual_mapped_lead_error);
@@ -113,9 +55,9 @@ void read_position_error(const Node& value, Requirements& require, Diagnostics& 
 
 /// enforce = ["C-ST-RMS"]: makes binding what is only reported by default.
 void read_enforced(TableReader& table, QuantityReader& q, Requirements& require, Diagnostics& diagnostics) {
-  if (table.find("enforce") == nullptr) return;
   const std::vector<std::string_view> known = reported_constraints();
-  (void)q.words("enforce");
+  (void)q.words({"enforce", "ids of checks that are only reported by default, and shall hold"},
+                {known.begin(), known.end()});
   for (const Node* node : table.list("enforce")) {
     const std::string id = node->as_string().value_or("");
     if (id.empty()) continue;
@@ -130,11 +72,36 @@ void read_enforced(TableReader& table, QuantityReader& q, Requirements& require,
 
 }  // namespace
 
+namespace {
+
+void describe_requirement(const TableReader& table, const RequirementDeclaration& declaration) {
+  text::Question question;
+  question.key = declaration.key;
+  question.meaning = declaration.meaning;
+  question.expected = text::Expected::quantity;
+  question.unit = declaration.unit;
+  question.fallback = as_written(declaration.default_value, declaration.unit);
+  question.example = !question.fallback.empty() ? question.fallback
+                     : declaration.unit == "1"  ? "1"
+                                                : fmt::format("\"{}\"", usual_values(declaration.unit).example);
+  question.source = declaration.source;
+  question.least = 0.0;
+  question.above_least = true;
+  if (declaration.requirement == Requirement::mapped_lead_error) question.most = 1.0;
+  table.describe(question);
+  if (declaration.requirement != Requirement::position_error) return;
+  question.expected = text::Expected::table;
+  table.describe(question);
+}
+
+}  // namespace
+
 void read_requirements(const Node& node, const std::string& title, Requirements& require, Diagnostics& diagnostics) {
   TableReader table(node, title, diagnostics);
   QuantityReader q(table, diagnostics);
   read_enforced(table, q, require, diagnostics);
   for (const RequirementDeclaration& declaration : requirements()) {
+    if (table.heard()) describe_requirement(table, declaration);
     const Node* value = table.find(declaration.key);
     if (value == nullptr) continue;
     if (declaration.requirement == Requirement::position_error && value->is_table()) {

@@ -17,7 +17,7 @@ using text::Diagnostics;
 using text::Node;
 using text::TableReader;
 
-std::optional<std::size_t> read_direction_name(TableReader& table, std::string_view key) {
+std::optional<std::size_t> read_direction_name(TableReader& table, const text::Key& key) {
   const auto word = table.word(key, {"x", "y", "z"});
   if (!word) return std::nullopt;
   const auto found = std::find(direction_names.begin(), direction_names.end(), *word);
@@ -26,8 +26,12 @@ std::optional<std::size_t> read_direction_name(TableReader& table, std::string_v
 
 void read_axis_directions(TableReader& table, Axis& axis, Diagnostics& diagnostics) {
   const bool vertical = axis.direction == Direction::vertical;
-  axis.along = read_direction_name(table, "along");
-  axis.normal = read_direction_name(table, "normal");
+  axis.along = read_direction_name(table,
+                                   {"along",
+                                    "direction of the machine in which the axis travels; follows from a name x or y, "
+                                    "and where the axis is vertical"});
+  axis.normal = read_direction_name(
+      table, {"normal", "direction of the machine in which its guides press; z where the axis is horizontal"});
   if (axis.along && axis.direction != Direction::inclined && (*axis.along == upright) != vertical)
     diagnostics.error(table.find("along")->span(),
                       fmt::format("along: axis '{}' is {}", axis.name, vertical ? "vertical" : "horizontal"),
@@ -80,6 +84,14 @@ void check_axis(const Node& node, const Axis& axis, const Tool& tool, Diagnostic
 
 void read_force(TableReader& table, QuantityReader& q, Tool& tool, Diagnostics& diagnostics) {
   const Node* force = q.required("force", "force = { x = \"200 N\", y = \"200 N\", z = \"100 N\" }");
+  q.describe({"force", "on the tool: one for every direction, or a table of x, y and z"},
+             text::Expected::quantity,
+             "N",
+             Sign::positive);
+  text::Question by_direction;
+  by_direction.key = "force";
+  by_direction.expected = text::Expected::table;
+  table.describe(by_direction);
   if (force == nullptr) return;
   if (!force->is_table()) {
     if (const auto all = q.of_node(*force, "force", "N", Sign::positive)) tool.force.fill(*all);
@@ -90,7 +102,8 @@ void read_force(TableReader& table, QuantityReader& q, Tool& tool, Diagnostics& 
   TableReader inner(*force, "force of [tool]", diagnostics);
   QuantityReader components(inner, diagnostics);
   for (std::size_t i = 0; i < direction_names.size(); ++i)
-    tool.force[i] = components.quantity_or(direction_names[i], "N", 0.0);
+    tool.force[i] =
+        components.quantity_or({direction_names[i], "along that direction of the machine; 0: not asked"}, "N", 0.0);
   inner.finish();
   if (diagnostics.error_count() == before && *std::max_element(tool.force.begin(), tool.force.end()) <= 0.0)
     diagnostics.error(force->span(), "force: there is none", "write force = { x = \"200 N\" }");
@@ -103,11 +116,19 @@ void read_tool(const Node& node, const Node* axes, Problem& problem, Diagnostics
   QuantityReader q(table, diagnostics);
   Tool tool;
   tool.where = node.span();
-  const std::string name = q.required_text("axis", "axis = \"z\": the axis that carries the tool");
+  const std::string name =
+      q.required_text({"axis", "the axis that carries the tool"}, "axis = \"z\": the axis that carries the tool");
   read_force(table, q, tool, diagnostics);
-  tool.deflection = q.quantity("deflection", "mm", Sign::positive);
-  tool.stiffness = q.quantity_or("stiffness", "N/m", tool.stiffness, Sign::positive);
-  tool.position_error = q.quantity("position_error", "mm", Sign::positive);
+  tool.deflection = q.quantity(
+      {"deflection", "under each of the forces, at most; 0.05 mm where neither this nor a position_error is stated"},
+      "mm",
+      Sign::positive);
+  tool.stiffness = q.quantity_or(
+      {"stiffness", "of the tool in its holder; rigid without it"}, "N/m", tool.stiffness, Sign::positive);
+  tool.position_error = q.quantity(
+      {"position_error", "in any direction, with the tool pressed: deflection and the errors of the axes together"},
+      "mm",
+      Sign::positive);
   if (!tool.deflection && !tool.position_error) tool.deflection = usual_tool_deflection;
   table.finish();
   const auto found =

@@ -6,56 +6,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "report/design_difference.h"
 #include "report/design_json.h"
-#include "scalar/unit.h"
+#include "report/design_text.h"
 
 namespace millwright::report {
 
 using evaluation::Design;
-using evaluation::DimensionLine;
-using evaluation::PartLine;
 
 namespace {
-
-struct Difference {
-  std::string axis, slot, now, before;
-};
-
-/// Choices among values, not dimensions that follow from the parts.
-bool is_choice(const DimensionLine& line) { return line.name == "supply_voltage" || line.name == "motor_current"; }
-
-std::string full_name(const PartLine& part) {
-  return part.manufacturer.empty() ? part.part_number : part.manufacturer + " " + part.part_number;
-}
-
-std::vector<Difference> differences(const Design& best, const Design& design) {
-  std::vector<Difference> result;
-  for (const PartLine& part : design.parts) {
-    const auto before = std::find_if(best.parts.begin(), best.parts.end(), [&](const PartLine& other) {
-      return other.axis == part.axis && other.slot == part.slot;
-    });
-    if (before == best.parts.end() || full_name(*before) == full_name(part)) continue;
-    const bool same_number = before->part_number == part.part_number;
-    result.push_back({part.axis,
-                      part.slot,
-                      same_number ? full_name(part) : part.part_number,
-                      same_number ? full_name(*before) : before->part_number});
-  }
-  for (const DimensionLine& line : design.dimensions) {
-    const auto before = std::find_if(best.dimensions.begin(), best.dimensions.end(), [&](const DimensionLine& other) {
-      return other.axis == line.axis && other.name == line.name;
-    });
-    if (!is_choice(line) || before == best.dimensions.end() || before->value == line.value) continue;
-    const scalar::Unit unit = scalar::Unit::of(line.unit);
-    result.push_back({line.axis, line.name, scalar::format(line.value, unit), scalar::format(before->value, unit)});
-  }
-  return result;
-}
-
-std::string signed_text(double difference, int digits) {
-  const std::string text = fmt::format("{:+.{}f}", difference, digits);
-  return text.find_first_of("123456789") == std::string::npos ? std::string("=") : text;
-}
 
 /// Several builds were asked for.
 bool asked(const MachineResult& result) { return result.builds_asked > 1 && !result.designs.empty(); }
@@ -86,8 +45,8 @@ std::string alternatives_text(const MachineResult& result, const Style& style) {
   for (std::size_t i = 1; i < result.designs.size(); ++i) {
     const Design& design = result.designs[i];
     std::vector<std::string> changes;
-    for (const Difference& d : differences(best, design))
-      changes.push_back(fmt::format("{}.{} {} (was {})", d.axis, d.slot, d.now, d.before));
+    for (const DesignDifference& d : differences(best, design))
+      changes.push_back(fmt::format("{}.{} {} (was {})", d.axis, d.slot, d.short_now, d.short_before));
     table.add({fmt::format("{}{}", i + 1, i < result.proved ? "" : "?"),
                fmt::format("{:.2f}", design.cost),
                signed_text(design.cost - best.cost, 2),
@@ -105,11 +64,11 @@ std::string alternatives_certificate(const MachineResult& result) {
   if (!asked(result)) return {};
   if (result.status != Status::limit)
     return result.designs.size() < result.builds_asked
-               ? fmt::format("  Proved: there {} only {} compliant build{}, each combination of parts counted once.\n",
+               ? fmt::format("  Proved: there {} only {} compliant build{}, each set of parts counted once.\n",
                              result.designs.size() == 1 ? "is" : "are",
                              result.designs.size(),
                              result.designs.size() == 1 ? "" : "s")
-               : fmt::format("  Proved: these are the {} {} builds, each combination of parts counted once.\n",
+               : fmt::format("  Proved: these are the {} {} builds, each set of parts counted once.\n",
                              result.designs.size(),
                              best_word(result));
   return fmt::format("  Of {} builds asked for {} {} proved before the limit.\n",
@@ -127,8 +86,8 @@ void add_alternatives(const MachineResult& result, Json& json) {
   for (std::size_t i = 1; i < result.designs.size(); ++i) {
     const Design& design = result.designs[i];
     Json changes = Json::array();
-    for (const Difference& d : differences(best, design))
-      changes.push_back({{"axis", d.axis}, {"name", d.slot}, {"now", d.now}, {"before", d.before}});
+    for (const DesignDifference& d : differences(best, design))
+      changes.push_back({{"axis", d.axis}, {"name", d.slot}, {"now", d.short_now}, {"before", d.short_before}});
     json["alternatives"].push_back({{"rank", i + 1},
                                     {"proved", i < result.proved},
                                     {"totals", totals_of(design)},

@@ -20,10 +20,6 @@ using evaluation::PartLine;
 
 namespace {
 
-std::string part_name(const PartLine& part) {
-  return part.manufacturer.empty() ? part.part_number : part.manufacturer + " " + part.part_number;
-}
-
 /// Where prices and figures come from: each text once, under a number.
 class Notes {
  public:

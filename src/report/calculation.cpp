@@ -35,6 +35,8 @@ std::string kind_text(const mechanics::Argument& argument) {
 
 std::string calculation_text(const Calculation& calculation, const Style& style) {
   const mechanics::Formula& formula = *calculation.formula;
+  const std::string value = scalar::format(calculation.value, calculation.unit, shown_digits);
+  if (style.brief) return value + "\n";
   std::string out = style.heading(formula.title()) + "\n";
   out += fmt::format("  {}  {}\n\n", formula.name(), style.faint(formula.handbook_id()));
   TextTable inputs({{""}, {""}, {""}, {""}, {"", Align::left, 40}});
@@ -47,9 +49,9 @@ std::string calculation_text(const Calculation& calculation, const Style& style)
                 input.meaning});
   }
   out += inputs.str(2, style) + "\n";
-  for (const scalar::DerivationLine& line : calculation.derivation) out += "  " + scalar::to_string(line) + "\n";
+  for (const scalar::DerivationLine& line : calculation.derivation)
+    out += equation(scalar::to_string(line), 2, style.width);
   if (!calculation.derivation.empty()) out += "\n";
-  const std::string value = scalar::format(calculation.value, calculation.unit, shown_digits);
   const std::string si = scalar::format(calculation.value, calculation.si_unit, shown_digits);
   out += style.heading(fmt::format("{} = {}", formula.symbol(), value)) + (si == value ? "" : "  (" + si + ")") + "\n";
   for (const std::string& warning : calculation.warnings)
@@ -59,6 +61,7 @@ std::string calculation_text(const Calculation& calculation, const Style& style)
 }
 
 std::string formula_text(const mechanics::Formula& formula, const Style& style) {
+  if (style.brief) return formula.name() + "\n";
   const std::string result = formula.display_unit().empty() ? formula.unit() : formula.display_unit();
   std::string out = style.heading(formula.name()) + "  " + style.faint(formula.handbook_id()) + "\n";
   out += fmt::format("  {}: {} [{}]\n", formula.title(), formula.symbol(), unit_text(result));

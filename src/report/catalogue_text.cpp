@@ -12,12 +12,13 @@ namespace {
 std::string share(double value) { return fmt::format("{:.0f} %", 100.0 * value); }
 
 /// "12.50 USD", "3.20 USD/m", whichever kinds of price there are.
-std::string price_text(const catalogue::Price& price) {
+std::string price_text(const catalogue::Price& price, const Style& style) {
+  const char* separator = style.width < 120 ? "\n+ " : " + ";
   const std::string mark = price.estimate ? "~" : "";
   std::string out;
   const auto add = [&](double value, const char* per) {
     if (!std::isnan(value))
-      out += fmt::format("{}{}{:.2f} {}{}", out.empty() ? "" : " + ", mark, value, price.currency, per);
+      out += fmt::format("{}{}{:.2f} {}{}", out.empty() ? "" : separator, mark, value, price.currency, per);
   };
   add(price.piece, "");
   add(price.length, "/m");
@@ -62,7 +63,8 @@ std::string families_text(const std::vector<catalogue::FamilySummary>& families,
 std::string parts_list_text(const std::vector<catalogue::PartLine>& parts, const Style& style) {
   TextTable table({{"manufacturer"}, {"part number"}, {"price", Align::right}, {"figures", Align::left, 70}});
   for (const catalogue::PartLine& part : parts)
-    table.add({std::string(part.manufacturer), std::string(part.part_number), price_text(part.price), part.figures});
+    table.add(
+        {std::string(part.manufacturer), std::string(part.part_number), price_text(part.price, style), part.figures});
   return table.str(0, style) + fmt::format("{} rows; ~ estimate\n", parts.size());
 }
 

@@ -10,18 +10,6 @@ namespace {
 
 const char* kind_name(machine::ConstraintKind kind) { return kind == machine::ConstraintKind::soft ? "soft" : "hard"; }
 
-const char* verdict_name(evaluation::Verdict verdict) {
-  switch (verdict) {
-    case evaluation::Verdict::satisfied:
-      return "satisfied";
-    case evaluation::Verdict::violated:
-      return "violated";
-    case evaluation::Verdict::not_evaluated:
-      return "not evaluated";
-  }
-  return "";
-}
-
 Json quantity(double value, const std::string& unit) { return Json{{"value", number(value)}, {"unit", unit}}; }
 
 Json part_of(const evaluation::PartLine& part) {
@@ -64,6 +52,18 @@ Json check_of(const Check& check) {
 }
 
 }  // namespace
+
+const char* verdict_name(evaluation::Verdict verdict) {
+  switch (verdict) {
+    case evaluation::Verdict::satisfied:
+      return "satisfied";
+    case evaluation::Verdict::violated:
+      return "violated";
+    case evaluation::Verdict::not_evaluated:
+      return "not evaluated";
+  }
+  return "";
+}
 
 std::string unit_of(machine::Quantity counted, const std::string& currency) {
   return counted == machine::Quantity::cost ? currency : std::string(machine::declaration(counted).unit);

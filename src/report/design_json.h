@@ -7,6 +7,9 @@
 
 namespace millwright::report {
 
+/// "satisfied", "violated", "not evaluated".
+const char* verdict_name(evaluation::Verdict verdict);
+
 /// The unit of a quantity's values in JSON.
 std::string unit_of(machine::Quantity counted, const std::string& currency);
 

@@ -19,12 +19,8 @@ using machine::ConstraintKind;
 
 namespace {
 
-std::string part_name(const PartLine& part) {
-  return part.manufacturer.empty() ? part.part_number : part.manufacturer + " " + part.part_number;
-}
-
 std::string length_text(double metres) {
-  return metres > 0.0 ? scalar::format(metres, scalar::Unit::of("mm")) : std::string();
+  return metres > 0.0 ? scalar::format_number(scalar::Unit::of("mm").from_si(metres)) : std::string();
 }
 
 std::string mass_text(double kilograms) { return kilograms > 0.0 ? fmt::format("{:.3f}", kilograms) : std::string(); }
@@ -70,9 +66,25 @@ std::string unit_text(const std::string& unit) { return unit == "1" ? std::strin
 
 }  // namespace
 
+std::string part_name(const std::string& manufacturer, const std::string& part_number) {
+  return manufacturer.empty() ? part_number : manufacturer + " " + part_number;
+}
+
+std::string part_name(const PartLine& part) { return part_name(part.manufacturer, part.part_number); }
+
+std::string signed_text(double difference, int digits) {
+  const std::string text = fmt::format("{:+.{}f}", difference, digits);
+  return text.find_first_of("123456789") == std::string::npos ? std::string("=") : text;
+}
+
 std::string worst_text(const Check& check) {
   const bool both = !check.phase.empty() && !check.position.empty();
   return check.phase + (both ? "; " : "") + check.position;
+}
+
+std::string check_cell(const Check& check, const std::string& id) {
+  const std::string worst = worst_text(check);
+  return id + " " + check.title + (worst.empty() ? "" : "\n(" + worst + ")");
 }
 
 std::string utilisation_text(const Check& check) {
@@ -91,7 +103,7 @@ std::string parts_text(const MachineResult& result, const Design& design, const 
                    {"slot"},
                    {"part", Align::left, 34},
                    {"qty", Align::right},
-                   {"length", Align::right},
+                   {"mm", Align::right},
                    {design.currency, Align::right},
                    {"kg", Align::right},
                    {"origin"}});
@@ -149,7 +161,7 @@ std::string dimensions_text(const Design& design, const Style& style) {
   for (const evaluation::DimensionLine& line : design.dimensions)
     table.add(
         {line.axis, line.name, scalar::format(line.value, scalar::Unit::of(line.unit == "m" ? "mm" : line.unit))});
-  return style.heading("Dimensions and settings") + "\n" + table.str(2) + "\n";
+  return style.heading("Dimensions and settings") + "\n" + table.str(2, style) + "\n";
 }
 
 std::string governing_text(const MachineResult& result, const Design& design, const Style& style) {
@@ -157,7 +169,8 @@ std::string governing_text(const MachineResult& result, const Design& design, co
   for (const std::string& axis : checked_axes(result))
     if (const Check* check = design.governing(axis))
       table.add({axis, check->id, check->title, utilisation_text(*check), verdict_text(*check, style)});
-  return table.empty() ? std::string() : style.heading("Governing check of each axis") + "\n" + table.str(2) + "\n";
+  return table.empty() ? std::string()
+                       : style.heading("Governing check of each axis") + "\n" + table.str(2, style) + "\n";
 }
 
 /// "C-ACC-TOTAL: lead 58.2, reversal 3.1, ... um"
@@ -174,27 +187,29 @@ std::string checks_text(const MachineResult& result, const Design& design, const
   bool soft = false;
   bool open = false;
   for (const std::string& axis : checked_axes(result)) {
-    TextTable table({{"id"},
-                     {"check", Align::left, 36},
+    const bool wide = style.width >= wide_checks;
+    TextTable table({{wide ? "id" : ""},
+                     {"check", Align::left, wide ? 36U : 0U, false, wide ? 0U : 2U},
                      {"value", Align::right},
                      {"limit", Align::right},
-                     {""},
+                     {"", Align::left, 0, true},
                      {"used", Align::right},
-                     {""},
-                     {"worst in"}});
+                     {"", Align::left, 0, true},
+                     {wide ? "worst in" : ""}});
     for (const Check* check : checks_of(design, axis)) {
       const bool is_soft = check->kind == ConstraintKind::soft;
       soft = soft || is_soft;
       open = open || check->verdict == Verdict::not_evaluated;
       if (!check->note.empty()) notes.insert(check->id + ": " + check->note);
-      table.add({check->id + (is_soft ? "*" : ""),
-                 check->title,
+      const std::string id = check->id + (is_soft ? "*" : "");
+      table.add({wide ? id : "",
+                 wide ? check->title : check_cell(*check, id),
                  value_text(check->value),
                  value_text(check->limit),
                  unit_text(check->unit),
                  utilisation_text(*check),
                  verdict_text(*check, style),
-                 worst_text(*check)});
+                 wide ? worst_text(*check) : ""});
     }
     out += style.heading(axis == "machine" ? "Checks of the machine" : "Checks of axis " + axis) + "\n";
     out += table.str(2, style);
@@ -242,7 +257,8 @@ std::string assumptions_text(const Design& design, const Style& style) {
     out +=
         "  Energy is an estimate, of the drives' input while their own axis goes through its cycle: copper losses at\n"
         "  full current, usual iron losses, driver efficiency 0.9; nothing is fed back.\n";
-  if (!bases.empty()) out += "  Prices: " + wrapped(fmt::format("{}", fmt::join(bases, "; ")), 88, 10) + "\n";
+  if (!bases.empty())
+    out += "  Prices: " + wrapped(fmt::format("{}", fmt::join(bases, "; ")), style.width - 10, 10) + "\n";
   return out + "\n";
 }
 

@@ -10,11 +10,17 @@
 
 namespace millwright::report {
 
+/// "StepperOnline 17HS19-2004S1"; without a maker the part number alone.
+std::string part_name(const std::string& manufacturer, const std::string& part_number);
+std::string part_name(const evaluation::PartLine& part);
+
 /// The parts axis by axis, with lengths, prices and masses; estimates marked and explained.
 std::string parts_text(const MachineResult& result, const evaluation::Design& design, const Style& style);
 
 /// "612.34 USD", "41.200 kg", "12.500 s": a value of a quantity.
 std::string quantity_text(machine::Quantity quantity, double value, const std::string& currency);
+/// "+1.50", "-0.02"; "=" for what rounds to nothing.
+std::string signed_text(double difference, int digits);
 /// All totals that were counted, `first` before the others.
 std::string totals_text(const evaluation::Design& design, machine::Quantity first = machine::Quantity::cost);
 
@@ -38,6 +44,11 @@ std::string assumptions_text(const evaluation::Design& design, const Style& styl
 
 /// "97.2 %"; "> 999 %" beyond that; "-" where nothing could be evaluated.
 std::string utilisation_text(const evaluation::Check& check);
+/// Wide enough for tables of checks with a column for everything; below it id, title and where a check is worst share
+/// one.
+inline constexpr std::size_t wide_checks = 120;
+/// "C-ACC-TOTAL Position error budget", below it "(constant speed)" where a check is worst.
+std::string check_cell(const evaluation::Check& check, const std::string& id);
 /// Phase of the duty cycle and position of the travel where a check is worst.
 std::string worst_text(const evaluation::Check& check);
 

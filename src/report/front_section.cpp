@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "report/design_difference.h"
 #include "report/design_text.h"
 #include "report/html.h"
 #include "report/machine_text.h"
@@ -21,27 +22,11 @@ using evaluation::PartLine;
 
 namespace {
 
-std::string part_name(const PartLine& part) {
-  return part.manufacturer.empty() ? part.part_number : part.manufacturer + " " + part.part_number;
-}
-
-std::string place(const PartLine& part) { return part.axis + "." + part.slot; }
-
-/// In what a build differs from the one before: "x.motor 17HS4401S (was 17HS3401S)".
+/// In what a build differs from the one before: "x.motor: 17HS4401S → 17HS3401S".
 std::vector<std::string> changes(const Design& before, const Design& now) {
-  std::map<std::string, std::string> old;
-  for (const PartLine& part : before.parts) old[place(part)] = part_name(part);
   std::vector<std::string> out;
-  for (const PartLine& part : now.parts) {
-    const auto found = old.find(place(part));
-    if (found != old.end() && found->second == part_name(part)) continue;
-    out.push_back(fmt::format("{}: {} → {}", place(part), found == old.end() ? "–" : found->second, part_name(part)));
-  }
-  if (before.supply_voltage != now.supply_voltage) {
-    const auto volt = scalar::Unit::of("V");
-    out.push_back(fmt::format(
-        "V: {} → {}", scalar::format(before.supply_voltage, volt), scalar::format(now.supply_voltage, volt)));
-  }
+  for (const DesignDifference& each : differences(before, now))
+    out.push_back(fmt::format("{}.{}: {} → {}", each.axis, each.slot, each.before, each.now));
   return out;
 }
 

@@ -63,41 +63,35 @@ std::string totals_html(const Design& design, const Texts& t) {
   return out + "</dl>\n";
 }
 
+/// Axis, check, value, limit and use: of a check in a table of the summary; its last cell is left to the caller.
+std::vector<std::string> check_cells(const std::string& axis, const Check& check, std::string last) {
+  return {escaped(axis),
+          fmt::format("<a href=\"#{}\">{}</a>", calculation_id(check), escaped(check.id)),
+          escaped(check.title),
+          value_cell(check.value, check.unit),
+          value_cell(check.limit, check.unit),
+          utilisation_bar(check) + fmt::format("<span class=\"pct\">{}</span>", escaped(utilisation_text(check))),
+          std::move(last)};
+}
+
+HtmlTable check_table(const std::string& last, std::string_view css_class, const Texts& t) {
+  return {"<<<>><<",
+          {t("axis"), t("check.id"), t("check"), t("check.value"), t("check.limit"), t("check.used"), last},
+          css_class};
+}
+
 std::string governing_table(const MachineResult& result, const Design& design, const Texts& t) {
-  HtmlTable table("<<<>><<",
-                  {t("axis"), t("check.id"), t("check"), t("check.value"), t("check.limit"), t("check.used"), ""},
-                  "checks verdicts");
-  for (const std::string& axis : checked_axes(result)) {
-    const Check* check = design.governing(axis);
-    if (check == nullptr) continue;
-    table.add(
-        {escaped(axis),
-         fmt::format("<a href=\"#{}\">{}</a>", calculation_id(*check), escaped(check->id)),
-         escaped(check->title),
-         value_cell(check->value, check->unit),
-         value_cell(check->limit, check->unit),
-         utilisation_bar(*check) + fmt::format("<span class=\"pct\">{}</span>", escaped(utilisation_text(*check))),
-         verdict_mark(*check, t)});
-  }
+  HtmlTable table = check_table("", "checks verdicts", t);
+  for (const std::string& axis : checked_axes(result))
+    if (const Check* check = design.governing(axis)) table.add(check_cells(axis, *check, verdict_mark(*check, t)));
   return table.empty() ? std::string() : "<h3>" + escaped(t("summary.governing")) + "</h3>\n" + table.str();
 }
 
 std::string failures_table(const MachineResult& result, const Design& design, const Texts& t) {
-  HtmlTable table(
-      "<<<>><<",
-      {t("axis"), t("check.id"), t("check"), t("check.value"), t("check.limit"), t("check.used"), t("check.worst")},
-      "checks");
+  HtmlTable table = check_table(t("check.worst"), "checks", t);
   for (const std::string& axis : checked_axes(result))
     for (const Check* check : checks_of(design, axis))
-      if (is_failure(*check))
-        table.add(
-            {escaped(axis),
-             fmt::format("<a href=\"#{}\">{}</a>", calculation_id(*check), escaped(check->id)),
-             escaped(check->title),
-             value_cell(check->value, check->unit),
-             value_cell(check->limit, check->unit),
-             utilisation_bar(*check) + fmt::format("<span class=\"pct\">{}</span>", escaped(utilisation_text(*check))),
-             escaped(worst_text(*check))});
+      if (is_failure(*check)) table.add(check_cells(axis, *check, escaped(worst_text(*check))));
   return table.empty() ? std::string() : "<h3>" + escaped(t("summary.failures")) + "</h3>\n" + table.str();
 }
 

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "report/alternatives.h"
+#include "report/design_difference.h"
 #include "report/design_text.h"
 #include "report/steering.h"
 #include "scalar/unit.h"
@@ -19,11 +20,6 @@ using evaluation::Design;
 using evaluation::Verdict;
 
 namespace {
-
-std::string title_text(const MachineResult& result, const Style& style) {
-  const std::string title = result.title.empty() ? result.file : result.title + " (" + result.file + ")";
-  return style.heading(title) + "\n\n" + steering_text(result, style);
-}
 
 /// "Cheapest", "Lightest"; "Best" of a weighted sum.
 std::string best_word(const std::string& objective) {
@@ -66,7 +62,7 @@ const char* as_asked(const MachineResult& result) {
 }
 
 /// Checks that fail whatever is chosen.
-std::string unmet_text(const MachineResult& result) {
+std::string unmet_text(const MachineResult& result, const Style& style) {
   TextTable table({{"axis"}, {"id"}, {"check", Align::left, 44}, {"at least", Align::right}, {"set by"}});
   for (const evaluation::UnmetCheck& check : result.unmet)
     table.add({check.axis,
@@ -76,7 +72,7 @@ std::string unmet_text(const MachineResult& result) {
                    ? fmt::format("{:.1f} %", std::floor(1e3 * check.least_utilisation) / 10.0)
                    : "no part",
                check.requirement});
-  return "\nProved: these checks fail whatever is chosen\n" + table.str(2);
+  return "\nProved: these checks fail whatever is chosen\n" + table.str(2, style);
 }
 
 /// "x: position_error 10 -> 163 um over 700 mm", and what the cheapest build costs then.
@@ -104,21 +100,28 @@ std::string ways_out_text(const MachineResult& result) {
 bool best_is_proved(const MachineResult& result) { return result.status == Status::optimal || result.proved > 0; }
 
 std::string failures_text(const MachineResult& result, const Design& design, const Style& style) {
-  TextTable table({{""}, {""}, {""}, {"", Align::right}, {""}, {"", Align::right}, {""}});
+  const bool wide = style.width >= wide_checks;
+  TextTable table({{""},
+                   {""},
+                   {"", Align::left, 0, false, wide ? 0U : 2U},
+                   {"", Align::right},
+                   {"", Align::left, 0, true},
+                   {"", Align::right},
+                   {""}});
   for (const std::string& axis : checked_axes(result))
     for (const Check* check : checks_of(design, axis))
       if (check->verdict == Verdict::violated && check->kind != machine::ConstraintKind::soft)
         table.add({axis,
-                   check->id,
-                   check->title,
+                   wide ? check->id : "",
+                   wide ? check->title : check_cell(*check, check->id),
                    scalar::format_number(check->value),
                    fmt::format("> {}{}{}",
                                scalar::format_number(check->limit),
                                check->unit == "1" ? "" : " ",
                                check->unit == "1" ? "" : check->unit),
                    utilisation_text(*check),
-                   worst_text(*check)});
-  return table.empty() ? std::string() : style.bad("Failed checks") + "\n" + table.str(2) + "\n";
+                   wide ? worst_text(*check) : ""});
+  return table.empty() ? std::string() : style.bad("Failed checks") + "\n" + table.str(2, style) + "\n";
 }
 
 /// The build of a front that is best in one of its objectives.
@@ -140,6 +143,11 @@ std::string end_text(const MachineResult& result,
 
 }  // namespace
 
+std::string title_text(const MachineResult& result, const Style& style) {
+  const std::string title = result.title.empty() ? result.file : result.title + " (" + result.file + ")";
+  return style.heading(title) + "\n\n" + steering_text(result, style);
+}
+
 std::string nothing_text(const MachineResult& result, const Style& style) {
   if (!result.missing.empty()) {
     std::string out = style.bad("No build is possible:") + "\n";
@@ -155,7 +163,7 @@ std::string nothing_text(const MachineResult& result, const Style& style) {
          (result.has_budget ? "  The limit of cost or mass counts too: without it, 'solve' says what a build takes.\n"
                             : "") +
          (result.unmet.empty() ? "  'check' with a bill of materials (and --complete) shows by how much.\n"
-                               : unmet_text(result) + ways_out_text(result));
+                               : unmet_text(result, style) + ways_out_text(result));
 }
 
 std::string certificate_text(const MachineResult& result, const Style& style) {
@@ -182,8 +190,8 @@ std::string certificate_text(const MachineResult& result, const Style& style) {
                : "  Not proved: the limit was reached, points may be missing.\n";
   }
   out += fmt::format("  {} combinations of parts.\n", scalar::format_number(certificate.combinations, 3));
-  if (!certificate.method.empty()) out += "  " + wrapped(certificate.method, 78, 2) + "\n";
-  if (design != nullptr) out += "  Every figure above was computed again from scratch for the build that is shown.\n";
+  if (!certificate.method.empty()) out += "  " + wrapped(certificate.method, style.width - 2, 2) + "\n";
+  if (design != nullptr) out += "  Every figure above was computed again from scratch for the build shown.\n";
   // Lines of effort begin with "time": they differ from run to run.
   return out + fmt::format("time: {:.2f} s reading, {:.2f} s solving, {} nodes, {} evaluations\n",
                            result.timing.read,
@@ -208,7 +216,7 @@ std::string solve_text(const MachineResult& result, const Style& style) {
   std::string out = title_text(result, style);
   if (result.designs.empty()) {
     out += nothing_text(result, style) + "\n";
-    return result.missing.empty() ? out + certificate_text(result, style) : out;
+    return result.missing.empty() && !style.brief ? out + certificate_text(result, style) : out;
   }
   const Design& design = result.designs.front();
   const std::string& objective = result.objectives.front();
@@ -219,9 +227,10 @@ std::string solve_text(const MachineResult& result, const Style& style) {
                                objective_text(objective, result.lower_bound, design.currency),
                                100.0 * result.gap);
   if (result.fixed_objective && result.status == Status::optimal)
-    out += "  The moves state their times, so every build takes as long: this is the cheapest.\n\n";
-  return out + parts_text(result, design, style) + dimensions_text(design, style) + alternatives_text(result, style) +
-         governing_text(result, design, style) + checks_text(result, design, style) +
+    out += "  Moves state their times, so every build takes as long: this is the cheapest.\n\n";
+  out += parts_text(result, design, style) + dimensions_text(design, style) + alternatives_text(result, style);
+  if (style.brief) return out;
+  return out + governing_text(result, design, style) + checks_text(result, design, style) +
          outside_validity_text(design, style) + requirements_text(result, style) + assumptions_text(design, style) +
          certificate_text(result, style);
 }
@@ -248,17 +257,10 @@ std::string front_text(const MachineResult& result, const Style& style) {
   for (std::size_t i = 0; i < result.designs.size(); ++i) {
     const Design& design = result.designs[i];
     std::string changes;
-    for (std::size_t k = 0; i > 0 && k < design.parts.size(); ++k) {
-      const auto& before = result.designs[i - 1].parts;
-      if (k < before.size() && before[k].part_number == design.parts[k].part_number &&
-          before[k].manufacturer == design.parts[k].manufacturer)
-        continue;
-      changes += fmt::format("{}{}.{} {}",
-                             changes.empty() ? "" : ", ",
-                             design.parts[k].axis,
-                             design.parts[k].slot,
-                             design.parts[k].part_number);
-    }
+    if (i > 0)
+      for (const DesignDifference& each : differences(result.designs[i - 1], design))
+        if (each.slot != "supply_voltage")  // has its own column
+          changes += fmt::format("{}{}.{} {}", changes.empty() ? "" : ", ", each.axis, each.slot, each.short_now);
     std::vector<std::string> cells{
         std::to_string(i + 1), fmt::format("{:.2f}", design.cost), fmt::format("{:.3f}", design.mass)};
     for (const evaluation::CountedTotal& each : design.counted)
@@ -268,6 +270,7 @@ std::string front_text(const MachineResult& result, const Style& style) {
     table.add(cells);
   }
   out += table.str(2, style) + "\n";
+  if (style.brief) return out;
   for (std::size_t k = 0; k < result.objectives.size() && (k == 0 || result.designs.size() > 1); ++k)
     out += end_text(result, best_in(result, result.objectives[k]), result.objectives[k], style);
   return out + assumptions_text(result.designs.front(), style) + certificate_text(result, style);
@@ -289,9 +292,11 @@ std::string check_text(const MachineResult& result, const Style& style) {
                              in_sentence(best_word(result.objectives.front())))
                : "What it leaves open was filled with the cheapest parts that fit.\n";
   out += fmt::format("Totals: {}\n\n", totals_text(design));
-  return out + failures_text(result, design, style) + governing_text(result, design, style) +
-         parts_text(result, design, style) + dimensions_text(design, style) + checks_text(result, design, style) +
-         outside_validity_text(design, style) + requirements_text(result, style) + assumptions_text(design, style);
+  out += failures_text(result, design, style);
+  if (style.brief) return out;
+  return out + governing_text(result, design, style) + parts_text(result, design, style) +
+         dimensions_text(design, style) + checks_text(result, design, style) + outside_validity_text(design, style) +
+         requirements_text(result, style) + assumptions_text(design, style);
 }
 
 }  // namespace millwright::report

@@ -19,6 +19,9 @@ std::string front_text(const MachineResult& result, const Style& style);
 /// What fails, first; then what was used and every check.
 std::string check_text(const MachineResult& result, const Style& style);
 
+/// Title and file, and what was asked for beside the problem.
+std::string title_text(const MachineResult& result, const Style& style);
+
 /// Why there is no build: slots without candidates, checks that fail whatever is chosen, ways out.
 std::string nothing_text(const MachineResult& result, const Style& style);
 

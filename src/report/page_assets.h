@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Style and script of the page, from src/report/page/: they are bundled when the program is built (page/build.cmake).
+// What is written into the program when it is built (page/embed.cmake): style and script of the page, from
+// src/report/page/, and the list of sources.
 #pragma once
 
 #include <string>
@@ -8,5 +9,7 @@ namespace millwright::report {
 
 std::string page_style();
 std::string page_script();
+/// mechanics/sources.bib.
+std::string sources_bib();
 
 }  // namespace millwright::report

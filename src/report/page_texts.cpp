@@ -28,6 +28,7 @@ const std::vector<PageText>& page_texts() {
       {"kind.solve", "Design and calculation", "Rancangan dan perhitungan"},
       {"kind.check", "Check of a bill of materials", "Pemeriksaan daftar komponen"},
       {"kind.pareto", "Front of builds", "Garis depan Pareto"},
+      {"kind.sweep", "One value over a range", "Satu nilai sepanjang rentang"},
       {"kind.audit", "Audit of a published calculation", "Audit perhitungan terbitan"},
       {"footer",
        "Made by Millwright. Values are computed in SI and shown with four significant digits; the complete result for "
@@ -190,6 +191,16 @@ const std::vector<PageText>& page_texts() {
       {"assume.prices", "Prices", "Harga"},
       {"assume.estimates", "Estimated inputs", "Masukan perkiraan"},
       {"certificate", "Certificate", "Sertifikat"},
+
+      {"sweep", "The best build at each value", "Rancangan terbaik pada tiap nilai"},
+      {"sweep.speed", "Against the cycle time", "Terhadap waktu siklus"},
+      {"sweep.hint",
+       "Point at a mark for its figures. A cross: no compliant build exists there; an open circle: not proved.",
+       "Tunjuk sebuah tanda untuk angkanya. Silang: tidak ada rancangan yang memenuhi syarat; lingkaran kosong: belum "
+       "terbukti."},
+      {"sweep.proof", "Proof", "Bukti"},
+      {"sweep.proved", "proved", "terbukti"},
+      {"sweep.open", "not proved", "belum terbukti"},
 
       {"audit.count", "{} printed results were recomputed.", "{} hasil cetak dihitung ulang."},
       {"audit.results", "Printed against recomputed", "Cetak dibandingkan hitung ulang"},

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "report/design_text.h"
 #include "scalar/unit.h"
 
 namespace millwright::report {
@@ -13,12 +14,8 @@ std::string unit_of(const MachineResult& result, const machine::LimitOption& lim
   return limit.name == "mass" ? "kg" : result.currency;
 }
 
-std::string name_of(const std::string& manufacturer, const std::string& part_number) {
-  return manufacturer.empty() ? part_number : manufacturer + " " + part_number;
-}
-
 std::string fixed_text(const machine::BomLine& line) {
-  if (!line.value) return name_of(line.manufacturer, line.part_number);
+  if (!line.value) return part_name(line.manufacturer, line.part_number);
   return scalar::format(*line.value, scalar::Unit::of(machine::unit_of_setting(line.slot)));
 }
 
@@ -30,10 +27,10 @@ std::string steering_text(const MachineResult& result, const Style& style) {
   for (const machine::LimitOption& limit : result.steering.limits)
     table.add({"--limit", limit.name, fmt::format("{:.6g} {}", limit.value, unit_of(result, limit))});
   for (const machine::ExcludedPart& part : result.steering.without)
-    table.add({"--without", "", name_of(part.manufacturer, part.part_number)});
+    table.add({"--without", "", part_name(part.manufacturer, part.part_number)});
   for (const machine::BomLine& line : result.steering.fixed.lines)
     table.add({"--fix", line.axis + "." + line.slot, fixed_text(line)});
-  return style.heading("Asked for beside the problem") + "\n" + table.str(2) + "\n";
+  return style.heading("Asked for beside the problem") + "\n" + table.str(2, style) + "\n";
 }
 
 void add_steering(const MachineResult& result, Json& json) {

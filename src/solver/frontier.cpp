@@ -138,7 +138,7 @@ bool Frontier::advance(std::size_t stage, const Comparison& comparison) {
     if (known.dominates(key)) continue;
     if (arrive(stage, chunks[combination.chunk], combination)) known.add(key);
   }
-  control_.report(incumbents_.best(), incumbents_.best());
+  control_.report(incumbents_.best());
   return true;
 }
 

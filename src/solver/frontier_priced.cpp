@@ -83,7 +83,7 @@ bool Frontier::advance_priced(std::size_t stage, const Comparison& comparison) {
     }
   }
   keep_undominated(std::move(arrived), stage + 1, comparison);
-  control_.report(incumbents_.best(), incumbents_.best());
+  control_.report(incumbents_.best());
   return true;
 }
 

@@ -3,7 +3,9 @@
 // What all parts of one solve share: the options, the threads with their desks, the clock, the counters.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
+#include <limits>
 #include <vector>
 
 #include "solver/box.h"
@@ -36,12 +38,22 @@ class SearchControl {
     for (const Desk& desk : desks_) sum += desk.bounds + desk.evaluations;
     return sum;
   }
-  void report(double lower_bound, double incumbent) {
-    constexpr double interval_seconds = 0.1;
-    if (!options_.progress || since(reported_) < interval_seconds) return;
-    reported_ = std::chrono::steady_clock::now();
-    options_.progress(Progress{lower_bound, incumbent, seconds(), nodes});
+  /// Says which part of the problem is at work: nothing in it is below `here`, and nothing below `elsewhere` in what is
+  /// still to be done.
+  void enter(double here, double elsewhere) {
+    here_ = here;
+    elsewhere_ = elsewhere;
   }
+  /// Progress of the whole, now and then; `lower_bound` is of the part at work.
+  void report(double lower_bound, double incumbent) {
+    if (!options_.progress || since(reported_) < options_.progress_interval_seconds) return;
+    reported_ = std::chrono::steady_clock::now();
+    // What was proved once stays proved.
+    proved_ = std::max(proved_, std::min({std::max(lower_bound, here_), elsewhere_, incumbent}));
+    options_.progress(Progress{proved_, incumbent, seconds(), nodes});
+  }
+  /// From a method that knows no bound of its own.
+  void report(double incumbent) { report(here_, incumbent); }
 
  private:
   using Instant = std::chrono::steady_clock::time_point;
@@ -53,6 +65,9 @@ class SearchControl {
   Crew crew_;
   std::vector<Desk> desks_;
   Instant start_, reported_;
+  double here_ = -std::numeric_limits<double>::infinity();
+  double elsewhere_ = std::numeric_limits<double>::infinity();
+  double proved_ = -std::numeric_limits<double>::infinity();
 };
 
 }  // namespace millwright::solver

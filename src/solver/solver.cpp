@@ -136,7 +136,9 @@ class Solve {
     std::vector<OpenSearch> open;
     // A single objective looks at every combination briefly first, and goes on with the most promising one: what is
     // found in one settles much of the others.
-    for (const Combination& combination : combinations) {
+    for (std::size_t i = 0; i < combinations.size(); ++i) {
+      const Combination& combination = combinations[i];
+      control_.enter(combination.score[0], std::min(least(combinations, i + 1), least(open, 0)));
       if (control_.time_is_up()) {
         leave_open(combination.score[0]);
         break;
@@ -145,9 +147,18 @@ class Solve {
       if (auto started = start(combination)) open.push_back(std::move(*started));
     }
     std::stable_sort(open.begin(), open.end(), [](const auto& a, const auto& b) { return a.score[0] < b.score[0]; });
-    for (OpenSearch& search : open) {
-      if (!incumbents_.hopeless(search.score, 0.0)) finish(search);
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      control_.enter(open[i].score[0], std::min(least(open, i + 1), open_bound_));
+      if (!incumbents_.hopeless(open[i].score, 0.0)) finish(open[i]);
     }
+  }
+
+  /// The least bound from a place on; infinity where there is nothing more.
+  template <class Parts>
+  static double least(const Parts& parts, std::size_t from) {
+    double bound = infinity;
+    for (std::size_t i = from; i < parts.size(); ++i) bound = std::min(bound, parts[i].score[0]);
+    return bound;
   }
 
   /// A combination that has been begun; `search` points into `plans`.

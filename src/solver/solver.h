@@ -37,6 +37,7 @@ struct Options {
   unsigned threads = 1;  ///< the answer does not depend on it
   const std::atomic<bool>* stop = nullptr;  ///< set by Ctrl-C: end as for the time limit
   std::function<void(const Progress&)> progress;
+  double progress_interval_seconds = 0.1;  ///< not more often
 };
 
 /// The choices of one stage in a build.

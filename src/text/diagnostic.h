@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "text/question.h"
 #include "text/source_text.h"
 
 namespace millwright::text {
@@ -58,6 +59,10 @@ class Diagnostics {
   /// went over the limit a last note "... and N more".
   std::vector<Diagnostic> all() const;
 
+  /// Readers that report here tell the listener what they ask (see question.h). It must outlive them; null: nobody.
+  void listen(QuestionListener* listener) { listener_ = listener; }
+  QuestionListener* listener() const { return listener_; }
+
  private:
   struct PerText {
     std::size_t order = 0;
@@ -72,6 +77,7 @@ class Diagnostics {
   std::size_t note_count_ = 0;
   std::map<const SourceText*, PerText> texts_;
   std::vector<Diagnostic> kept_;
+  QuestionListener* listener_ = nullptr;
 };
 
 /// The compiler form shown above: place, message, source line (clipped around the caret when long, unprintable bytes

@@ -48,12 +48,27 @@ void TableReader::remember(std::string_view key) {
   if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.emplace_back(key);
 }
 
-bool TableReader::has(std::string_view key) {
-  remember(key);
-  return table_.find(key) != nullptr;
+bool TableReader::has(const Key& key) {
+  describe(key, Expected::anything);
+  remember(key.name);
+  return table_.find(key.name) != nullptr;
 }
 
-const Node* TableReader::find(std::string_view key, Presence presence) {
+void TableReader::describe(const Question& question) const {
+  if (heard()) diagnostics_.listener()->asked(table_, question);
+}
+
+void TableReader::describe(const Key& key, Expected expected, Presence presence) const {
+  if (!heard()) return;
+  Question question;
+  question.expected = expected;
+  question.key = key.name;
+  question.meaning = key.meaning;
+  question.required = presence == Presence::required;
+  describe(question);
+}
+
+const Node* TableReader::look_up(std::string_view key, Presence presence) {
   remember(key);
   const Node* node = table_.find(key);
   if (node == nullptr && presence == Presence::required && table_.is_table()) {
@@ -62,8 +77,13 @@ const Node* TableReader::find(std::string_view key, Presence presence) {
   return node;
 }
 
+const Node* TableReader::find(const Key& key, Presence presence) {
+  describe(key, Expected::anything, presence);
+  return look_up(key.name, presence);
+}
+
 const Node* TableReader::of_kind(std::string_view key, NodeKind kind, Presence presence) {
-  const Node* node = find(key, presence);
+  const Node* node = look_up(key, presence);
   if (node == nullptr) return nullptr;
   const bool fits = node->kind() == kind || (kind == NodeKind::number && node->is_number());
   if (fits) return node;
@@ -71,35 +91,51 @@ const Node* TableReader::of_kind(std::string_view key, NodeKind kind, Presence p
   return nullptr;
 }
 
-std::optional<std::string> TableReader::string(std::string_view key, Presence presence) {
-  const Node* node = of_kind(key, NodeKind::string, presence);
+std::optional<std::string> TableReader::string(const Key& key, Presence presence) {
+  describe(key, Expected::text, presence);
+  const Node* node = of_kind(key.name, NodeKind::string, presence);
   return node == nullptr ? std::nullopt : node->as_string();
 }
 
-std::optional<double> TableReader::number(std::string_view key, Presence presence) {
-  const Node* node = of_kind(key, NodeKind::number, presence);
+std::optional<double> TableReader::number(const Key& key, Presence presence) {
+  describe(key, Expected::number, presence);
+  const Node* node = of_kind(key.name, NodeKind::number, presence);
   return node == nullptr ? std::nullopt : node->as_number();
 }
 
-std::optional<std::int64_t> TableReader::integer(std::string_view key, Presence presence) {
-  const Node* node = of_kind(key, NodeKind::integer, presence);
+std::optional<std::int64_t> TableReader::integer(const Key& key, Presence presence) {
+  describe(key, Expected::integer, presence);
+  const Node* node = of_kind(key.name, NodeKind::integer, presence);
   return node == nullptr ? std::nullopt : node->as_integer();
 }
 
-std::optional<bool> TableReader::boolean(std::string_view key, Presence presence) {
-  const Node* node = of_kind(key, NodeKind::boolean, presence);
+std::optional<bool> TableReader::boolean(const Key& key, Presence presence) {
+  describe(key, Expected::boolean, presence);
+  const Node* node = of_kind(key.name, NodeKind::boolean, presence);
   return node == nullptr ? std::nullopt : node->as_boolean();
 }
 
-const Node* TableReader::table(std::string_view key, Presence presence) {
-  return of_kind(key, NodeKind::table, presence);
+bool TableReader::boolean_or(const Key& key, bool fallback) {
+  Question question;
+  question.expected = Expected::boolean;
+  question.key = key.name;
+  question.meaning = key.meaning;
+  question.fallback = fallback ? "true" : "false";
+  describe(question);
+  return boolean(key).value_or(fallback);
 }
 
-const Node* TableReader::array(std::string_view key, Presence presence) {
-  return of_kind(key, NodeKind::array, presence);
+const Node* TableReader::table(const Key& key, Presence presence) {
+  describe(key, Expected::table, presence);
+  return of_kind(key.name, NodeKind::table, presence);
 }
 
-std::vector<const Node*> TableReader::list(std::string_view key, Presence presence) {
+const Node* TableReader::array(const Key& key, Presence presence) {
+  describe(key, Expected::tables, presence);
+  return of_kind(key.name, NodeKind::array, presence);
+}
+
+std::vector<const Node*> TableReader::list(const Key& key, Presence presence) {
   std::vector<const Node*> nodes;
   const Node* node = find(key, presence);
   if (node == nullptr) return nodes;
@@ -108,29 +144,48 @@ std::vector<const Node*> TableReader::list(std::string_view key, Presence presen
   return nodes;
 }
 
-std::vector<std::string> TableReader::strings(std::string_view key, Presence presence) {
+std::vector<std::string> TableReader::strings(const Key& key, Presence presence) {
+  describe(key, Expected::texts, presence);
   std::vector<std::string> words;
   for (const Node* node : list(key, presence)) {
     if (const auto word = node->as_string()) {
       words.push_back(*word);
     } else {
-      report_kind(*node, fmt::format("'{}'", key), NodeKind::string, diagnostics_);
+      report_kind(*node, fmt::format("'{}'", key.name), NodeKind::string, diagnostics_);
     }
   }
   return words;
 }
 
-std::optional<std::string> TableReader::word(std::string_view key,
+std::optional<std::string> TableReader::word(const Key& key,
                                              const std::vector<std::string>& allowed,
                                              Presence presence) {
-  const Node* node = of_kind(key, NodeKind::string, presence);
+  Question question;
+  question.expected = Expected::word;
+  question.key = key.name;
+  question.meaning = key.meaning;
+  question.words = allowed;
+  question.required = presence == Presence::required;
+  describe(question);
+  const Node* node = of_kind(key.name, NodeKind::string, presence);
   if (node == nullptr) return std::nullopt;
   const std::string value = *node->as_string();
   if (std::find(allowed.begin(), allowed.end(), value) != allowed.end()) return value;
   diagnostics_.error(node->span(),
-                     fmt::format("'{}' cannot be {}", key, quoted(value)),
+                     fmt::format("'{}' cannot be {}", key.name, quoted(value)),
                      did_you_mean(value, allowed, fmt::format("one of {}", fmt::join(allowed, ", "))));
   return std::nullopt;
+}
+
+std::string TableReader::word_or(const Key& key, const std::vector<std::string>& allowed, const std::string& fallback) {
+  Question question;
+  question.expected = Expected::word;
+  question.key = key.name;
+  question.meaning = key.meaning;
+  question.words = allowed;
+  question.fallback = fallback;
+  describe(question);
+  return word(key, allowed).value_or(fallback);
 }
 
 void TableReader::finish() {

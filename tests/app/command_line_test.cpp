@@ -14,7 +14,7 @@ TEST_CASE("Every mistake on the command line is exit code 2 with a hint, and pri
   const Workshop shop;
   shop.write("m.toml", one_slide);
   const std::vector<Case> cases = {
-      {{}, "hint: commands: solve, pareto, check"},
+      {{}, "hint: commands: new, solve, pareto, check"},
       {{"slove", "m.toml"}, "there is no command 'slove'\n  hint: did you mean 'solve'?"},
       {{"catalogue", "lst"}, "there is no command 'catalogue lst'\n  hint: did you mean 'list'?"},
       {{"solve"}, "PROBLEM is required"},
@@ -60,6 +60,9 @@ TEST_CASE("Help and version") {
                                                                                      {"audit", "--help"},
                                                                                      {"calc", "--help"},
                                                                                      {"formulas", "--help"},
+                                                                                     {"new", "--help"},
+                                                                                     {"reference", "--help"},
+                                                                                     {"schema", "--help"},
                                                                                      {"catalogue", "--help"},
                                                                                      {"catalogue", "lint", "--help"}}) {
     const Outcome outcome = shop.run(words);
@@ -67,6 +70,20 @@ TEST_CASE("Help and version") {
     CHECK(outcome.prints("Examples:\n  millwright "));
     CHECK(outcome.err.empty());
   }
+}
+
+TEST_CASE("Reference and schema are printed, and take nothing") {
+  const Workshop shop;
+  const Outcome reference = shop.run({"reference"});
+  CHECK(reference.exit_code == 0);
+  CHECK(reference.out.rfind("# The problem file\n", 0) == 0);
+  CHECK(reference.prints("## `[[axis.moves]]`\n"));
+  CHECK(reference.prints(
+      "| `life` | time, `\"10000 h\"` | `\"10000 h\"` (iso3408_5) | Service life of screws and guides |\n"));
+  const Outcome schema = shop.run({"schema"});
+  CHECK(schema.exit_code == 0);
+  CHECK(schema.prints("\"$schema\": \"http://json-schema.org/draft-07/schema#\""));
+  for (const char* verb : {"reference", "schema"}) CHECK(shop.run({verb, "x"}).exit_code == 2);
 }
 
 TEST_CASE("The version is that of the project") {

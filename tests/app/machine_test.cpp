@@ -60,7 +60,7 @@ TEST_CASE(
   const Workshop shop;
   shop.write("m.toml", one_slide);
   const Outcome one = shop.run({"solve", "m.toml", "--json", "1.json", "--threads", "1"});
-  const Outcome two = shop.run({"solve", "m.toml", "--json", "2.json", "--threads", "2", "--quiet"});
+  const Outcome two = shop.run({"solve", "m.toml", "--json", "2.json", "--threads", "2"});
   CHECK(one.exit_code == 0);
   CHECK(one.prints("Cheapest compliant build"));
   CHECK_FALSE(one.prints("\x1B["));

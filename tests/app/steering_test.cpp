@@ -291,7 +291,7 @@ TEST_CASE("Alternatives as text: one line a build, the same for every number of 
   CHECK(one.exit_code == 0);
   CHECK(one.prints("Alternatives\n"));
   CHECK(one.prints("Proved: no compliant build of these catalogues is cheaper.\n"));
-  CHECK(one.prints("Proved: these are the 3 cheapest builds, each combination of parts counted once.\n"));
+  CHECK(one.prints("Proved: these are the 3 cheapest builds, each set of parts counted once.\n"));
   CHECK(one.out.substr(0, one.out.find("\ntime")) == two.out.substr(0, two.out.find("\ntime")));
 
   // With everything but the coupling decided there are few.

@@ -43,6 +43,13 @@ expect("build of an outside project" 0 "")
 run(${place} ${place}/consumer/consumer)
 expect("run of an outside project" 0 "^15\\.93695[0-9]* 1 3\n$")
 
+foreach(file IN ITEMS share/man/man1/millwright.1 share/man/man1/millwright-solve.1 share/doc/millwright/guide/index.html
+    share/doc/millwright/guide/problem-file.html share/doc/millwright/problems/sander.toml share/millwright/millwright.schema.json)
+  if(NOT EXISTS ${prefix}/${file})
+    fail("${file} is not installed")
+  endif()
+endforeach()
+
 set(ENV{MILLWRIGHT_CATALOGUES})  # the program has to find its catalogues by itself
 set(program ${prefix}/bin/millwright)
 run(${place}/elsewhere ${program} catalogue list)

@@ -1,23 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-# cmake -D STYLE=... -D SCRIPT=... -D OUTPUT=... -P embed.cmake: writes both files into a C++ source. Literals have a
-# least length that every compiler takes, so they are written in pieces.
-set(piece_length 30000)
-
-function(literals file name result)
-  set(text "const std::string_view ${name}[] = {\n")
-  file(READ ${file} content)
-  string(LENGTH "${content}" length)
-  set(at 0)
-  while(at LESS length)
-    string(SUBSTRING "${content}" ${at} ${piece_length} piece)
-    string(APPEND text "    R\"millwright(${piece})millwright\",\n")
-    math(EXPR at "${at} + ${piece_length}")
-  endwhile()
-  set(${result} "${text}};\n" PARENT_SCOPE)
-endfunction()
-
-literals(${STYLE} style_pieces style)
-literals(${SCRIPT} script_pieces script)
+# cmake -D LITERALS=cmake/text_literals.cmake -D STYLE=... -D SCRIPT=... -D SOURCES=... -D OUTPUT=... -P
+# embed.cmake: writes these files into a C++ source.
+include(${LITERALS})
+text_literals(${STYLE} style)
+text_literals(${SCRIPT} script)
+text_literals(${SOURCES} sources)
 file(WRITE ${OUTPUT}.new "// Written by src/report/page/embed.cmake.
 #include \"report/page_assets.h\"
 
@@ -26,8 +13,13 @@ file(WRITE ${OUTPUT}.new "// Written by src/report/page/embed.cmake.
 namespace millwright::report {
 
 namespace {
-${style}
-${script}
+const std::string_view style_pieces[] = {
+${style}};
+const std::string_view script_pieces[] = {
+${script}};
+const std::string_view sources_pieces[] = {
+${sources}};
+
 template <std::size_t count>
 std::string joined(const std::string_view (&pieces)[count]) {
   std::string text;
@@ -38,6 +30,7 @@ std::string joined(const std::string_view (&pieces)[count]) {
 
 std::string page_style() { return joined(style_pieces); }
 std::string page_script() { return joined(script_pieces); }
+std::string sources_bib() { return joined(sources_pieces); }
 
 }  // namespace millwright::report
 ")

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include "app/commands.h"
+#include "app/output.h"
+#include "app/templates.h"
+#include "text/nearest.h"
+#include "text/output_file.h"
+
+namespace millwright::app {
+
+namespace {
+
+/// The template of that name; reports if there is none.
+const Template* find_template(const std::string& name, text::Diagnostics& diagnostics) {
+  std::vector<std::string_view> names;
+  for (const Template& each : templates()) {
+    if (each.name == name) return &each;
+    names.push_back(each.name);
+  }
+  const std::string all = fmt::format("templates: {}", fmt::join(names, ", "));
+  if (name.empty())
+    diagnostics.error("which machine is it to be?", "say --template mill; " + all);
+  else
+    diagnostics.error("there is no template " + text::quoted(name), text::did_you_mean(name, names, all));
+  return nullptr;
+}
+
+/// What is wrong with the name of the file, as far as writing itself would not find it.
+void check_target(const Options& options, text::Diagnostics& diagnostics) {
+  const std::filesystem::path path(options.problem);
+  const std::string shown = text::printable(options.problem);
+  std::string ending = path.extension().string();
+  std::transform(
+      ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::error_code ignored;
+  if (ending == ".json")
+    diagnostics.error(shown + ": templates are TOML, and a file of this name is read as JSON", "let it end in .toml");
+  else if (std::filesystem::is_regular_file(std::filesystem::symlink_status(path, ignored)) && !options.force)
+    diagnostics.error(shown + ": there is such a file already", "name another one, or say --force to overwrite it");
+}
+
+}  // namespace
+
+int run_new(const Options& options) {
+  text::Diagnostics diagnostics;
+  const Template* found = find_template(options.subject, diagnostics);
+  check_target(options, diagnostics);
+  if (!diagnostics.has_errors()) (void)text::write_file_atomically(options.problem, found->text, diagnostics);
+  print(diagnostics);
+  if (diagnostics.has_errors()) return exit_bad_input;
+  const std::string shown = text::printable(options.problem);
+  return deliver(
+             options,
+             fmt::format("{0}: written. 'millwright solve {0}' designs the machine; 'millwright reference' explains "
+                         "every key.\n",
+                         shown),
+             "")
+             ? exit_done
+             : exit_bad_input;
+}
+
+}  // namespace millwright::app

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "evaluation/explanation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "evaluation/condition_trials.h"
+#include "evaluation/machine_stages.h"
+#include "evaluation/slot_choices.h"
+
+namespace millwright::evaluation {
+
+namespace {
+
+using machine::Asked;
+using machine::Condition;
+using machine::ConditionKind;
+
+/// Relative, of the smallest change that is told.
+constexpr double precision = 1.01;
+
+ConditionSet without(const ConditionSet& set, const ConditionSet& others) {
+  ConditionSet result;
+  std::set_difference(set.begin(), set.end(), others.begin(), others.end(), std::back_inserter(result));
+  return result;
+}
+
+std::string title_of(const Condition& condition) { return condition.axis + ": " + condition.name; }
+
+/// Nothing is compliant.
+class Contradictions {
+ public:
+  Contradictions(ConditionTrials& trials, Explanation& result) : trials_(trials), result_(result) {}
+
+  void find() {
+    note_unmet(trials_.all());
+    if (!trials_.possible(ConditionSet{})) {
+      result_.catalogue_lacks = true;
+      note_unmet({});
+      return;
+    }
+    ConditionSet rest = trials_.all();
+    while (!trials_.possible(rest)) {
+      const ConditionSet conflict =
+          minimal_conflict(rest, [&](const ConditionSet& set) { return trials_.possible(set); });
+      result_.conflicts.push_back({conflict, {}});
+      rest = without(rest, conflict);
+    }
+    for (std::size_t i = 0; i < result_.conflicts.size(); ++i) resolve(i);
+    if (result_.conflicts.size() > 1) resolve_all();
+  }
+
+ private:
+  /// What single checks and slots say, with only these conditions imposed.
+  void note_unmet(const ConditionSet& imposed) {
+    Asked asked = trials_.asked();
+    trials_.lift_others(imposed, asked);
+    const MachineModel model(asked.problem, trials_.catalogue_for(asked), {}, {.fixed = asked.fixed});
+    result_.empty_slots = model.empty_slots();
+    result_.unmet.clear();
+    if (result_.empty_slots.empty() && model.problems().empty()) result_.unmet = unmet_checks(model);
+  }
+
+  /// The others' members do not count while one conflict is looked at.
+  [[nodiscard]] ConditionSet background(std::size_t conflict) const {
+    ConditionSet set = trials_.all();
+    for (std::size_t i = 0; i < result_.conflicts.size(); ++i)
+      if (i != conflict) set = without(set, result_.conflicts[i].conditions);
+    return set;
+  }
+
+  void resolve(std::size_t index) {
+    Conflict& conflict = result_.conflicts[index];
+    const ConditionSet imposed = background(index);
+    for (const std::size_t member : conflict.conditions)
+      conflict.ways.push_back({member, true, std::nullopt, std::nullopt});
+    for (Relaxation& way : conflict.ways) relax(imposed, way);
+    const auto cost = [](const Relaxation& way) {
+      return way.design ? way.design->cost : std::numeric_limits<double>::infinity();
+    };
+    std::stable_sort(conflict.ways.begin(), conflict.ways.end(), [&](const Relaxation& a, const Relaxation& b) {
+      return cost(a) < cost(b);
+    });
+  }
+
+  void relax(const ConditionSet& imposed, Relaxation& way) {
+    const Condition& condition = trials_.conditions()[way.condition];
+    way.enough = trials_.possible(without(imposed, {way.condition}));
+    if (!way.enough) return;
+    const std::string what = "a way out by " + title_of(condition);
+    const auto eased = [&](Asked& asked, double to) {
+      trials_.lift_others(imposed, asked);
+      condition.set(asked, to);
+    };
+    if (condition.kind == ConditionKind::choice) {
+      way.design = trials_.best_by(
+          "cost", what, [&](Asked& asked) { trials_.lift_others(without(imposed, {way.condition}), asked); });
+      return;
+    }
+    if (condition.kind == ConditionKind::budget) {  // exact: the least that any build takes
+      const bool mass = condition.unit == "kg";
+      way.design = trials_.best_by(mass ? "mass" : "cost", what, [&](Asked& asked) {
+        trials_.lift_others(without(imposed, {way.condition}), asked);
+      });
+      if (way.design) way.to = rounded_looser(condition, mass ? way.design->mass : way.design->cost);
+      if (way.design && mass)  // of the builds as light as that, as shown, the cheapest
+        way.design = trials_.best_by("cost", what, [&](Asked& asked) { eased(asked, *way.to); });
+      return;
+    }
+    const double factor = least_factor(
+        condition, [&](double to) { return trials_.possible(what, [&](Asked& asked) { eased(asked, to); }); });
+    for (const double to : {rounded_looser(condition, condition.eased(factor)), condition.eased(factor)}) {
+      way.to = to;
+      way.design = trials_.best_by("cost", what, [&](Asked& asked) { eased(asked, to); });
+      if (way.design) return;
+    }
+  }
+
+  /// To 1 %; the furthest is known to be enough.
+  template <class Enough>
+  static double least_factor(const Condition& condition, Enough&& enough) {
+    double refused = 1.0, accepted = std::min(1.1, condition.furthest);
+    while (accepted < condition.furthest && !enough(condition.eased(accepted))) {
+      refused = accepted;
+      accepted = std::min(accepted * accepted, condition.furthest);
+    }
+    while (accepted / refused > precision) {
+      const double middle = std::sqrt(accepted * refused);
+      (enough(condition.eased(middle)) ? accepted : refused) = middle;
+    }
+    return accepted;
+  }
+
+  void resolve_all() {
+    std::vector<const Relaxation*> taken;
+    for (const Conflict& conflict : result_.conflicts) {
+      if (conflict.ways.empty() || !conflict.ways.front().enough) return;
+      taken.push_back(&conflict.ways.front());
+    }
+    result_.all_resolved = trials_.best_by("cost", "all ways out together", [&](Asked& asked) {
+      for (const Relaxation* way : taken) {
+        const Condition& condition = trials_.conditions()[way->condition];
+        way->to ? condition.set(asked, *way->to) : condition.lift(asked);
+      }
+    });
+  }
+
+  ConditionTrials& trials_;
+  Explanation& result_;
+};
+
+/// What each condition costs on its own.
+class Prices {
+ public:
+  Prices(ConditionTrials& trials, Explanation& result)
+      : trials_(trials), result_(result), objective_(machine::objective_named(result.objective)) {
+    base_ = result.design->total(objective_);
+  }
+
+  void find() {
+    // What is not settled for many is asked in parts.
+    const ConditionSet dear = those_that_matter(trials_.all(), [&](const ConditionSet& set) {
+      try {
+        return matters(saving(
+            [&](Asked& asked) {
+              for (const std::size_t i : set) conditions()[i].lift(asked);
+            },
+            "what conditions cost"));
+      } catch (const Unsettled&) {
+        return true;
+      }
+    });
+    result_.costless = trials_.all().size() - dear.size();
+    for (const std::size_t i : dear) {
+      try {
+        result_.prices.push_back(price(i));
+      } catch (const Unsettled&) {
+        result_.unsettled.push_back(i);
+      }
+    }
+    std::stable_sort(result_.prices.begin(), result_.prices.end(), [](const Price& a, const Price& b) {
+      return a.at_most > b.at_most;
+    });
+  }
+
+ private:
+  [[nodiscard]] const std::vector<Condition>& conditions() const { return trials_.conditions(); }
+  [[nodiscard]] bool matters(double saving) const { return saving > 1e-5 * std::abs(base_); }
+
+  double saving(const ConditionTrials::Change& change, const std::string& what) {
+    const auto design = trials_.best_soon(what, change);
+    return design ? base_ - design->total(objective_) : 0.0;
+  }
+
+  Price price(std::size_t index) {
+    const Condition& condition = conditions()[index];
+    const std::string what = "what it costs, " + title_of(condition);
+    Price result;
+    result.condition = index;
+    result.at_most = saving([&](Asked& asked) { condition.lift(asked); }, what);
+    if (condition.kind != ConditionKind::number) {
+      result.saving = result.at_most;
+      return result;
+    }
+    // By a fifth; where that saves nothing yet, by as much as it takes.
+    double factor = std::min(1.2, condition.furthest), refused = 1.0;
+    const auto eased = [&](double by) {
+      return saving([&](Asked& asked) { condition.set(asked, rounded_looser(condition, condition.eased(by))); }, what);
+    };
+    result.saving = eased(factor);
+    while (!matters(result.saving) && factor < condition.furthest) {
+      refused = factor;
+      factor = std::min(factor * factor, condition.furthest);
+      result.saving = eased(factor);
+    }
+    while (refused > 1.0 && factor / refused > precision) {
+      const double middle = std::sqrt(factor * refused);
+      const double there = eased(middle);
+      if (matters(there)) result.saving = there;
+      (matters(there) ? factor : refused) = middle;
+    }
+    result.to = rounded_looser(condition, condition.eased(factor));
+    return result;
+  }
+
+  ConditionTrials& trials_;
+  Explanation& result_;
+  machine::Objective objective_;
+  double base_ = 0.0;
+};
+
+}  // namespace
+
+Explanation explain(const Asked& asked,
+                    const catalogue::Catalogue& catalogue,
+                    std::vector<Condition> conditions,
+                    const SearchOptions& options,
+                    const ExplanationProgress& progress,
+                    double patience) {
+  Explanation result;
+  result.conditions = std::move(conditions);
+  result.objective = options.objectives.front();
+  ConditionTrials trials(asked, catalogue, result.conditions, options, progress, patience);
+  try {
+    result.design = trials.best("the machine as it is asked for", {});
+    if (result.design) {
+      result.status = solver::Status::optimal;
+      find_choices(trials, result);
+      Prices(trials, result).find();
+    } else {
+      Contradictions(trials, result).find();
+    }
+  } catch (const TimeIsUp&) {
+    result.status = solver::Status::limit;
+  } catch (const Unsettled&) {  // only where all the time there is was given
+    result.status = solver::Status::limit;
+  }
+  result.solves = trials.solves();
+  result.seconds = trials.seconds();
+  return result;
+}
+
+}  // namespace millwright::evaluation

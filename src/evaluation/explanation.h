@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Why an answer is what it is. Nothing compliant: a minimal conflicting set of what is asked, and the least by which
+// each of its members must give way. Something compliant: which choices are forced and what the others' next best
+// costs, and what each thing that is asked costs. Every number comes from solving the machine again, to the proof.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "evaluation/minimal_conflict.h"
+#include "evaluation/synthesis.h"
+#include "evaluation/unmet_checks.h"
+#include "machine/condition.h"
+
+namespace millwright::evaluation {
+
+/// How far one member of a conflict must give way, all else as asked.
+struct Relaxation {
+  std::size_t condition = 0;
+  bool enough = true;            ///< else nothing is compliant even without this condition: another conflict is left
+  std::optional<double> to;      ///< of a number or budget; a choice is lifted
+  std::optional<Design> design;  ///< the cheapest build then
+};
+
+/// Conditions that cannot be met together, though any of them can be without one other.
+struct Conflict {
+  ConditionSet conditions;
+  std::vector<Relaxation> ways;  ///< those that are enough first, by the cost of their build
+};
+
+/// What is chosen for a slot, and what the best build without it would be.
+struct SlotChoice {
+  std::string axis, slot, part;
+  bool only = false;                ///< nothing else could be there at all
+  bool settled = true;              ///< else the question took too long, and it costs `next_best` or more
+  std::optional<double> next_best;  ///< by how much the objective is worse without it; nothing: it is forced
+  std::optional<double> at_most;    ///< by how much the best one found is worse: the same, if settled
+  std::string instead;              ///< what that build has there
+};
+
+/// What a condition costs.
+struct Price {
+  std::size_t condition = 0;
+  std::optional<double> to;  ///< the value to which it was eased; nothing where it was lifted only
+  double saving = 0.0;       ///< of the objective, eased so far
+  double at_most = 0.0;      ///< of the objective, without the condition
+};
+
+struct Explanation {
+  solver::Status status = solver::Status::infeasible;  ///< limit: time was up, what is said holds but is not all
+  std::vector<machine::Condition> conditions;
+  std::string objective;
+  // nothing compliant
+  std::vector<Conflict> conflicts;     ///< without a common member; each must be resolved
+  std::optional<Design> all_resolved;  ///< with the first way out of each of several conflicts
+  std::vector<UnmetCheck> unmet;       ///< checks that fail whatever is chosen
+  std::vector<EmptySlot> empty_slots;  ///< nothing fits there
+  bool catalogue_lacks = false;        ///< nothing is compliant even with all conditions lifted
+  // something compliant
+  std::optional<Design> design;
+  std::vector<SlotChoice> choices;
+  std::vector<Price> prices;  ///< the largest saving first
+  ConditionSet unsettled;     ///< conditions of which what they cost took too long to find out
+  std::size_t costless = 0;   ///< conditions that cost nothing on their own
+  std::size_t solves = 0;
+  double seconds = 0.0;
+};
+
+/// s, for each question about a choice or a price: some are far harder than the machine itself, and the rest shall not
+/// wait for them.
+inline constexpr double usual_patience = 10.0;
+
+/// Told before each solve what it is for and how many there were.
+using ExplanationProgress = std::function<void(std::size_t solves, const std::string& what)>;
+
+/// `catalogue`: all parts, those that are left out too. Within the time limit of the options. `asked` must be sound:
+/// what it fixes can be fixed.
+Explanation explain(const machine::Asked& asked,
+                    const catalogue::Catalogue& catalogue,
+                    std::vector<machine::Condition> conditions,
+                    const SearchOptions& options,
+                    const ExplanationProgress& progress = {},
+                    double patience = usual_patience);
+
+}  // namespace millwright::evaluation

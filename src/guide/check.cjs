@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+// node check.cjs [--update] <millwright> <source folder>: does every command of the guide still print what the guide shows,
+// and does every example of a help text run? Commands run in a folder of their own that holds a copy of problems/. With
+// --update the guide is rewritten with what they print now: look at the difference before it is committed.
+"use strict";
+const { spawnSync } = require("child_process");
+const fs = require("fs");
+const os = require("os");
+const path = require("path");
+const { chapters, read, blocks } = require("./chapters.cjs");
+const { help, verbs } = require("./verbs.cjs");
+
+const update = process.argv[2] === "--update";
+const [program, source] = process.argv.slice(update ? 3 : 2).map((each) => path.resolve(each));
+let failures = 0;
+let commands = 0;
+
+function fail(where, what) {
+  failures += 1;
+  console.error(`FAILED: ${where}: ${what}`);
+}
+
+function run(command, folder) {
+  commands += 1;
+  const result = spawnSync("bash", ["-c", command], {
+    cwd: folder,
+    encoding: "utf8",
+    env: {
+      PATH: path.dirname(program) + ":" + process.env.PATH,
+      MILLWRIGHT_CATALOGUES: path.join(source, "catalogues"),
+      HOME: folder,
+      LANG: "C.UTF-8",
+      TERM: "dumb",
+    },
+  });
+  // What it took differs from run to run.
+  const output = (result.stderr + result.stdout).split(source + path.sep).join("");
+  const lines = output.split("\n").filter((line) => !line.startsWith("time: "));
+  while (lines.length > 0 && lines[lines.length - 1] === "") lines.pop();
+  return { code: result.status, lines };
+}
+
+/** The lines that a note asks for, with "..." where some are left out. */
+function shown(lines, note, where) {
+  const parts = /^show: (.*)$/.exec(note);
+  const ranges = parts ? parts[1].split("; ").filter((part) => !part.startsWith("exit ")) : [];
+  if (ranges.length === 0) return lines;
+  const wanted = new Set();
+  for (const range of ranges) {
+    const numbers = /^(\d+)-(\d+)$/.exec(range);
+    const match = /^\/(.*)\/(?:\+(\d+))?$/.exec(range);
+    let begin = 0;
+    let end = 0;
+    if (numbers) [begin, end] = [Number(numbers[1]) - 1, Number(numbers[2])];
+    else if (match) {
+      begin = lines.findIndex((line) => new RegExp(match[1]).test(line));
+      end = begin + 1 + Number(match[2] ?? 0);
+      if (begin < 0) fail(where, `no line matches ${range}`);
+    } else fail(where, `cannot read '${range}'`);
+    for (let i = begin; i < Math.min(end, lines.length); ++i) wanted.add(i);
+  }
+  const result = [];
+  for (let i = 0; i < lines.length; ++i) {
+    if (wanted.has(i)) result.push(lines[i]);
+    else if (result[result.length - 1] !== "...") result.push("...");
+  }
+  return result;
+}
+
+function check_console(block, where, folder) {
+  const asked = block.lines.filter((line) => line.startsWith("$ "));
+  if (asked.length === 0) fail(where, "a console block without a command");
+  const exit = /exit (\d+)/.exec(block.note);
+  const lines = [];
+  for (const line of asked) {
+    const result = run(line.slice(2), folder);
+    const code = exit ? Number(exit[1]) : 0;
+    if (result.code !== code) fail(where, `'${line}' ended with ${result.code}:\n${result.lines.join("\n")}`);
+    lines.push(line, ...shown(result.lines, block.note, where));
+  }
+  if (!update && lines.join("\n") !== block.lines.join("\n"))
+    fail(where, `the program prints something else now (node src/guide/check.cjs --update):\n${lines.join("\n")}`);
+  return lines;
+}
+
+function check_part(block, where) {
+  const from = /^from: (\S+)$/.exec(block.note);
+  if (!from) return;
+  const there = new Set(
+    fs.readFileSync(path.join(source, from[1]), "utf8").split("\n").map((line) => line.trim()),
+  );
+  for (const line of block.lines)
+    if (line.trim() !== "" && line.trim() !== "..." && !there.has(line.trim())) fail(where, `${from[1]} has no line '${line}'`);
+}
+
+function workshop() {
+  const folder = fs.mkdtempSync(path.join(os.tmpdir(), "millwright-guide-"));
+  fs.cpSync(path.join(source, "problems"), path.join(folder, "problems"), { recursive: true });
+  return folder;
+}
+
+/** A folder with the files that the examples of help texts name. */
+function example_workshop() {
+  const folder = workshop();
+  const motors = path.join(source, "catalogues", "steppers", "ldo.csv");
+  fs.mkdirSync(path.join(folder, "my-parts", "steppers"), { recursive: true });
+  fs.copyFileSync(motors, path.join(folder, "my-parts", "steppers", "motors.csv"));
+  fs.copyFileSync(motors, path.join(folder, "motors.csv"));
+  for (const name of ["my-bom.csv", "mine.csv"])
+    fs.copyFileSync(path.join(source, "problems", "sander-bom.csv"), path.join(folder, name));
+  const recorded = { "monday.json": "solve", "tuesday.json": "lightest", "sander.json": "solve" };
+  for (const [name, result] of Object.entries(recorded))
+    fs.copyFileSync(path.join(source, "results", "sander", result + ".json"), path.join(folder, name));
+  return folder;
+}
+
+/** Runs the examples of all help texts. Searches may stop soon: exit code 3 is as good. */
+function check_examples() {
+  let examples = 0;
+  for (const verb of ["", ...verbs(program)]) {
+    const folder = example_workshop();
+    const text = help(program, verb).replace(/ \\\n +/g, " ");  // lines that go on
+    const lines = text.slice(text.indexOf("Examples:\n")).split("\n").filter((line) => line.startsWith("  millwright "));
+    if (lines.length === 0) fail(`millwright ${verb} --help`, "has no example");
+    for (const line of lines) {
+      ++examples;
+      const soon = /^ {2}millwright (solve|pareto|check|explain) /.test(line) ? " --time-limit 0.3" : "";
+      const result = run(line.replace("| less", "| cat") + soon, folder);
+      if (![0, 1, 3].includes(result.code)) fail(`millwright ${verb} --help`, `'${line}':\n${result.lines.join("\n")}`);
+    }
+    fs.rmSync(folder, { recursive: true });
+  }
+  return examples;
+}
+
+for (const chapter of chapters) {
+  const folder = workshop();
+  const lines = read(source, chapter).split("\n");
+  const fresh = [];
+  let at = 0;
+  for (const block of blocks(lines)) {
+    const where = `${chapter}.md:${block.begin}`;
+    if (block.kind === "toml") check_part(block, where);
+    const file = /^file: (\S+)$/.exec(block.note);
+    if (file) {
+      fs.mkdirSync(path.dirname(path.join(folder, file[1])), { recursive: true });
+      fs.writeFileSync(path.join(folder, file[1]), block.lines.join("\n") + "\n");
+    }
+    fresh.push(...lines.slice(at, block.begin));
+    fresh.push(...(block.kind === "console" ? check_console(block, where, folder) : block.lines));
+    at = block.end;
+  }
+  fresh.push(...lines.slice(at));
+  if (update) fs.writeFileSync(path.join(source, "src", "guide", chapter + ".md"), fresh.join("\n"));
+  fs.rmSync(folder, { recursive: true });
+}
+if (commands < 20) fail("the guide", `it has only ${commands} commands`);
+const shownThere = commands;
+const examples = update ? 0 : check_examples();
+console.log(`${shownThere} commands of the guide, ${examples} examples of help texts: ${failures} failures`);
+process.exit(failures === 0 ? 0 : 1);

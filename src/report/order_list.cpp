@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/order_list.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <string_view>
+#include <tuple>
+
+#include "catalogue/family.h"
+#include "scalar/unit.h"
+
+namespace millwright::report {
+
+using catalogue::Family;
+using evaluation::Cut;
+using evaluation::Design;
+using evaluation::PartLine;
+
+namespace {
+
+constexpr std::size_t no_family = catalogue::family_count;  // what the problem itself states
+
+std::size_t family_of(const PartLine& part) {
+  const auto found = std::find_if(catalogue::families.begin(), catalogue::families.end(), [&](const auto& each) {
+    return each.name == part.family;
+  });
+  return static_cast<std::size_t>(found - catalogue::families.begin());
+}
+
+/// One of a family, in the words of a shop. `cut`: of what is sold by length beside the pieces.
+std::string_view word_for(std::size_t family, bool cut) {
+  if (family == no_family) return "reduction, as the problem says";
+  switch (catalogue::families[family].family) {
+    case Family::steppers:
+      return "stepper motor";
+    case Family::ball_screws:
+      return cut ? "ball screw shaft" : "ball screw nut";
+    case Family::lead_screws:
+      return "lead screw";
+    case Family::lead_nuts:
+      return "lead screw nut";
+    case Family::screws:
+      return "socket head screw";
+    case Family::support_bearings:
+      return "screw support";
+    case Family::couplings:
+      return "shaft coupling";
+    case Family::linear_guides:
+      return cut ? "guide rail" : "guide carriage";
+    case Family::belts:
+      return "timing belt";
+    case Family::pulleys:
+      return "timing pulley";
+    case Family::racks:
+      return "toothed rack";
+    case Family::pinions:
+      return "pinion";
+    case Family::drivers:
+      return "stepper driver";
+    case Family::power_supplies:
+      return "power supply";
+    case Family::extrusions:
+      return "aluminium profile";
+    case Family::steel_sections:
+      return "steel section";
+    case Family::materials:
+      return "bar stock";
+    case Family::stepper_curves:
+    case Family::threads:
+      break;  // not for sale
+  }
+  return catalogue::families[family].title;
+}
+
+std::string description_of(const PartLine& part, std::size_t family, bool cut) {
+  std::string words(word_for(family, cut));
+  if (part.family == "materials" && part.cuts.empty()) words = "weld metal";
+  if (part.cuts.empty() && part.length > 0.0)
+    words += fmt::format(" {}", scalar::format(part.length, scalar::Unit::of("mm")));
+  return words;
+}
+
+bool same_price(double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b)); }
+
+bool is_same(const OrderLine& a, const OrderLine& b) {
+  return a.family == b.family && a.unit == b.unit && a.description == b.description &&
+         a.manufacturer == b.manufacturer && a.part_number == b.part_number && a.supplier == b.supplier &&
+         a.price_date == b.price_date && a.price_estimate == b.price_estimate && same_price(a.unit_price, b.unit_price);
+}
+
+void put(OrderList& list, OrderLine line) {
+  const auto same =
+      std::find_if(list.lines.begin(), list.lines.end(), [&](const OrderLine& each) { return is_same(each, line); });
+  if (same == list.lines.end()) {
+    list.lines.push_back(std::move(line));
+    return;
+  }
+  same->quantity += line.quantity;
+  same->total += line.total;
+  same->used_for += ", " + line.used_for;
+}
+
+/// Lengths by the metre, made to measure by the kilogram, the rest by the piece; of a guide two lines.
+void add_part(OrderList& list, const PartLine& part) {
+  OrderLine line;
+  line.family = family_of(part);
+  line.manufacturer = part.manufacturer;
+  line.part_number = part.part_number;
+  // A reduction that the problem states without a name has none to order by.
+  const bool unnamed = part.family.empty() && part.manufacturer.empty();
+  if (unnamed) line.part_number.clear();
+  line.supplier = part.supplier;
+  line.price_date = price_date(part.price_basis);
+  line.price_estimate = part.price_estimate;
+  line.used_for = part.axis + "." + part.slot;
+  double metres = 0.0;
+  for (const Cut& cut : part.cuts) metres += cut.count * cut.length;
+  const auto add = [&](bool cut, std::string_view unit, double quantity, double total) {
+    line.unit = unit;
+    line.description = description_of(part, line.family, cut);
+    line.quantity = quantity;
+    line.total = total;
+    line.unit_price = total / quantity;
+    if (quantity > 0.0) put(list, line);
+  };
+  if (part.family == "materials") {
+    add(true, "kg", part.mass, part.price);
+    return;
+  }
+  // A guide's carriages and rails are one line of a build. What is only cut has no pieces beside.
+  if (part.cuts.empty() || part.family == "linear_guides")
+    add(false, "pcs", part.quantity, part.price - part.length_price);
+  if (!part.cuts.empty()) add(true, "m", metres, part.length_price);
+}
+
+/// "diameter 12.4 mm, ..." of the dimensions that were chosen for a member.
+std::string section_of(const Design& design, const PartLine& part, const Cut& cut) {
+  std::string out;
+  const std::string prefix = part.slot + ".";
+  const auto add = [&](std::string_view name, double metres) {
+    out += fmt::format("{}{} {}", out.empty() ? "" : ", ", name, scalar::format(metres, scalar::Unit::of("mm")));
+  };
+  for (const evaluation::DimensionLine& line : design.dimensions)
+    if (line.axis == part.axis && line.name.rfind(prefix, 0) == 0 && line.unit == "m")
+      add(line.name.substr(prefix.size()), line.value);
+  if (cut.width > 0.0) add("width", cut.width);
+  return out;
+}
+
+void add_cuts(OrderList& list, const Design& design, const PartLine& part) {
+  for (const Cut& cut : part.cuts)
+    list.cuts.push_back({description_of(part, family_of(part), true),
+                         part.manufacturer,
+                         part.part_number,
+                         part.axis,
+                         part.slot,
+                         section_of(design, part, cut),
+                         cut.count,
+                         cut.length});
+}
+
+auto stock_of(const CutLine& cut) { return std::tie(cut.description, cut.manufacturer, cut.part_number); }
+auto stock_of(const StockTotal& total) { return std::tie(total.description, total.manufacturer, total.part_number); }
+
+void sort(OrderList& list) {
+  std::stable_sort(list.lines.begin(), list.lines.end(), [](const OrderLine& a, const OrderLine& b) {
+    const auto key = [](const OrderLine& line) {
+      return std::tuple(line.supplier.empty(),
+                        std::string_view(line.supplier),
+                        line.family,
+                        std::string_view(line.manufacturer),
+                        std::string_view(line.part_number),
+                        std::string_view(line.description));
+    };
+    return key(a) < key(b);
+  });
+  std::stable_sort(list.cuts.begin(), list.cuts.end(), [](const CutLine& a, const CutLine& b) {
+    return stock_of(a) != stock_of(b) ? stock_of(a) < stock_of(b) : a.length > b.length;
+  });
+}
+
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+
+/// The text at `at` has this pattern of digits (0) and other characters, and no digit or hyphen goes on on either side.
+bool matches(const std::string& text, std::size_t at, std::string_view pattern) {
+  if (at + pattern.size() > text.size()) return false;
+  for (std::size_t i = 0; i < pattern.size(); ++i)
+    if (pattern[i] == '0' ? !is_digit(text[at + i]) : text[at + i] != pattern[i]) return false;
+  const auto goes_on = [](char c) { return is_digit(c) || c == '-'; };
+  if (at > 0 && goes_on(text[at - 1])) return false;
+  return at + pattern.size() == text.size() || !goes_on(text[at + pattern.size()]);
+}
+
+}  // namespace
+
+std::string price_date(const std::string& basis) {
+  for (const std::string_view pattern : {"2000-00-00", "2000-2000", "2000"}) {
+    // The first digits of a year stand for themselves.
+    for (std::size_t at = basis.find("20"); at != std::string::npos; at = basis.find("20", at + 1))
+      if (matches(basis, at, pattern)) return basis.substr(at, pattern.size());
+  }
+  return {};
+}
+
+OrderList order_list(const Design& design, const std::string& title) {
+  OrderList list;
+  list.title = title;
+  list.currency = design.currency;
+  list.total = design.cost;
+  for (const PartLine& part : design.parts) {
+    add_part(list, part);
+    add_cuts(list, design, part);
+  }
+  sort(list);
+  for (const OrderLine& line : list.lines) {
+    if (list.supplier_totals.empty() || list.supplier_totals.back().supplier != line.supplier)
+      list.supplier_totals.push_back({line.supplier, 0.0});
+    list.supplier_totals.back().total += line.total;
+  }
+  for (const CutLine& cut : list.cuts) {
+    if (list.stock.empty() || stock_of(list.stock.back()) != stock_of(cut))
+      list.stock.push_back({cut.description, cut.manufacturer, cut.part_number, 0.0, 0.0});
+    list.stock.back().pieces += cut.count;
+    list.stock.back().length += cut.count * cut.length;
+  }
+  return list;
+}
+
+}  // namespace millwright::report

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+// millwright explain as a user sees it.
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "app/program.h"
+#include "catch.h"
+#include "text/utf8.h"
+
+namespace millwright::app {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Any line but the title and the notes that tables may widen: 80 columns.
+void expect_narrow(const std::string& text) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    CAPTURE(line);
+    CHECK(text::count_characters(line) <= 80);
+  }
+}
+
+TEST_CASE("A conflict is told with axis, name and place, and its ways out hold") {
+  const Workshop shop;
+  shop.write("m.toml", one_slide);
+  // A fixed motor that is not had at that price.
+  const Outcome free = shop.run({"solve", "m.toml", "--fix", "x.motor=17HS4401S", "--json", "-"});
+  REQUIRE(free.exit_code == 0);
+  const double cost = Json::parse(free.out).at("totals").at("cost").at("value").get<double>();
+  const std::string less = std::to_string(cost - 0.5);
+  const Outcome text = shop.run({"explain", "m.toml", "--limit", "cost=1"});
+  CAPTURE(text.out);
+  CHECK(text.exit_code == 1);
+  CHECK(text.prints("No compliant build exists"));
+  CHECK(text.prints("--limit cost"));
+  CHECK(text.prints("This is enough"));
+  expect_narrow(text.out);
+
+  const Outcome outcome =
+      shop.run({"explain", "m.toml", "--fix", "x.motor=17HS4401S", "--limit", "cost=" + less, "--json", "-"});
+  CHECK(outcome.exit_code == 1);
+  const Json json = Json::parse(outcome.out);
+  CHECK(json.at("status") == "infeasible");
+  REQUIRE(json.at("conflicts").size() == 1);
+  bool budget = false;
+  for (const Json& way : json.at("conflicts")[0].at("ways_out")) {
+    if (way.at("name") != "--limit cost") continue;
+    budget = true;
+    CHECK(way.at("enough") == true);
+    CHECK(way.at("to").get<double>() == Approx(cost).margin(0.0100001));
+  }
+  CHECK(budget);
+  // A number of a way out, written into the problem, is enough.
+  std::size_t tried = 0;
+  for (std::size_t i = 0; i < json.at("conflicts")[0].at("ways_out").size(); ++i) {
+    const Json& way = json.at("conflicts")[0].at("ways_out")[i];
+    std::string setting, unit;
+    for (const Json& member : json.at("conflicts")[0].at("conditions"))
+      if (member.at("name") == way.at("name") && member.contains("setting")) {
+        setting = member.at("setting").get<std::string>();
+        unit = member.at("unit") == "1" ? std::string() : " " + member.at("unit").get<std::string>();
+      }
+    if (setting.find(".require.") == std::string::npos || way.at("to").is_null()) continue;
+    ++tried;
+    std::ostringstream value;
+    value.precision(12);
+    value << way.at("to").get<double>() << unit;
+    CAPTURE(setting, value.str());
+    CHECK(shop.run({"solve",
+                    "m.toml",
+                    "--fix",
+                    "x.motor=17HS4401S",
+                    "--limit",
+                    "cost=" + less,
+                    "--set",
+                    setting + "=" + value.str()})
+              .exit_code == 0);
+  }
+  CHECK(tried > 0);
+}
+
+TEST_CASE("Parts left out and slots fixed are conditions too") {
+  const Workshop shop;
+  shop.write("m.toml", one_slide);
+  const Json best = Json::parse(shop.run({"solve", "m.toml", "--json", "-"}).out);
+  const double cost = best.at("totals").at("cost").at("value").get<double>();
+  std::string motor;
+  for (const Json& part : best.at("build").at("parts"))
+    if (part.at("slot") == "motor") motor = part.at("part_number").get<std::string>();
+  const Outcome outcome = shop.run(
+      {"explain", "m.toml", "--without", motor, "--limit", "cost=" + std::to_string(cost + 1e-3), "--json", "-"});
+  CAPTURE(outcome.err);
+  CHECK(outcome.exit_code == 1);
+  const Json json = Json::parse(outcome.out);
+  REQUIRE_FALSE(json.at("conflicts").empty());
+  bool left_out = false;
+  for (const Json& way : json.at("conflicts")[0].at("ways_out"))
+    if (way.at("name") == "--without" && way.at("enough") == true) {
+      left_out = true;
+      CHECK(way.at("totals").at("cost").at("value").get<double>() == Approx(cost));
+    }
+  CHECK(left_out);
+}
+
+TEST_CASE("A machine that can be built is explained by its choices and prices") {
+  const Workshop shop;
+  shop.write("m.toml", one_slide);
+  const Outcome text = shop.run({"explain", "m.toml"});
+  CAPTURE(text.out, text.err);
+  CHECK(text.exit_code == 0);
+  CHECK(text.prints("The best build by cost: "));
+  CHECK(text.prints("Governing check of each axis"));
+  CHECK(text.prints("x.motor"));
+  CHECK(text.prints("cost nothing on their own"));
+  expect_narrow(text.out);
+  const Json json = Json::parse(shop.run({"explain", "m.toml", "--json", "-"}).out);
+  CHECK(json.at("command") == "explain");
+  CHECK(json.at("status") == "optimal");
+  // The next best without a part is what solve says of it.
+  const double cost = json.at("totals").at("cost").at("value").get<double>();
+  std::size_t compared = 0;
+  for (const Json& choice : json.at("choices")) {
+    if (choice.at("slot") != "motor" && choice.at("slot") != "driver") continue;
+    const Outcome other =
+        shop.run({"solve", "m.toml", "--without", choice.at("part").get<std::string>(), "--json", "-"});
+    CHECK((other.exit_code == 1) == choice.at("forced").get<bool>());
+    if (other.exit_code != 0) continue;
+    ++compared;
+    const double without = Json::parse(other.out).at("totals").at("cost").at("value").get<double>();
+    CHECK(choice.at("next_best").get<double>() == Approx(without - cost).margin(1e-6));
+  }
+  CHECK(compared > 0);
+  // A requirement eased as it says saves what it says.
+  for (const Json& price : json.at("prices")) {
+    if (!price.contains("setting") || price.at("eased_to").is_null() ||
+        price.at("setting").get<std::string>().find(".require.") == std::string::npos || price.at("unit") != "1")
+      continue;
+    std::ostringstream value;
+    value.precision(12);
+    value << price.at("eased_to").get<double>();
+    const Outcome eased = shop.run(
+        {"solve", "m.toml", "--set", price.at("setting").get<std::string>() + "=" + value.str(), "--json", "-"});
+    REQUIRE(eased.exit_code == 0);
+    CHECK(price.at("saving").get<double>() ==
+          Approx(cost - Json::parse(eased.out).at("totals").at("cost").at("value").get<double>()).margin(1e-6));
+  }
+}
+
+TEST_CASE("explain refuses bad input, and says when time is up") {
+  const Workshop shop;
+  shop.write("m.toml", one_slide);
+  shop.write("empty.toml", "");
+  CHECK(shop.run({"explain"}).exit_code == 2);
+  CHECK(shop.run({"explain", "gone.toml"}).exit_code == 2);
+  const Outcome empty = shop.run({"explain", "empty.toml"});
+  CHECK(empty.exit_code == 2);
+  CHECK(empty.out.empty());
+  const Outcome fixed = shop.run({"explain", "m.toml", "--fix", "x.motor=23HS22-2804S"});
+  CHECK(fixed.exit_code == 2);
+  CHECK(fixed.says("cannot be the motor of axis 'x'"));
+  CHECK(shop.run({"explain", "m.toml", "--minimise", "cost,mass"}).says("explain minimises one objective"));
+  const Outcome hasty = shop.run({"explain", "m.toml", "--time-limit", "1e-9"});
+  CHECK(hasty.exit_code == 3);
+  CHECK(hasty.prints("The limit was reached"));
+}
+
+}  // namespace
+}  // namespace millwright::app
