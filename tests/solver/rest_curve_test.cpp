@@ -175,6 +175,7 @@ TEST_CASE("No completion of a design costs less than the planes say, nor is any 
     });
   }
   CHECK(compared > 10000);
-  CHECK(told_more > compared / 500);  // few of these stacks share an allowance that binds
+  // Few of these stacks share an allowance that binds: none of those that are tried under the sanitizers.
+  if (!millwright::sanitized) CHECK(told_more > compared / 500);
   CHECK(left_out > 100);
 }
