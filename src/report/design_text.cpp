@@ -96,6 +96,11 @@ std::string utilisation_text(const Check& check) {
   return fmt::format("{:.1f} %", percent);
 }
 
+std::string least_text(const evaluation::UnmetCheck& check) {
+  if (!(check.least_utilisation < machine::useless_utilisation)) return "no part";
+  return fmt::format("{:.1f} %", std::floor(1e3 * check.least_utilisation) / 10.0);
+}
+
 std::string parts_text(const MachineResult& result, const Design& design, const Style& style) {
   std::string out = style.heading("Parts") + "\n";
   bool estimates = false;

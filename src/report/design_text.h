@@ -44,6 +44,8 @@ std::string assumptions_text(const evaluation::Design& design, const Style& styl
 
 /// "97.2 %"; "> 999 %" beyond that; "-" where nothing could be evaluated.
 std::string utilisation_text(const evaluation::Check& check);
+/// "112.4 %" that no build comes below, rounded down; "no part" where none states what is needed.
+std::string least_text(const evaluation::UnmetCheck& check);
 /// Wide enough for tables of checks with a column for everything; below it id, title and where a check is worst share
 /// one.
 inline constexpr std::size_t wide_checks = 120;

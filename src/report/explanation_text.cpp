@@ -130,9 +130,7 @@ std::string unmet_text(const Explanation& explanation, const Style& style) {
     table.add({check.axis,
                check.id,
                check.title,
-               check.least_utilisation < machine::useless_utilisation
-                   ? fmt::format("{:.1f} %", std::floor(1e3 * check.least_utilisation) / 10.0)
-                   : "no part",
+               least_text(check),
                check.nearest.empty() ? "" : check.slot + " " + check.nearest});
   if (table.empty()) return {};
   return style.heading("Checks that fail whatever is chosen, proved") + "\n" + table.str(2, style) + "\n";

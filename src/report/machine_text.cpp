@@ -65,13 +65,7 @@ const char* as_asked(const MachineResult& result) {
 std::string unmet_text(const MachineResult& result, const Style& style) {
   TextTable table({{"axis"}, {"id"}, {"check", Align::left, 44}, {"at least", Align::right}, {"set by"}});
   for (const evaluation::UnmetCheck& check : result.unmet)
-    table.add({check.axis,
-               check.id,
-               check.title,
-               check.least_utilisation < machine::useless_utilisation
-                   ? fmt::format("{:.1f} %", std::floor(1e3 * check.least_utilisation) / 10.0)
-                   : "no part",
-               check.requirement});
+    table.add({check.axis, check.id, check.title, least_text(check), check.requirement});
   return "\nProved: these checks fail whatever is chosen\n" + table.str(2, style);
 }
 

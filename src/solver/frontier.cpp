@@ -119,7 +119,7 @@ bool Frontier::advance(std::size_t stage, const Comparison& comparison) {
   keys_.clear();
   const auto complete = [](const Chunk& chunk) { return chunk.set.complete; };
   if (std::all_of(chunks.begin(), chunks.end(), complete) &&
-      !while_there_is_time([&] { sharpen_planes(stage, chunks); }))
+      !control_.while_there_is_time([&] { sharpen_planes(stage, chunks); }))
     return false;
   for (std::size_t i = 0; i < chunks.size(); ++i) {
     control_.nodes += chunks[i].set.nodes;

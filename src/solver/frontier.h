@@ -52,6 +52,8 @@ class Frontier {
   /// True when the incumbents are the front. False: time limit, or something undecided (then `undecided()`).
   bool run();
   [[nodiscard]] bool undecided() const { return undecided_; }
+  /// Whether shared allowances were given prices (rest_plane.h).
+  [[nodiscard]] bool used_prices() const { return used_prices_; }
 
  private:
   static constexpr std::size_t staircase_points = 600;
@@ -89,20 +91,6 @@ class Frontier {
   std::vector<double> highest_scores() const;
   bool find_planes();
   bool find_better_first();
-  /// False when time was up before `preparation`, which asks the first desk, was done.
-  template <class Preparation>
-  bool while_there_is_time(Preparation&& preparation) {
-    Desk& desk = control_.desk(0);
-    desk.interrupt = [this] { return control_.time_is_up(); };
-    bool done = true;
-    try {
-      preparation();
-    } catch (const OutOfTime&) {
-      done = false;
-    }
-    desk.interrupt = nullptr;
-    return done;
-  }
   bool restrict_stages();
   void sharpen_planes(std::size_t stage, const std::vector<Chunk>& chunks);
   template <class Found>
@@ -141,6 +129,7 @@ class Frontier {
   double leaf_tolerance_ = 0.0;  ///< of one stage with priced variables
   bool applicable_ = true;
   bool undecided_ = false;
+  bool used_prices_ = false;
   std::optional<Haste> haste_;  ///< of the pass under way
   bool briefly_ = false;
   bool settled_ = false;  ///< nothing is left that could change the known front

@@ -19,15 +19,16 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Before a long pass: prices for shared allowances, good builds by them, and less to choose from. False: time is up.
 bool Frontier::find_better_first() {
   bool priced = false;
-  const bool prepared = while_there_is_time([&] {
+  const bool prepared = control_.while_there_is_time([&] {
     planes_ = std::make_unique<RestPlanes>(problem_, plans_, forms_, control_.desk(0));
     priced = find_planes();
   });
   if (!prepared || !priced) return prepared;
+  used_prices_ = true;
   for (const Haste& haste : {Haste{.nodes = 100}, {.nodes = 1000}, {.nodes = 2000, .labels = 100, .digits = 14}}) {
     if (!pass({.haste = haste})) return false;
     const auto restrict_again = [&] { settled_ = find_planes() && !restrict_stages(); };
-    if (!while_there_is_time(restrict_again)) return false;
+    if (!control_.while_there_is_time(restrict_again)) return false;
     if (settled_) return true;
   }
   return true;

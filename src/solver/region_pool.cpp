@@ -12,7 +12,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t node_limit = 200;  // refined for one weighing
 constexpr std::size_t proof_boxes = 60;
-constexpr std::size_t thorough = 30;      // rounds of halving before what is left is told
+constexpr std::size_t most_rounds = 30;   // of halving before what is left is told
 constexpr std::size_t most_parts = 2000;  // by then
 
 }  // namespace
@@ -91,15 +91,15 @@ RegionPool::Least RegionPool::least(std::size_t score, std::span<const double> w
 bool RegionPool::keep_only(const std::function<bool(const Bounds&)>& useful, Desk& desk) {
   std::vector<std::size_t> open;
   for (std::size_t i = 0; i < parts_.size(); ++i) open.push_back(i);
-  for (std::size_t nodes = 0; !open.empty(); ++nodes) {
+  for (std::size_t round = 0; !open.empty(); ++round) {
     std::vector<std::size_t> next;
     for (const std::size_t index : open) {
       Part& part = parts_[index];
       part.alive = part.alive && (!part.bounded || useful(part.open.bounds));
-      if (!part.alive || part.settled || nodes >= thorough) continue;
+      if (!part.alive || part.settled || round >= most_rounds) continue;
       refine(index, desk, [&](std::size_t refined) { next.push_back(refined); });
     }
-    if (parts_.size() > most_parts || nodes >= thorough) break;
+    if (parts_.size() > most_parts || round >= most_rounds) break;
     open = std::move(next);
   }
   std::erase_if(parts_, [&](const Part& part) { return !part.alive || (part.bounded && !useful(part.open.bounds)); });

@@ -14,7 +14,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t steps = 10;         // of a curve
 constexpr std::size_t node_limit = 1000;  // looked at for one curve
 constexpr std::size_t proof_boxes = 60;   // spent on a single design
-constexpr std::size_t few_slots = 1;      // of a stage whose curve is found nearly exactly
 constexpr double worth_keeping = 1e-6;    // relative rise of a curve below which it says nothing
 
 /// R_i(s) for one stage, component and score, for rising s. What is infeasible or dear at one s is so at the next, so
@@ -115,8 +114,12 @@ class FineCurve {
     curve_ = {coarse_.score, coarse_.component, {coarse_.from.front()}, {coarse_.least.front()}};
     for (std::size_t i = 0; i + 1 < coarse_.from.size(); ++i)
       between(coarse_.from[i], coarse_.least[i], coarse_.from[i + 1], coarse_.least[i + 1]);
-    const double last = coarse_.from.back();
-    if (upper_ > last) between(last, coarse_.least.back(), upper_, std::max(at(upper_), coarse_.least.back()));
+    keep(coarse_.from.back(), coarse_.least.back());
+    if (upper_ > coarse_.from.back()) {
+      const double at_end = std::max(at(upper_), coarse_.least.back());
+      between(coarse_.from.back(), coarse_.least.back(), upper_, at_end);
+      keep(upper_, at_end);
+    }
     return std::move(curve_);
   }
 
@@ -125,16 +128,18 @@ class FineCurve {
     ++asked_;
     return LeastFrom(plan_, coarse_.score, coarse_.component, most_, desk_).at(state);
   }
+  void keep(double from, double least) {
+    const double known = curve_.least.back();
+    if (!(least > known + worth_keeping * std::fabs(known))) return;
+    curve_.from.push_back(from);
+    curve_.least.push_back(least);
+  }
   void between(double low, double least, double high, double least_there) {
     constexpr double narrow = 1e-3, little = 1e-3;
     constexpr std::size_t most_asked = 100;
-    if (!(least_there > least * (1.0 + little))) return;
+    keep(low, least);
+    if (!(least_there > least * (1.0 + little)) || !(high - low > narrow * upper_) || asked_ >= most_asked) return;
     const double middle = 0.5 * (low + high);
-    if (!(high - low > narrow * upper_) || asked_ >= most_asked) {
-      curve_.from.push_back(high);
-      curve_.least.push_back(least_there);
-      return;
-    }
     const double here = std::clamp(at(middle), least, least_there);
     between(low, least, middle, here);
     between(middle, here, high, least_there);
@@ -165,7 +170,7 @@ RestCurve curve_before(
     curve.from.push_back(state);
     curve.least.push_back(known);
   }
-  if (curve.from.empty() || plan.stage->slots().size() > few_slots) return curve;
+  if (curve.from.empty() || !has_few_designs(plan)) return curve;
   return FineCurve(plan, most, whole.upper, std::move(curve), desk).run();
 }
 

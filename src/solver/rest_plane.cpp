@@ -16,9 +16,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int iterations = 30;
-constexpr int most_planes = 4;        // kept: the last of those that raised the bound
-constexpr std::size_t few_slots = 1;  // of a stage whose least is found for several amounts
-constexpr double slack = 1e-10;       // a state is the same sum in another order in the end
+constexpr int most_planes = 4;   // kept: the last of those that raised the bound
+constexpr double slack = 1e-10;  // a state is the same sum in another order in the end
 
 /// A component of the state that arrives at a stage and matters no further.
 struct Allowance {
@@ -161,7 +160,7 @@ class RestPlanes::Prices {
       const double limit = plans_[stage - 1].most_after[c];
       if (!ends || !std::isfinite(limit) || !(limit > 0.0)) continue;
       Allowance end{c, limit * (1.0 + slack)};
-      if (plan.stage->slots().size() <= few_slots && stages_[stage].ends.empty()) find_steps(stage, end);
+      if (has_few_designs(plan) && stages_[stage].ends.empty()) find_steps(stage, end);
       stages_[stage].ends.push_back(std::move(end));
     }
   }

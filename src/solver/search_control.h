@@ -33,6 +33,20 @@ class SearchControl {
     if (options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed)) return true;
     return options_.time_limit_seconds < 1e300 && seconds() >= options_.time_limit_seconds;
   }
+  /// False when time was up before `preparation`, which asks the first desk, was done.
+  template <class Preparation>
+  bool while_there_is_time(Preparation&& preparation) {
+    Desk& asked = desk(0);
+    asked.interrupt = [this] { return time_is_up(); };
+    bool done = true;
+    try {
+      preparation();
+    } catch (const OutOfTime&) {
+      done = false;
+    }
+    asked.interrupt = nullptr;
+    return done;
+  }
   [[nodiscard]] std::uint64_t evaluations() const {
     std::uint64_t sum = 0;
     for (const Desk& desk : desks_) sum += desk.bounds + desk.evaluations;

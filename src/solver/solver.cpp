@@ -187,8 +187,8 @@ class Solve {
     const std::uint64_t before = control_.evaluations();
     OpenSearch open{std::make_unique<std::vector<StagePlan>>(), nullptr, combination.score};
     std::vector<StagePlan>& plans = *open.plans;
-    const bool prepared =
-        while_there_is_time([&] { plans = make_plans(problem_, combination.shared, criteria_, control_.desk(0)); });
+    const bool prepared = control_.while_there_is_time(
+        [&] { plans = make_plans(problem_, combination.shared, criteria_, control_.desk(0)); });
     if (!prepared) leave_open(combination.score[0]);
     if (plans.empty()) return std::nullopt;
     open.questions = control_.evaluations() - before;
@@ -220,24 +220,9 @@ class Solve {
     return most;
   }
 
-  /// False when time was up before `preparation`, which asks the first desk, was done.
-  template <class Preparation>
-  bool while_there_is_time(Preparation&& preparation) {
-    Desk& desk = control_.desk(0);
-    desk.interrupt = [this] { return control_.time_is_up(); };
-    bool done = true;
-    try {
-      preparation();
-    } catch (const OutOfTime&) {
-      done = false;
-    }
-    desk.interrupt = nullptr;
-    return done;
-  }
-
   /// What is to come at least, by what has been handed on; the curves that there was no time for are left out.
   void sharpen(std::vector<StagePlan>& plans) {
-    while_there_is_time([&] { find_rest_curves(plans, what_matters(), control_.desk(0)); });
+    control_.while_there_is_time([&] { find_rest_curves(plans, what_matters(), control_.desk(0)); });
   }
 
   /// Searches a single objective label by label while that has cost no more than preparing it did: what is not done
@@ -284,7 +269,9 @@ class Solve {
     Frontier frontier(problem_, criteria_, plans, incumbents_, control_);
     if (!frontier.applicable()) return false;
     stagewise_ = true;
-    if (frontier.run()) return true;
+    const bool settled = frontier.run();
+    allowances_priced_ = allowances_priced_ || frontier.used_prices();
+    if (settled) return true;
     if (frontier.undecided() && !control_.time_is_up()) return false;
     leave_open(lower_bound);
     return true;
@@ -328,11 +315,11 @@ class Solve {
         "best-first branch and bound with outward-rounded interval bounds over row sets and boxes, labels between "
         "stages with dominance in proved directions only, every shared choice tried";
     if (stagewise_) text += "; stage by stage, with the designs of a stage found once for all labels";
+    if (allowances_priced_) text += "; allowances that stages share at prices (Lagrangian bounds)";
     if (priced_ && criteria_.objectives > 1) {
       text +=
           "; where continuous variables move the objectives the front is covered to its tolerance: what beats it by "
-          "more "
-          "holds only for being lighter by no more than that";
+          "more holds only for being lighter by no more than that";
     }
     if (priced_) text += "; continuous variables that move the objective by SLSQP and Ipopt proposals inside the bound";
     return text;
@@ -345,7 +332,8 @@ class Solve {
   std::uint64_t earlier_evaluations_ = 0;
   bool complete_ = true;
   bool priced_ = false;
-  bool stagewise_ = false;  ///< frontier.h was used
+  bool stagewise_ = false;          ///< frontier.h was used
+  bool allowances_priced_ = false;  ///< by it
   std::vector<bool> priced_stages_;
   double open_bound_ = infinity;
 };

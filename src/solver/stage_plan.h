@@ -77,6 +77,9 @@ struct StagePlan {
       : stage(&s), shared(shared_rows), criteria(&c), fits(s, shared_rows), region(whole_region(s, shared_rows)) {}
 };
 
+/// So few that what the rest costs at least can be found at every state nearly exactly.
+inline bool has_few_designs(const StagePlan& plan) { return plan.stage->slots().size() <= 1; }
+
 /// What an answer of `bound` says.
 void read_bounds(const StagePlan& plan, const Answer<Interval>& answer, Bounds& bounds);
 

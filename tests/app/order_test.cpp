@@ -5,6 +5,7 @@
 
 #include "app/program.h"
 #include "catch.h"
+#include "shipped_machines.h"
 
 namespace millwright::app {
 namespace {
@@ -31,17 +32,7 @@ std::vector<std::vector<std::string>> rows_of(const std::string& csv) {
 const std::string problems = MILLWRIGHT_SOURCE_DIR "/problems/";
 
 TEST_CASE("The lines of an order add up to the cost of the build, of every shipped machine") {
-  for (const char* name : {"sander",
-                           "mini-mill",
-                           "torch-table",
-                           "fdm-printer",
-                           "lifter",
-                           "belt-printer",
-                           "gantry",
-                           "rotary-table",
-                           "router",
-                           "inserter",
-                           "bar-feeder"}) {
+  for (const char* name : millwright::shipped_machines) {
     const Workshop shop;
     const Outcome outcome =
         shop.run({"check", problems + name + ".toml", problems + name + "-bom.csv", "--json", "-", "--order", "o.csv"});

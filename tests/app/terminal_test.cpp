@@ -9,6 +9,7 @@
 
 #include "app/program.h"
 #include "catch.h"
+#include "shipped_machines.h"
 
 namespace millwright::app {
 namespace {
@@ -49,17 +50,7 @@ void fits(const std::vector<std::string>& arguments) {
 }
 
 TEST_CASE("Checks of every shipped machine fit 80 columns") {
-  for (const char* name : {"sander",
-                           "mini-mill",
-                           "torch-table",
-                           "fdm-printer",
-                           "lifter",
-                           "belt-printer",
-                           "gantry",
-                           "rotary-table",
-                           "router",
-                           "inserter",
-                           "bar-feeder"})
+  for (const char* name : millwright::shipped_machines)
     fits({"check", problems + name + ".toml", problems + name + "-bom.csv"});
 }
 

@@ -12,6 +12,7 @@
 #include "evaluation/synthesis.h"
 #include "machine/bill_of_materials.h"
 #include "scalar/unit.h"
+#include "shipped_machines.h"
 #include "text/source_text.h"
 
 using namespace millwright;
@@ -63,17 +64,7 @@ machine::MotionData motion(machine::Move move, double inclination = 0.0) {
 // of the catalogues on. Both must end at the same bits, or the sheet would explain something else.
 TEST_CASE("Both sides of every check of the shipped machines are recomputed, bit by bit") {
   std::set<std::string> elements;
-  for (const char* name : {"sander",
-                           "mini-mill",
-                           "torch-table",
-                           "fdm-printer",
-                           "lifter",
-                           "belt-printer",
-                           "gantry",
-                           "rotary-table",
-                           "router",
-                           "inserter",
-                           "bar-feeder"}) {
+  for (const char* name : millwright::shipped_machines) {
     const Design design = shipped_build(name);
     REQUIRE(design.worksheet != nullptr);
     std::size_t explained = 0;

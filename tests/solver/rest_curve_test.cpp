@@ -87,69 +87,89 @@ class Chains {
   std::vector<std::vector<Row>> rows_;
 };
 
+/// The plans of a random stack, and how what is said of its rests compares with its chains.
+struct Prepared {
+  explicit Prepared(unsigned seed)
+      : stack(random_stack(seed)),
+        problem(stack.problem),
+        shared(problem.shared.size(), 0),
+        criteria(make_criteria(problem, {})),
+        plans(make_plans(problem, shared, criteria, desk)) {}
+
+  Stack stack;
+  const Problem& problem;
+  std::vector<Row> shared;
+  Criteria criteria;
+  Desk desk;
+  std::vector<StagePlan> plans;
+};
+
+struct Comparisons {
+  std::size_t made = 0, told_more = 0;
+
+  /// Of a chain of stack `seed` whose stages after `plan` cost `later`.
+  void add(
+      unsigned seed, const StagePlan& plan, const StagePlan& plain, const std::vector<double>& state, double later) {
+    const double rest = rest_after(plan, 0, std::span<const double>(state));
+    ++made;
+    told_more += rest > plain.rest[0] * (1.0 + 1e-9) ? 1 : 0;
+    if (rest > later * (1.0 + 1e-9)) {
+      INFO("seed " << seed);
+      CHECK(rest <= later);
+    }
+  }
+};
+
 }  // namespace
 
 TEST_CASE("No completion of a design costs less than the rest curves say") {
-  std::size_t compared = 0, told_more = 0, curves = 0;
+  Comparisons comparisons;
+  std::size_t curves = 0;
   for (unsigned seed = 0; seed < (millwright::sanitized ? 60 : 300); ++seed) {
-    const Stack stack = random_stack(seed);
-    const Problem& problem = stack.problem;
-    const std::vector<Row> shared(problem.shared.size(), 0);
-    const Criteria criteria = make_criteria(problem, {});
-    Desk desk;
-    std::vector<StagePlan> plans = make_plans(problem, shared, criteria, desk);
+    Prepared prepared(seed);
+    std::vector<StagePlan>& plans = prepared.plans;
     if (plans.empty()) continue;
     const std::vector<StagePlan> plain = plans;
-    find_rest_curves(plans, std::vector<double>(criteria.size(), std::numeric_limits<double>::infinity()), desk);
+    find_rest_curves(
+        plans, std::vector<double>(prepared.criteria.size(), std::numeric_limits<double>::infinity()), prepared.desk);
     for (const StagePlan& plan : plans) curves += plan.curves.size();
-    Chains(problem).run(shared, [&](std::size_t stage, const std::vector<double>& state, double later, double) {
-      const double rest = rest_after(plans[stage], 0, std::span<const double>(state));
-      ++compared;
-      told_more += rest > plain[stage].rest[0] * (1.0 + 1e-9) ? 1 : 0;
-      if (rest > later * (1.0 + 1e-9)) {
-        INFO("seed " << seed << ", stage " << stage);
-        CHECK(rest <= later);
-      }
-    });
+    Chains(prepared.problem)
+        .run(prepared.shared, [&](std::size_t stage, const std::vector<double>& state, double later, double) {
+          comparisons.add(seed, plans[stage], plain[stage], state, later);
+        });
   }
-  CHECK(compared > 10000);
+  CHECK(comparisons.made > 10000);
   CHECK(curves > (millwright::sanitized ? 5 : 20));
-  CHECK(told_more > compared / 100);
+  CHECK(comparisons.told_more > comparisons.made / 100);
 }
 
 TEST_CASE("No completion of a design costs less than the planes say, nor is any good design left out") {
-  std::size_t compared = 0, told_more = 0, left_out = 0;
+  Comparisons comparisons;
+  std::size_t left_out = 0;
   for (unsigned seed = 0; seed < (millwright::sanitized ? 60 : 300); ++seed) {
-    const Stack stack = random_stack(seed);
-    const Problem& problem = stack.problem;
-    const std::vector<Row> shared(problem.shared.size(), 0);
-    const Criteria criteria = make_criteria(problem, {});
-    Desk desk;
-    std::vector<StagePlan> plans = make_plans(problem, shared, criteria, desk);
+    Prepared prepared(seed);
+    std::vector<StagePlan>& plans = prepared.plans;
     if (plans.empty()) continue;
     const std::vector<StagePlan> plain = plans;
     if (seed % 2 == 0)
-      find_rest_curves(plans, std::vector<double>(criteria.size(), std::numeric_limits<double>::infinity()), desk);
+      find_rest_curves(
+          plans, std::vector<double>(prepared.criteria.size(), std::numeric_limits<double>::infinity()), prepared.desk);
     std::vector<StateForm> forms;
-    for (const StagePlan& plan : plans) forms.push_back(find_state_form(plan, desk));
+    for (const StagePlan& plan : plans) forms.push_back(find_state_form(plan, prepared.desk));
     double best = std::numeric_limits<double>::infinity();
-    Chains(problem).run(shared, [&](std::size_t stage, const std::vector<double>&, double later, double before) {
-      if (stage == 0) best = std::min(best, before + later);
-    });
-    RestPlanes planes(problem, plans, forms, desk);
+    Chains(prepared.problem)
+        .run(prepared.shared, [&](std::size_t stage, const std::vector<double>&, double later, double before) {
+          if (stage == 0) best = std::min(best, before + later);
+        });
+    RestPlanes planes(prepared.problem, plans, forms, prepared.desk);
     planes.find(0, best);
     for (StagePlan& plan : plans) plan.curves.clear();
     std::size_t asked = 0;
-    Chains(problem).run(shared, [&](std::size_t stage, const std::vector<double>& state, double later, double) {
-      if (stage + 1 < plans.size() && asked++ % 97 == 0) planes.find_from(0, later, stage + 1, state);
-      const double rest = rest_after(plans[stage], 0, std::span<const double>(state));
-      ++compared;
-      told_more += rest > plain[stage].rest[0] * (1.0 + 1e-9) ? 1 : 0;
-      if (rest > later * (1.0 + 1e-9)) {
-        INFO("seed " << seed << ", stage " << stage);
-        CHECK(rest <= later);
-      }
-    });
+    Chains(prepared.problem)
+        .run(prepared.shared, [&](std::size_t stage, const std::vector<double>& state, double later, double) {
+          if (stage + 1 < plans.size() && asked++ % 97 == 0) planes.find_from(0, later, stage + 1, state);
+          comparisons.add(seed, plans[stage], plain[stage], state, later);
+        });
     if (best == std::numeric_limits<double>::infinity()) continue;
     const double most = 1.05 * best;
     REQUIRE(planes.restrict_to({{most, std::numeric_limits<double>::infinity()}}));
@@ -161,8 +181,8 @@ TEST_CASE("No completion of a design costs less than the planes say, nor is any 
     };
     left_out += rows(plain) - rows(plans);
     // Every chain that costs no more can still be chosen.
-    Chains chains(problem);
-    chains.run(shared, [&](std::size_t stage, const std::vector<double>&, double later, double before) {
+    Chains chains(prepared.problem);
+    chains.run(prepared.shared, [&](std::size_t stage, const std::vector<double>&, double later, double before) {
       if (before + later > most) return;
       const std::vector<Row>& chosen = chains.rows(stage);
       for (std::size_t slot = 0; slot < chosen.size(); ++slot) {
@@ -174,8 +194,8 @@ TEST_CASE("No completion of a design costs less than the planes say, nor is any 
       }
     });
   }
-  CHECK(compared > 10000);
+  CHECK(comparisons.made > 10000);
   // Few of these stacks share an allowance that binds: none of those that are tried under the sanitizers.
-  if (!millwright::sanitized) CHECK(told_more > compared / 500);
+  if (!millwright::sanitized) CHECK(comparisons.told_more > comparisons.made / 500);
   CHECK(left_out > 100);
 }
