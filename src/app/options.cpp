@@ -63,8 +63,11 @@ void add_list_option(
 }
 
 void add_catalogue_option(CLI::App& verb, Options& options) {
-  add_list_option(
-      verb, "--catalogue", options.catalogues, "DIR", "parts of your own on top of the shipped ones (repeatable)");
+  add_list_option(verb,
+                  "--catalogue",
+                  options.catalogues,
+                  "DIR",
+                  "parts of your own on top of the shipped ones, and what is in stock (repeatable)");
 }
 
 void add_machine_options(CLI::App& verb, Options& options, bool with_page = true) {

@@ -23,7 +23,7 @@ std::vector<Table> load_layer(const std::filesystem::path& place, int layer, tex
   std::vector<Table> tables = empty_tables();
   const std::size_t errors = diagnostics.error_count();
   const std::vector<CatalogueFile> files = catalogue_files(place, diagnostics);
-  if (files.empty() && diagnostics.error_count() == errors) {
+  if (files.empty() && !stock_file(place) && diagnostics.error_count() == errors) {
     diagnostics.error(fmt::format("the catalogue {} is empty: it holds no CSV file", text::quoted(place.string(), 200)),
                       "a catalogue has a folder for each part family, for example steppers/my-motors.csv");
   }
@@ -52,6 +52,8 @@ Catalogue Catalogue::load(const std::vector<std::filesystem::path>& places, text
       if (!tables[family].empty()) catalogue.tables_[family].overlay(std::move(tables[family]));
     }
   }
+  for (const std::filesystem::path& place : places)
+    if (const auto file = stock_file(place)) read_stock(*file, catalogue, catalogue.stock_, diagnostics);
   if (catalogue.rows() == 0 && !diagnostics.has_errors()) diagnostics.error("no parts: no catalogue was given");
   return catalogue;
 }

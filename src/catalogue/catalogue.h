@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "catalogue/location.h"
+#include "catalogue/stock.h"
 #include "catalogue/table.h"
 #include "text/diagnostic.h"
 
@@ -39,10 +40,13 @@ class Catalogue {
 
   /// Reads folders (or single files) in order. Within one of them a part may stand once; a row of a later one replaces
   /// the row of the same (manufacturer, part number), others are added. Later folders may hold any subset of the
-  /// families. Everything wrong is reported, and what could be read is returned; no part at all is an error too.
+  /// families, and a stock file. Everything wrong is reported, and what could be read is returned; no part at all is an
+  /// error too.
   static Catalogue load(const std::vector<std::filesystem::path>& places, text::Diagnostics& diagnostics);
 
   const Table& table(Family family) const { return tables_[static_cast<std::size_t>(family)]; }
+  /// What the overlays say about parts beside their figures.
+  const Stock& stock() const { return stock_; }
   /// The places as given to load(); Table::layer(row) counts in them.
   const std::vector<std::filesystem::path>& layers() const { return layers_; }
   /// Rows of all families.
@@ -59,6 +63,7 @@ class Catalogue {
  private:
   std::vector<Table> tables_;
   std::vector<std::filesystem::path> layers_;
+  Stock stock_;
 };
 
 }  // namespace millwright::catalogue

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <system_error>
 
+#include "catalogue/stock.h"
 #include "text/csv.h"
 #include "text/nearest.h"
 
@@ -109,6 +110,7 @@ std::optional<CatalogueFile> catalogue_file(const fs::path& file,
 
 std::vector<CatalogueFile> catalogue_files(const fs::path& place, text::Diagnostics& diagnostics) {
   std::vector<CatalogueFile> files;
+  if (is_stock_file(place)) return files;
   if (!is_folder(place)) {
     add_file(place, std::nullopt, files, diagnostics);
     return files;
@@ -122,7 +124,7 @@ std::vector<CatalogueFile> catalogue_files(const fs::path& place, text::Diagnost
   for (const fs::path& entry : entries(place, diagnostics)) {
     const std::string name = entry.filename().string();
     if (!is_folder(entry)) {
-      if (entry.extension() == ".csv") add_file(entry, std::nullopt, files, diagnostics);
+      if (entry.extension() == ".csv" && !is_stock_file(entry)) add_file(entry, std::nullopt, files, diagnostics);
       continue;
     }
     if (const auto family = find_family(name)) {

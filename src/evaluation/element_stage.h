@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "evaluation/owned_parts.h"
 #include "evaluation/slot_table.h"
 #include "machine/constraint.h"
 #include "solver/stage.h"
@@ -107,7 +108,10 @@ class ElementStage : public solver::Stage {
   /// How many resources the machine has: before the stage is asked for the first time.
   void set_resources(std::size_t count) { resources_ = count; }
 
-  /// The table's fields, the totals, then what `read_more` of the derived stage adds.
+  /// What its slots take of owned parts, by slot: before the stage is asked for the first time.
+  void set_piece_counts(std::vector<PieceCount> counts) { piece_counts_ = std::move(counts); }
+
+  /// The table's fields, the totals, what `read_more` of the derived stage adds, then the piece counts of the slot.
   void read(std::span<const solver::Row> shared,
             std::size_t slot,
             std::span<const solver::Row> rows,
@@ -122,6 +126,8 @@ class ElementStage : public solver::Stage {
     const auto& derived = static_cast<const Derived&>(*this);
     if constexpr (requires { derived.read_more(shared, slot, rows, readings); })
       derived.read_more(shared, slot, rows, readings);
+    for (const PieceCount& count : piece_counts_)
+      if (count.slot == slot) readings.push_back(range_of(rows, [&](solver::Row row) { return count.of_row[row]; }));
   }
 
   void evaluate(const solver::Point& point, solver::Answer<double>& answer) const final {
@@ -162,6 +168,7 @@ class ElementStage : public solver::Stage {
   std::vector<solver::Variable> variables_;
   std::size_t constraint_count_ = 0;
   std::size_t resources_ = first_counted_resource;
+  std::vector<PieceCount> piece_counts_;
 
   void finish_slots() {
     slots_.clear();
@@ -188,6 +195,21 @@ class ElementStage : public solver::Stage {
     answer.resources.assign(resources_, T(0.0));
     answer.handed_on.assign(selection.inherited.begin(), selection.inherited.end());
     static_cast<const Derived&>(*this).template answer<T>(selection, answer);
+    if (!piece_counts_.empty()) count_pieces(selection, answer);
+  }
+
+  /// Readings of piece counts are the last of their slot's.
+  template <class T>
+  void count_pieces(const Selection<T>& selection, solver::Answer<T>& answer) const {
+    for (auto first = piece_counts_.begin(); first != piece_counts_.end();) {
+      const auto last =
+          std::find_if(first, piece_counts_.end(), [&](const PieceCount& each) { return each.slot != first->slot; });
+      const RowsAlive& rows = selection.rows[first->slot];
+      std::size_t reading = rows.readings.size() - (rows.readings.empty() ? 0 : static_cast<std::size_t>(last - first));
+      for (; first != last; ++first, ++reading)
+        answer.handed_on[first->state] = answer.handed_on[first->state] +
+                                         hull_of<T>(rows, reading, [&](solver::Row row) { return first->of_row[row]; });
+    }
   }
 
   template <class T>

@@ -182,14 +182,19 @@ class CheckVisitor {
   ValidityLedger& outside_;
 };
 
-PartLine part_line(const MachineModel& model, const PartUse& use, const std::string& axis, const Design& design) {
+PartLine part_line(const MachineModel& model,
+                   const PartUse& use,
+                   const std::string& axis,
+                   const Design& design,
+                   const OwnedPartsLedger::Share& share = {}) {
   PartLine line;
   line.axis = axis;
   line.slot = use.slot;
   line.quantity = use.quantity;
   line.length = use.length;
-  line.price = use.price;
-  line.unit_price = use.price / use.quantity;
+  line.price = use.price + share.charged;
+  line.owned = share.owned;
+  line.unit_price = line.owned < line.quantity ? line.price / (line.quantity - line.owned) : 0.0;
   line.currency = design.currency;
   line.mass = use.mass;
   if (!use.stated.empty()) {
@@ -219,11 +224,16 @@ PartLine part_line(const MachineModel& model, const PartUse& use, const std::str
 void add_parts(const MachineModel& model,
                const StageEntry& entry,
                const std::vector<solver::Row>& rows,
+               OwnedPartsLedger& owned,
                Design& design) {
   const auto& tables = entry.tables();
   for (std::size_t slot = 0; slot < tables.size(); ++slot) {
     const Candidate& candidate = tables[slot].candidate(rows[slot]);
-    for (const PartUse& use : candidate.parts) design.parts.push_back(part_line(model, use, entry.axis, design));
+    for (const PartUse& use : candidate.parts) {
+      const OwnedPartsLedger::Share share = owned.take(use);
+      design.parts.push_back(part_line(model, use, entry.axis, design, share));
+      design.cost += share.charged;
+    }
     for (const Setting& setting : candidate.settings)
       design.dimensions.push_back({entry.axis, setting.name, setting.value, setting.unit});
     design.cost += candidate.price;
@@ -325,6 +335,7 @@ Design MachineModel::design(const solver::Build& found, bool with_worksheet) con
   std::vector<double> state = solver_problem_.first_state;
   std::vector<double> motor_currents;
   ValidityLedger outside;
+  OwnedPartsLedger owned(owned_parts_);
   const auto worksheet = with_worksheet ? std::make_shared<Worksheet>() : nullptr;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     const StageEntry& entry = entries_[i];
@@ -359,7 +370,7 @@ Design MachineModel::design(const solver::Build& found, bool with_worksheet) con
           }
         },
         entry.stage);
-    add_parts(*this, entry, choice.rows, design);
+    add_parts(*this, entry, choice.rows, owned, design);
     const solver::Row voltage = build.shared.empty() ? 0 : build.shared.front();
     std::visit(
         [&](const auto& stage) {

@@ -45,7 +45,8 @@ struct PartLine {
   std::string axis, slot, family, manufacturer, part_number;
   double quantity = 1.0;
   double length = 0.0;        ///< m, 0 for whole pieces
-  double unit_price = 0.0;    ///< price / quantity, in `currency`
+  double owned = 0.0;         ///< pieces of it that are there already
+  double unit_price = 0.0;    ///< of each piece that is not, in `currency`
   double price = 0.0;         ///< of the line, in `currency`
   std::vector<Cut> cuts;      ///< empty for what is bought in whole pieces; of a guide its rails
   double length_price = 0.0;  ///< share of `price` that is paid for lengths; the rest is paid for pieces

@@ -6,7 +6,7 @@
 
 namespace millwright::evaluation {
 
-PriceBook::PriceBook(const machine::Problem& problem) {
+PriceBook::PriceBook(const machine::Problem& problem, const catalogue::Stock& stock) : stock_(stock) {
   for (const auto& [currency, rate] : problem.currencies) rates_[currency] = rate.rate;
   rates_.try_emplace(problem.currency, 1.0);
 }
@@ -16,6 +16,17 @@ double PriceBook::rate(std::string_view currency) const {
   return found == rates_.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
 }
 
+double PriceBook::owned(const catalogue::Table& table, int row) const {
+  if (stock_.empty()) return 0.0;
+  const catalogue::StockMark* mark = stock_.find(table.family(), table.manufacturer(row), table.part_number(row));
+  return mark == nullptr ? 0.0 : mark->owned;
+}
+
+double PriceBook::piece(const catalogue::Table& table, int row) const {
+  const catalogue::Price price = table.price(row);
+  return price.piece * rate(price.currency);
+}
+
 double PriceBook::line(const catalogue::Table& table, int row, double pieces, double metres) const {
   const catalogue::Price price = table.price(row);
   const bool by_piece = !std::isnan(price.piece) && pieces > 0.0;
@@ -23,6 +34,7 @@ double PriceBook::line(const catalogue::Table& table, int row, double pieces, do
   if (!by_piece && !by_length) return std::numeric_limits<double>::quiet_NaN();
   if (metres > 0.0 && !by_length) return std::numeric_limits<double>::quiet_NaN();
   const double amount = (by_piece ? pieces * price.piece : 0.0) + (by_length ? metres * price.length : 0.0);
+  if (by_piece && owned(table, row) > 0.0) return 0.0 * rate(price.currency);
   return amount * rate(price.currency);
 }
 

@@ -49,6 +49,8 @@ template <class T>
 void WholeStage::answer(const Selection<T>& s, solver::Answer<T>& out) const {
   const WholeMachine<T> d = design(s);
   whole_constraints(UtilisationVisitor<T, WholeMachine<T>>(d, out.utilisation));
+  for (const OwnedPart& part : owned_parts_)
+    out.resources[cost_resource] = out.resources[cost_resource] + charge(part, s.inherited[part.state]);
   if (!error_resource_) return;
   for (std::size_t i = 0; i < states_.error.size(); ++i)
     if (states_.error[i]) out.resources[*error_resource_] = out.resources[*error_resource_] + tool_error(d, i);

@@ -349,7 +349,7 @@ class Collector {
     }
     for (const ExcludedPart& part : asked_.without) {
       const std::string maker = part.manufacturer, number = part.part_number;
-      choice(add("machine", "--without", {}),
+      choice(add("machine", part.said_in.empty() ? "--without" : "not available", {}),
              maker.empty() ? number : fmt::format("{} {}", maker, number),
              "",
              [=](Asked& asked) {

@@ -135,9 +135,10 @@ class FixedReader {
       return false;
     }
     if (!is_excluded(without_, line.part_number, line.manufacturer)) return true;
-    diagnostics_.error(word.value_span(),
-                       fmt::format("{}: {} is excluded by --without", word.name, text::quoted(word.value)),
-                       "leave one of the two options out");
+    diagnostics_.error(
+        word.value_span(),
+        fmt::format("{}: {} is excluded by --without or not available", word.name, text::quoted(word.value)),
+        "leave one of the two options out");
     return false;
   }
 
@@ -196,6 +197,22 @@ std::vector<ExcludedPart> read_excluded(const std::vector<std::string>& words,
     if (!is_excluded(result, part.part_number, part.manufacturer)) result.push_back(std::move(part));
   }
   return result;
+}
+
+void exclude_unavailable(const catalogue::Catalogue& catalogue, std::vector<ExcludedPart>& without) {
+  if (catalogue.stock().empty()) return;
+  for (const catalogue::FamilyDeclaration& family : catalogue::families) {
+    const catalogue::Table& table = catalogue.table(family.family);
+    for (int row = 0; row < table.rows(); ++row) {
+      const std::string maker(table.manufacturer(row)), number(table.part_number(row));
+      const catalogue::StockMark* mark = catalogue.stock().find(family.family, maker, number);
+      if (mark == nullptr || mark->available || is_excluded(without, number, maker)) continue;
+      without.push_back({maker,
+                         number,
+                         {{family.family, row}},
+                         fmt::format("{}:{}", mark->where.text ? mark->where.text->path() : "", mark->where.line)});
+    }
+  }
 }
 
 BillOfMaterials read_fixed(const std::vector<std::string>& words,

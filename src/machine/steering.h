@@ -19,6 +19,7 @@ namespace millwright::machine {
 struct ExcludedPart {
   std::string manufacturer, part_number;
   std::vector<catalogue::Part> rows;
+  std::string said_in = {};  ///< "parts/stock.csv:3" where a stock file says that it cannot be had; else --without
 };
 
 struct Steering {
@@ -33,6 +34,9 @@ struct Steering {
 std::vector<ExcludedPart> read_excluded(const std::vector<std::string>& words,
                                         const catalogue::Catalogue& catalogue,
                                         text::Diagnostics& diagnostics);
+
+/// Adds the parts of which the catalogue's stock files say that they cannot be had.
+void exclude_unavailable(const catalogue::Catalogue& catalogue, std::vector<ExcludedPart>& without);
 
 /// Words such as "x.motor=17HS4401S", "x.acceleration_time=0.2 s", "machine.supply_voltage=24 V". Reported, at the
 /// word: axes, slots and parts that do not exist (with the nearest), values that do not fit, parts that are excluded,

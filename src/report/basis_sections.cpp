@@ -146,7 +146,10 @@ std::string parts_table(const MachineResult& result, const Design& design, const
       table.add({first ? "<b>" + escaped(axis == "machine" ? t("machine") : axis) + "</b>" : std::string(),
                  escaped(part.slot) + (part.origin.empty() ? "" : "<small>" + escaped(part.origin) + "</small>"),
                  escaped(part_name(part)),
-                 scalar::format_number(part.quantity),
+                 scalar::format_number(part.quantity) +
+                     (part.owned > 0.0
+                          ? fmt::format("<small>{} {}</small>", scalar::format_number(part.owned), t("parts.owned"))
+                          : ""),
                  part.length > 0.0 ? escaped(shown_quantity(1e3 * part.length, "mm")) : "",
                  fmt::format("{}{:.2f}", part.estimate ? "~" : "", part.price),
                  part.mass > 0.0 ? fmt::format("{:.3f}", part.mass) : "",

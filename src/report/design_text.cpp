@@ -64,6 +64,16 @@ std::string value_text(double value) { return std::isnan(value) ? "-" : scalar::
 
 std::string unit_text(const std::string& unit) { return unit == "1" ? std::string() : unit; }
 
+/// "In stock: 1 of Acme M23 (y.motor)", a line for each part that is owned; empty if none is.
+std::string in_stock_text(const Design& design) {
+  std::string out;
+  for (const PartLine& part : design.parts)
+    if (part.owned > 0.0)
+      out += fmt::format(
+          "  In stock: {} of {} ({}.{})\n", scalar::format_number(part.owned), part_name(part), part.axis, part.slot);
+  return out;
+}
+
 }  // namespace
 
 std::string part_name(const std::string& manufacturer, const std::string& part_number) {
@@ -129,6 +139,7 @@ std::string parts_text(const MachineResult& result, const Design& design, const 
     }
   }
   out += table.str(2, style) + made_to_measure(design);
+  out += in_stock_text(design);
   out += fmt::format("  Total: {}\n", totals_text(design));
   if (estimates) out += "  ~ the price, or a figure of the part that matters, is an estimate\n";
   return out + "\n";

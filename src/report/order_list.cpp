@@ -132,8 +132,12 @@ void add_part(OrderList& list, const PartLine& part) {
   }
   // A guide's carriages and rails are one line of a build. What is only cut has no pieces beside.
   if (part.cuts.empty() || part.family == "linear_guides")
-    add(false, "pcs", part.quantity, part.price - part.length_price);
+    add(false, "pcs", part.quantity - part.owned, part.price - part.length_price);
   if (!part.cuts.empty()) add(true, "m", metres, part.length_price);
+  // What is there is listed, so that nobody looks for it in vain, and costs nothing.
+  line.supplier = in_stock;
+  line.price_estimate = false;
+  if (part.owned > 0.0) add(false, "pcs", part.owned, 0.0);
 }
 
 /// "diameter 12.4 mm, ..." of the dimensions that were chosen for a member.

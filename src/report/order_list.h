@@ -10,11 +10,14 @@
 
 namespace millwright::report {
 
+/// In the place of a supplier.
+inline constexpr const char* in_stock = "(in stock)";
+
 struct OrderLine {
   double quantity = 0.0;
   std::string unit;  ///< "pcs", "m" or "kg"
   std::string description, manufacturer, part_number;
-  std::string supplier;     ///< empty where the catalogue does not say
+  std::string supplier;     ///< empty where the catalogue does not say; `in_stock` for what is owned
   double unit_price = 0.0;  ///< per `unit`
   double total = 0.0;
   std::string price_date;       ///< "2026-09-03", "2024-2026", "2026"; empty where the catalogue does not say

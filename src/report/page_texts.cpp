@@ -112,6 +112,7 @@ const std::vector<PageText>& page_texts() {
       {"parts.slot", "Slot", "Tempat"},
       {"parts.part", "Part", "Komponen"},
       {"parts.quantity", "Qty", "Jumlah"},
+      {"parts.owned", "in stock", "tersedia"},
       {"parts.length", "Length", "Panjang"},
       {"parts.supplier", "Supplier", "Pemasok"},
       {"parts.confidence", "Confidence", "Keyakinan"},

@@ -27,7 +27,9 @@ std::string steering_text(const MachineResult& result, const Style& style) {
   for (const machine::LimitOption& limit : result.steering.limits)
     table.add({"--limit", limit.name, fmt::format("{:.6g} {}", limit.value, unit_of(result, limit))});
   for (const machine::ExcludedPart& part : result.steering.without)
-    table.add({"--without", "", part_name(part.manufacturer, part.part_number)});
+    table.add({part.said_in.empty() ? "--without" : "not available",
+               part.said_in,
+               part_name(part.manufacturer, part.part_number)});
   for (const machine::BomLine& line : result.steering.fixed.lines)
     table.add({"--fix", line.axis + "." + line.slot, fixed_text(line)});
   return style.heading("Asked for beside the problem") + "\n" + table.str(2, style) + "\n";
@@ -41,6 +43,9 @@ void add_steering(const MachineResult& result, Json& json) {
   Json without = Json::array();
   for (const machine::ExcludedPart& part : result.steering.without)
     without.push_back({{"manufacturer", part.manufacturer}, {"part_number", part.part_number}});
+  for (std::size_t i = 0; i < without.size(); ++i)
+    if (const std::string& place = result.steering.without[i].said_in; !place.empty())
+      without[i]["not_available"] = place;
   Json fixed = Json::array();
   for (const machine::BomLine& line : result.steering.fixed.lines) {
     if (!line.value)

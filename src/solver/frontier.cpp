@@ -34,7 +34,8 @@ Frontier::Frontier(const Problem& problem,
   for (const StagePlan& plan : plans_) {
     if (plan.any_priced && criteria_.objectives == 1) applicable_ = false;  // its covers are coarser than a gap
     forms_.push_back(find_state_form(plan, control_.desk(0)));
-    applicable_ = applicable_ && (plan.any_priced ? plan.stage->slots().empty() : forms_.back().additive);
+    const bool alone = plan.stage->slots().empty() && (plan.any_priced || plan.stage->variables().empty());
+    applicable_ = applicable_ && (alone || (forms_.back().additive && !plan.any_priced));
     priced += plan.any_priced ? 1 : 0;
   }
   // The stages' shares add up; a little is left for rounding.
@@ -102,7 +103,10 @@ bool Frontier::pass(const Pass& pass) {
   for (std::size_t stage = 0; stage < plans_.size(); ++stage) {
     const int digits = haste_ ? haste_->digits : exact_digits;
     const Comparison comparison(criteria_, plans_[stage].after, pass.with_states, digits);
-    if (!(plans_[stage].any_priced ? advance_priced(stage, comparison) : advance(stage, comparison))) return false;
+    const bool advanced = plans_[stage].any_priced ? advance_priced(stage, comparison)
+                          : forms_[stage].additive ? advance(stage, comparison)
+                                                   : advance_each(stage, comparison);
+    if (!advanced) return false;
     if (haste_) keep_best(stage);
   }
   for (const Label& label : labels_.back()) finish(label);

@@ -20,6 +20,9 @@
 // such stages every design is matched within the tolerance by a build of the front or by one that a later stage refuses
 // for being heavier by no more than the tolerance; without them the front is exact.
 //
+// A stage that chooses nothing may have scores that depend on the state (what is owned of a part and what is to be
+// bought): it is asked label by label too.
+//
 // What it cannot do is left to branch_and_bound.h: variables of that kind together with slots, states that do not
 // simply add up (state_form.h), designs whose feasibility stays undecided.
 #pragma once
@@ -87,6 +90,7 @@ class Frontier {
   bool pass(const Pass& pass);
   bool advance(std::size_t stage, const Comparison& comparison);
   bool advance_priced(std::size_t stage, const Comparison& comparison);
+  bool advance_each(std::size_t stage, const Comparison& comparison);
   void find_rest();
   std::vector<double> highest_scores() const;
   bool find_planes();

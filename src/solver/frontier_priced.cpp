@@ -87,6 +87,22 @@ bool Frontier::advance_priced(std::size_t stage, const Comparison& comparison) {
   return true;
 }
 
+/// The same for a stage that chooses nothing and whose scores depend on the state.
+bool Frontier::advance_each(std::size_t stage, const Comparison& comparison) {
+  const StagePlan& plan = plans_[stage];
+  std::vector<Label> arrived;
+  for (std::uint32_t parent = 0; parent < labels_[stage].size(); ++parent) {
+    const auto& answer =
+        control_.desk(0).evaluate(*plan.stage, Point{plan.shared, labels_[stage][parent].state, {}, {}});
+    Label label;
+    if (worst_of(answer.utilisation) <= 1.0 && evaluate(stage, parent, {}, {}, label))
+      arrived.push_back(std::move(label));
+  }
+  control_.nodes += labels_[stage].size();
+  keep_undominated(std::move(arrived), stage + 1, comparison);
+  return true;
+}
+
 /// Of some labels before a stage those that no other is at least as good as in every coordinate.
 void Frontier::keep_undominated(std::vector<Label> labels, std::size_t stage, const Comparison& comparison) {
   const std::size_t n = comparison.dimensions();

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -18,9 +19,13 @@ struct BuildValue {
   double cost = 0.0, mass = 0.0;
 };
 
+/// What a whole build costs less than the sum of its stages, by the rows of all stages.
+using Discount = std::function<double(const std::vector<std::vector<solver::Row>>&)>;
+
 class Exhaustive {
  public:
-  explicit Exhaustive(const evaluation::MachineModel& model) : problem_(model.problem()) {
+  explicit Exhaustive(const evaluation::MachineModel& model, Discount discount = {})
+      : problem_(model.problem()), discount_(std::move(discount)), rows_(problem_.stages.size()) {
     for (solver::Row v = 0; v < problem_.shared.front().rows; ++v) {
       shared_ = {v};
       descend(0, problem_.first_state, {});
@@ -50,15 +55,19 @@ class Exhaustive {
   struct Step {
     std::vector<double> state;
     BuildValue own;
+    std::vector<solver::Row> rows;
   };
 
   void descend(std::size_t stage, const std::vector<double>& state, BuildValue so_far) {
     if (stage == problem_.stages.size()) {
+      if (discount_) so_far.cost -= discount_(rows_);
       builds.push_back(so_far);
       return;
     }
-    for (const Step& step : steps(stage, state))
+    for (const Step& step : steps(stage, state)) {
+      rows_[stage] = step.rows;
       descend(stage + 1, step.state, {so_far.cost + step.own.cost, so_far.mass + step.own.mass});
+    }
   }
 
   void greedy() {
@@ -125,10 +134,12 @@ class Exhaustive {
     }
     // Parts that fit exactly sit at their limit.
     if (least > 1.0) return std::nullopt;
-    return Step{answer.handed_on, {answer.resources[0], answer.resources[1]}};
+    return Step{answer.handed_on, {answer.resources[0], answer.resources[1]}, rows};
   }
 
   const solver::Problem& problem_;
+  Discount discount_;
+  std::vector<std::vector<solver::Row>> rows_;  ///< of the build under way
   std::vector<solver::Row> shared_;
 };
 

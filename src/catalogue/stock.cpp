@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "catalogue/stock.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "catalogue/catalogue.h"
+#include "text/csv.h"
+#include "text/nearest.h"
+
+namespace millwright::catalogue {
+namespace {
+
+constexpr std::string_view file_name = "stock.csv";
+constexpr std::array<std::string_view, 4> column_names = {"manufacturer", "part_number", "owned", "available"};
+enum Field : std::size_t { manufacturer_field, part_number_field, owned_field, available_field };
+
+class StockReader {
+ public:
+  StockReader(const text::CsvTable& csv, const Catalogue& catalogue, Stock& stock, text::Diagnostics& diagnostics)
+      : csv_(csv), catalogue_(catalogue), stock_(stock), diagnostics_(diagnostics) {}
+
+  void read() {
+    if (!match_header()) return;
+    for (std::size_t row = 0; row < csv_.row_count(); ++row) read_row(row);
+  }
+
+ private:
+  bool match_header() {
+    bool good = true;
+    for (std::size_t i = 0; i < csv_.columns().size(); ++i) {
+      const text::CsvColumn& column = csv_.columns()[i];
+      const auto known = std::find(column_names.begin(), column_names.end(), column.name);
+      if (known != column_names.end()) {
+        fields_[static_cast<std::size_t>(known - column_names.begin())] = i;
+        continue;
+      }
+      const std::vector<std::string_view> names(column_names.begin(), column_names.end());
+      diagnostics_.error(
+          column.name_span,
+          fmt::format("{} has no column {}", file_name, text::quoted(column.name)),
+          text::did_you_mean(column.name, names, "its columns: manufacturer, part_number, owned, available"));
+      good = false;
+    }
+    if (!fields_[part_number_field]) {
+      diagnostics_.error(csv_.header_span(),
+                         fmt::format("{} has no column part_number", file_name),
+                         "a header could be: manufacturer,part_number,owned,available");
+      good = false;
+    }
+    return good;
+  }
+
+  [[nodiscard]] std::string_view cell(std::size_t row, Field field) const {
+    return fields_[field] ? csv_.cell(row, *fields_[field]) : std::string_view();
+  }
+  [[nodiscard]] text::SourceSpan span(std::size_t row, Field field) const {
+    return fields_[field] ? csv_.cell_span(row, *fields_[field]) : csv_.row_span(row);
+  }
+
+  void read_row(std::size_t row) {
+    const std::size_t errors = diagnostics_.error_count();
+    StockMark mark;
+    mark.where = span(row, part_number_field);
+    if (cell(row, owned_field).empty() && cell(row, available_field).empty())
+      diagnostics_.error(csv_.row_span(row),
+                         "nothing is said about this part",
+                         "owned: how many pieces you have; available: no if it cannot be had");
+    if (!cell(row, owned_field).empty()) {
+      const auto pieces = csv_.number(row, *fields_[owned_field], diagnostics_);
+      if (pieces && (*pieces < 0.0 || *pieces != std::floor(*pieces) || *pieces > 1e6))
+        diagnostics_.error(span(row, owned_field),
+                           fmt::format("{} pieces cannot be owned", cell(row, owned_field)),
+                           "write a whole number");
+      mark.owned = pieces.value_or(0.0);
+    }
+    if (const std::string_view word = cell(row, available_field); !word.empty()) {
+      mark.available = word == "yes";
+      if (word != "yes" && word != "no")
+        diagnostics_.error(span(row, available_field),
+                           fmt::format("available: {} is neither yes nor no", text::quoted(word)),
+                           "write yes or no");
+    }
+    if (!mark.available && mark.owned > 0.0)
+      diagnostics_.error(span(row, available_field),
+                         "a part that is not available is not chosen at all, and this one is owned",
+                         "leave 'available' empty to use what you own");
+    const FoundParts found = part_of(row, mark.owned > 0.0);
+    if (diagnostics_.error_count() != errors) return;
+    for (const Part& part : found.parts) {
+      const Table& table = catalogue_.table(part.family);
+      stock_.set(part.family, table.manufacturer(part.row), table.part_number(part.row), mark);
+    }
+  }
+
+  /// The rows that a line names, of families that are for sale.
+  FoundParts part_of(std::size_t row, bool owned) {
+    FoundParts found = catalogue_.find(cell(row, part_number_field), cell(row, manufacturer_field));
+    std::erase_if(found.parts, [](const Part& part) { return !declaration(part.family).priced(); });
+    if (found.parts.empty()) {
+      diagnostics_.error(
+          span(row, part_number_field), found.error.empty() ? "this is not for sale" : found.error, found.hint);
+      return found;
+    }
+    for (const Part& part : found.parts) {
+      const Table& table = catalogue_.table(part.family);
+      const auto name = std::pair(std::string(table.manufacturer(part.row)), std::string(table.part_number(part.row)));
+      const auto [earlier, is_new] = seen_.try_emplace(name, row);
+      if (!is_new && earlier->second != row)
+        diagnostics_.error(span(row, part_number_field),
+                           fmt::format("{} {} stands in this file twice", name.first, name.second),
+                           fmt::format("first in line {}", csv_.row_span(earlier->second).line));
+      if (part.family == Family::materials)
+        diagnostics_.error(span(row, part_number_field),
+                           fmt::format("{} is a material, and those are chosen by the problem", name.second),
+                           "name another one there");
+      else if (owned && !can_be_owned(part.family))
+        diagnostics_.error(
+            span(row, owned_field),
+            fmt::format("{} are cut to length: pieces of them cannot be owned here", declaration(part.family).title),
+            "give the part a price of 0 in an overlay if what you have is long enough");
+    }
+    return found;
+  }
+
+  const text::CsvTable& csv_;
+  const Catalogue& catalogue_;
+  Stock& stock_;
+  text::Diagnostics& diagnostics_;
+  std::array<std::optional<std::size_t>, column_names.size()> fields_;
+  std::map<std::pair<std::string, std::string>, std::size_t> seen_;
+};
+
+}  // namespace
+
+const StockMark* Stock::find(Family family, std::string_view manufacturer, std::string_view part_number) const {
+  if (marks_.empty()) return nullptr;
+  const auto found = marks_.find(Key{family, std::string(manufacturer), std::string(part_number)});
+  return found == marks_.end() ? nullptr : &found->second;
+}
+
+void Stock::set(Family family, std::string_view manufacturer, std::string_view part_number, StockMark mark) {
+  marks_[Key{family, std::string(manufacturer), std::string(part_number)}] = std::move(mark);
+}
+
+bool Stock::owns_any(Family family) const {
+  return std::any_of(marks_.begin(), marks_.end(), [&](const auto& mark) {
+    return mark.first.family == family && mark.second.owned > 0.0;
+  });
+}
+
+bool is_stock_file(const std::filesystem::path& file) { return file.filename() == file_name; }
+
+std::optional<std::filesystem::path> stock_file(const std::filesystem::path& place) {
+  if (is_stock_file(place)) return place;
+  std::error_code ignored;
+  const std::filesystem::path inside = place / file_name;
+  if (std::filesystem::is_directory(place, ignored) && std::filesystem::exists(inside, ignored)) return inside;
+  return std::nullopt;
+}
+
+void read_stock(const std::filesystem::path& file,
+                const Catalogue& catalogue,
+                Stock& stock,
+                text::Diagnostics& diagnostics) {
+  if (const auto csv = text::read_csv_file(file.string(), diagnostics))
+    StockReader(*csv, catalogue, stock, diagnostics).read();
+}
+
+}  // namespace millwright::catalogue

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a user says about parts beside their figures: `stock.csv` in the folder of an overlay.
+//
+//   manufacturer,part_number,owned,available
+//   OMC,17HS19-2004S1,2,            two lie in the drawer: they cost nothing, more of them cost their price
+//   ,DM542T,,no                     cannot be had: is not chosen
+//
+// The maker may be left out where only one has the part. A later overlay's word on a part replaces an earlier one's.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "catalogue/family.h"
+#include "text/diagnostic.h"
+
+namespace millwright::catalogue {
+
+class Catalogue;
+
+/// What is known of one part.
+struct StockMark {
+  double owned = 0.0;  ///< pieces
+  bool available = true;
+  text::SourceSpan where;
+};
+
+class Stock {
+ public:
+  /// Nothing if nothing is said about it.
+  [[nodiscard]] const StockMark* find(Family family, std::string_view manufacturer, std::string_view part_number) const;
+  void set(Family family, std::string_view manufacturer, std::string_view part_number, StockMark mark);
+  [[nodiscard]] bool empty() const { return marks_.empty(); }
+  /// Whether any piece of that family is owned.
+  [[nodiscard]] bool owns_any(Family family) const;
+
+ private:
+  struct Key {
+    Family family;
+    std::string manufacturer, part_number;
+    friend auto operator<=>(const Key&, const Key&) = default;
+  };
+  std::map<Key, StockMark> marks_;
+};
+
+/// Whether pieces of that family can be owned: it is sold by the piece alone, so that a piece is a piece whatever the
+/// machine. (Screws and rails are cut: whether what lies in the drawer is long enough is another question.)
+constexpr bool can_be_owned(Family family) {
+  const FamilyDeclaration& declared = declaration(family);
+  return declared.priced_per_piece && !declared.priced_per_length && !declared.priced_per_mass;
+}
+
+/// The stock file of a place as given to Catalogue::load: the place itself, or in its folder.
+std::optional<std::filesystem::path> stock_file(const std::filesystem::path& place);
+/// Whether a file is one, by its name.
+bool is_stock_file(const std::filesystem::path& file);
+
+/// Adds what a file says about the parts of `catalogue`. Reported: unknown columns, parts that no catalogue has (with
+/// the nearest) or that several makers have, what is no count, a part that stands twice, lines that say nothing.
+void read_stock(const std::filesystem::path& file,
+                const Catalogue& catalogue,
+                Stock& stock,
+                text::Diagnostics& diagnostics);
+
+}  // namespace millwright::catalogue

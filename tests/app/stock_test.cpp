@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a stock file beside a user's parts does to answers, bills and orders.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/program.h"
+#include "catch.h"
+
+namespace millwright::app {
+namespace {
+
+using Json = nlohmann::json;
+
+const std::string lifter = MILLWRIGHT_SOURCE_DIR "/problems/lifter.toml";
+
+Json solved(const Workshop& shop, std::vector<std::string> more) {
+  std::vector<std::string> words{"solve", lifter, "--json", "-"};
+  words.insert(words.end(), more.begin(), more.end());
+  const Outcome outcome = shop.run(words);
+  CAPTURE(outcome.err);
+  REQUIRE(outcome.exit_code == 0);
+  return Json::parse(outcome.out);
+}
+
+double cost(const Json& result) { return result.at("totals").at("cost").at("value").get<double>(); }
+
+Json motor(const Json& result) {
+  for (const Json& each : result.at("build").at("parts"))
+    if (each.at("slot") == "motor") return each;
+  return nullptr;
+}
+
+}  // namespace
+
+TEST_CASE("What is in stock is free, and the order says that it is there") {
+  const Workshop shop;
+  const Json plain = solved(shop, {});
+  const Json bought = motor(plain);
+  REQUIRE(bought.at("quantity") == 1);
+  CHECK_FALSE(bought.contains("owned"));
+  const std::string name = bought.at("part_number");
+  shop.write("mine/stock.csv", fmt::format("part_number,owned\n{},3\n", name));
+  const Json stocked = solved(shop, {"--catalogue", "mine", "--order", "order.csv"});
+  // The lifter takes one motor: nothing is cheaper than the old build without it.
+  const Json own = motor(stocked);
+  CHECK(own.at("part_number") == name);
+  CHECK(own.at("owned") == 1);
+  CHECK(own.at("price") == 0);
+  CHECK(cost(stocked) == Approx(cost(plain) - bought.at("price").get<double>()).epsilon(1e-9));
+  const std::string order = shop.read("order.csv");
+  CHECK(order.find("(in stock)") != std::string::npos);
+  const Outcome text = shop.run({"solve", lifter, "--catalogue", "mine"});
+  CHECK(text.prints("In stock: 1 of "));
+}
+
+TEST_CASE("What is not available is left out as by --without, and the answer says where that is written") {
+  const Workshop shop;
+  const std::string name = motor(solved(shop, {})).at("part_number");
+  shop.write("mine/stock.csv", fmt::format("part_number,available\n{},no\n", name));
+  const Json result = solved(shop, {"--catalogue", "mine"});
+  CHECK(motor(result).at("part_number") != name);
+  CHECK(cost(result) == cost(solved(shop, {"--without", name})));
+  const Json& without = result.at("steering").at("without");
+  REQUIRE(without.size() == 1);
+  CHECK(without[0].at("not_available") == "mine/stock.csv:2");
+  const Outcome fixed = shop.run({"solve", lifter, "--catalogue", "mine", "--fix", "z.motor=" + name});
+  CHECK(fixed.exit_code == 2);
+  CHECK(fixed.says("not available"));
+}
+
+TEST_CASE("A stock file that names an unknown part stops the run at its place") {
+  const Workshop shop;
+  shop.write("mine/stock.csv", "part_number,owned\n17HS19-2004S,1\n");
+  const Outcome outcome = shop.run({"solve", lifter, "--catalogue", "mine"});
+  CHECK(outcome.exit_code == 2);
+  CHECK(outcome.says("mine/stock.csv:2:1"));
+  CHECK(outcome.says("17HS19-2004S1"));
+}
+
+}  // namespace millwright::app
