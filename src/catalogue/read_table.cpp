@@ -169,6 +169,7 @@ class TableFileReader {
   void check_prices() {
     const FamilyDeclaration& sold = declaration(family_);
     if (!sold.priced()) return;
+    check_price_breaks();
     const Column currency = column(family_, "currency");
     const bool is_sold[] = {sold.priced_per_piece, sold.priced_per_length, sold.priced_per_mass};
     const Column prices[] = {
@@ -186,6 +187,38 @@ class TableFileReader {
                fmt::format("{} is not a currency", text::quoted(code)),
                "three capital letters, for example USD or EUR");
       }
+    }
+  }
+
+  /// Both are of what is sold by the piece alone.
+  void check_price_breaks() {
+    const FamilyDeclaration& sold = declaration(family_);
+    const bool by_piece = sold.priced_per_piece && !sold.priced_per_length && !sold.priced_per_mass;
+    const Column breaks = column(family_, "price_breaks");
+    const Column pack = column(family_, "pack_size");
+    const auto not_sold_so = [&](std::size_t row, Column each) {
+      refuse(row,
+             each,
+             fmt::format("{} are not sold by the piece alone", sold.title),
+             fmt::format("leave {} empty", declaration(each).name));
+    };
+    for (std::size_t row = 0; row < csv_.row_count(); ++row) {
+      if (field(breaks) >= 0 && !text_of(breaks, row).empty()) {
+        if (!by_piece)
+          not_sold_so(row, breaks);
+        else if (!parse_price_breaks(text_of(breaks, row)))
+          refuse(row,
+                 breaks,
+                 fmt::format("{} are no price breaks", text::quoted(text_of(breaks, row))),
+                 "pieces and the price of one from there on, rising: 10: 4.50; 100: 3.90");
+      }
+      if (field(pack) < 0) continue;
+      const double pieces = columns_.numbers[pack.index][row];
+      if (std::isnan(pieces)) continue;
+      if (!by_piece)
+        not_sold_so(row, pack);
+      else if (pieces != std::floor(pieces))
+        refuse(row, pack, fmt::format("a pack of {} pieces", pieces), "write a whole number");
     }
   }
 

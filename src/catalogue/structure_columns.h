@@ -17,6 +17,8 @@ inline constexpr ColumnDeclaration every_family[] = {
     money("price", "", "price of one piece (the nut of a ball screw, the carriage of a guide)"),
     money("price_per_length", "1/m", "price per length (the shaft of a screw, the rail of a guide, belts, profiles)"),
     money("price_per_mass", "1/kg", "price per mass (materials, bar stock)"),
+    text("price_breaks", optional, "prices of a piece from so many pieces on: 10: 4.50; 100: 3.90"),
+    number("pack_size", "1", optional, 1, 10000, "pieces in a pack, if only whole packs are sold"),
     text("currency", optional, "currency of the prices, ISO 4217: USD, EUR, IDR, ..."),
     text("price_basis", optional, "shop and date, or estimate with its tolerance"),
     text("evidence", optional, "found, mixed, computed or general (knowledge)"),

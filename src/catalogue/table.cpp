@@ -162,6 +162,17 @@ Price Table::price(int row) const {
   return price;
 }
 
+PiecePrice Table::piece_price(int row) const {
+  constexpr std::uint8_t piece = column(Family::steppers, "price").index;
+  constexpr std::uint8_t breaks = column(Family::steppers, "price_breaks").index;
+  constexpr std::uint8_t pack = column(Family::steppers, "pack_size").index;
+  PiecePrice price{number(Column{family_, piece}, row), {}, 1.0};
+  if (const std::string_view written = text(Column{family_, breaks}, row); !written.empty())
+    price.breaks = parse_price_breaks(written).value_or(std::vector<PriceBreak>());
+  if (const double pieces = number(Column{family_, pack}, row); pieces > 1.0) price.pack = pieces;
+  return price;
+}
+
 std::string_view Table::basis(int row, Column column) const {
   const std::string_view name = declaration(column).basis;
   return name.empty() ? std::string_view() : text(name, row);

@@ -15,6 +15,7 @@
 
 #include "catalogue/family.h"
 #include "catalogue/part_index.h"
+#include "catalogue/piece_price.h"
 #include "catalogue/standing.h"
 #include "text/source_text.h"
 
@@ -92,6 +93,8 @@ class Table {
   std::string_view part_number(int row) const;
   std::string_view confidence(int row) const;
   Price price(int row) const;
+  /// Of what is sold by the piece: with price breaks and packs.
+  PiecePrice piece_price(int row) const;
 
   /// Where the figure comes from, by the column's own basis column, else unstated.
   Standing standing(int row, Column column) const;

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "evaluation/owned_parts.h"
+#include "evaluation/counted_parts.h"
 #include "evaluation/slot_table.h"
 #include "machine/constraint.h"
 #include "solver/stage.h"
@@ -108,7 +108,7 @@ class ElementStage : public solver::Stage {
   /// How many resources the machine has: before the stage is asked for the first time.
   void set_resources(std::size_t count) { resources_ = count; }
 
-  /// What its slots take of owned parts, by slot: before the stage is asked for the first time.
+  /// What its slots take of counted parts, by slot: before the stage is asked for the first time.
   void set_piece_counts(std::vector<PieceCount> counts) { piece_counts_ = std::move(counts); }
 
   /// The table's fields, the totals, what `read_more` of the derived stage adds, then the piece counts of the slot.

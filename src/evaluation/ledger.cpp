@@ -186,13 +186,13 @@ PartLine part_line(const MachineModel& model,
                    const PartUse& use,
                    const std::string& axis,
                    const Design& design,
-                   const OwnedPartsLedger::Share& share = {}) {
+                   const CountedPartsLedger::Share& share) {
   PartLine line;
   line.axis = axis;
   line.slot = use.slot;
   line.quantity = use.quantity;
   line.length = use.length;
-  line.price = use.price + share.charged;
+  line.price = share.price;
   line.owned = share.owned;
   line.unit_price = line.owned < line.quantity ? line.price / (line.quantity - line.owned) : 0.0;
   line.currency = design.currency;
@@ -224,15 +224,15 @@ PartLine part_line(const MachineModel& model,
 void add_parts(const MachineModel& model,
                const StageEntry& entry,
                const std::vector<solver::Row>& rows,
-               OwnedPartsLedger& owned,
+               CountedPartsLedger& counted,
                Design& design) {
   const auto& tables = entry.tables();
   for (std::size_t slot = 0; slot < tables.size(); ++slot) {
     const Candidate& candidate = tables[slot].candidate(rows[slot]);
     for (const PartUse& use : candidate.parts) {
-      const OwnedPartsLedger::Share share = owned.take(use);
+      const CountedPartsLedger::Share share = counted.take(use);
       design.parts.push_back(part_line(model, use, entry.axis, design, share));
-      design.cost += share.charged;
+      design.cost += share.price - use.price;
     }
     for (const Setting& setting : candidate.settings)
       design.dimensions.push_back({entry.axis, setting.name, setting.value, setting.unit});
@@ -261,7 +261,8 @@ void add_custom_member(const MachineModel& model,
                                     .price = price,
                                     .mass = member.mass},
                                    entry.axis,
-                                   design));
+                                   design,
+                                   {0.0, price}));
 }
 
 /// How many drives, each with its motor, an axis has.
@@ -335,7 +336,7 @@ Design MachineModel::design(const solver::Build& found, bool with_worksheet) con
   std::vector<double> state = solver_problem_.first_state;
   std::vector<double> motor_currents;
   ValidityLedger outside;
-  OwnedPartsLedger owned(owned_parts_);
+  CountedPartsLedger counted(counted_parts_);
   const auto worksheet = with_worksheet ? std::make_shared<Worksheet>() : nullptr;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     const StageEntry& entry = entries_[i];
@@ -370,7 +371,7 @@ Design MachineModel::design(const solver::Build& found, bool with_worksheet) con
           }
         },
         entry.stage);
-    add_parts(*this, entry, choice.rows, owned, design);
+    add_parts(*this, entry, choice.rows, counted, design);
     const solver::Row voltage = build.shared.empty() ? 0 : build.shared.front();
     std::visit(
         [&](const auto& stage) {
@@ -387,6 +388,19 @@ Design MachineModel::design(const solver::Build& found, bool with_worksheet) con
     entry.as_stage().evaluate({build.shared, state, choice.rows, choice.variables}, answer);
     for (CountedTotal& each : design.counted) each.value += answer.resources[resource(each.quantity)];
     state = answer.handed_on;
+  }
+  for (std::size_t i = 0; i < counted_parts_.size(); ++i) {
+    const CountedPart& part = counted_parts_[i];
+    const double taken = counted.taken()[i];
+    if (!(taken > 0.0)) continue;
+    const catalogue::Table& table = catalogue_.table(part.family);
+    const auto bought = part.purchase(taken);
+    design.purchases.push_back({std::string(table.manufacturer(part.row)),
+                                std::string(table.part_number(part.row)),
+                                taken,
+                                std::min(taken, part.owned),
+                                bought.pieces,
+                                bought.price});
   }
   outside.write(design);
   design.worksheet = worksheet;

@@ -88,9 +88,19 @@ struct CountedTotal {
   double value = 0.0;  ///< SI
 };
 
+/// What has to be bought of a part whose price depends on how many are taken; the prices of its lines add up to it.
+struct Purchase {
+  std::string manufacturer, part_number;
+  double taken = 0.0;   ///< pieces that the machine takes
+  double owned = 0.0;   ///< of them, pieces that are there already
+  double bought = 0.0;  ///< pieces to buy: whole packs, and more than needed where that costs less
+  double price = 0.0;   ///< of those, in `currency` of the design
+};
+
 /// A machine fully decided.
 struct Design {
   std::vector<PartLine> parts;
+  std::vector<Purchase> purchases;  ///< of counted parts only
   std::vector<DimensionLine> dimensions;
   std::vector<Check> checks;
   std::vector<OutsideValidity> outside_validity;

@@ -69,12 +69,15 @@ MachineModel::MachineModel(const machine::Problem& given,
   for (machine::Axis& axis : problem_.axes)
     axis.keep_covered_candidates =
         axis.keep_covered_candidates || options_.every_candidate || is_fixed(options_.fixed, axis.name, "driver");
-  const catalogue::Stock& stock = catalogue.stock();
+  const catalogue::Table& drivers = catalogue.table(catalogue::Family::drivers);
+  const PriceBook known_prices(given, catalogue.stock());
+  bool counts_drivers = false;
+  for (int row = 0; row < drivers.rows(); ++row)
+    counts_drivers = counts_drivers || known_prices.is_counted(drivers, row);
   // Which of two drivers is cheaper is not known before it is known how many are taken.
-  for (machine::Axis& axis : problem_.axes)
-    axis.keep_every_candidate = axis.keep_every_candidate || stock.owns_any(catalogue::Family::drivers);
+  for (machine::Axis& axis : problem_.axes) axis.keep_every_candidate = axis.keep_every_candidate || counts_drivers;
   const machine::Problem& problem = problem_;
-  const PriceBook prices(problem, stock);
+  const PriceBook prices(problem, catalogue.stock());
   solver_problem_.shared.push_back({"supply_voltage", static_cast<solver::Row>(problem.supply_voltages.size())});
   solver_problem_.first_state.assign(first_load_state + problem.axes.size(), 0.0);
   solver_problem_.first_state.resize(first_load_state + problem.axes.size() + tool_states(problem).count, 0.0);
@@ -90,14 +93,14 @@ MachineModel::MachineModel(const machine::Problem& given,
                           problem.supply_voltages, SupplyData{problem.require, reserve}, catalogue, prices)});
   const auto tool_error =
       problem.tool && problem.tool->position_error ? find_resource(machine::Quantity::position_error) : std::nullopt;
-  OwnedParts owned(catalogue, prices, solver_problem_.first_state.size());
+  CountedParts counted(catalogue, prices, solver_problem_.first_state.size());
   for (StageEntry& entry : entries_)
-    std::visit([&](auto& stage) { stage->set_piece_counts(owned.counts(stage->tables())); }, entry.stage);
-  owned_parts_ = owned.parts();
-  solver_problem_.first_state.resize(solver_problem_.first_state.size() + owned_parts_.size(), 0.0);
-  if (problem.tool || problem.cost_limit || problem.mass_limit || !owned_parts_.empty()) {
+    std::visit([&](auto& stage) { stage->set_piece_counts(counted.counts(stage->tables())); }, entry.stage);
+  counted_parts_ = std::move(counted).finish();
+  solver_problem_.first_state.resize(solver_problem_.first_state.size() + counted_parts_.size(), 0.0);
+  if (problem.tool || problem.cost_limit || problem.mass_limit || !counted_parts_.empty()) {
     auto whole = std::make_unique<WholeStage>(problem, tool_error);
-    whole->set_owned_parts(owned_parts_);
+    whole->set_counted_parts(counted_parts_);
     entries_.push_back({"machine", "whole", std::move(whole)});
   }
   for (const StageEntry& entry : entries_) {

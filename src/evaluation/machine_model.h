@@ -14,7 +14,7 @@
 
 #include "catalogue/catalogue.h"
 #include "evaluation/ledger.h"
-#include "evaluation/owned_parts.h"
+#include "evaluation/counted_parts.h"
 #include "evaluation/slot_table.h"
 #include "machine/bill_of_materials.h"
 #include "machine/problem.h"
@@ -122,7 +122,7 @@ class MachineModel {
   machine::Problem problem_;
   const catalogue::Catalogue& catalogue_;
   std::vector<StageEntry> entries_;
-  std::vector<OwnedPart> owned_parts_;
+  std::vector<CountedPart> counted_parts_;
   solver::Problem solver_problem_;
   solver::Restriction restriction_;  ///< with something fixed
   std::optional<solver::RestrictedProblem> restricted_;

@@ -22,9 +22,13 @@ double PriceBook::owned(const catalogue::Table& table, int row) const {
   return mark == nullptr ? 0.0 : mark->owned;
 }
 
-double PriceBook::piece(const catalogue::Table& table, int row) const {
-  const catalogue::Price price = table.price(row);
-  return price.piece * rate(price.currency);
+bool PriceBook::is_counted(const catalogue::Table& table, int row) const {
+  return owned(table, row) > 0.0 || !table.piece_price(row).is_plain();
+}
+
+double PriceBook::least_piece(const catalogue::Table& table, int row) const {
+  const double least = owned(table, row) > 0.0 ? 0.0 : table.piece_price(row).least();
+  return least * rate(table.price(row).currency);
 }
 
 double PriceBook::line(const catalogue::Table& table, int row, double pieces, double metres) const {
@@ -34,7 +38,7 @@ double PriceBook::line(const catalogue::Table& table, int row, double pieces, do
   if (!by_piece && !by_length) return std::numeric_limits<double>::quiet_NaN();
   if (metres > 0.0 && !by_length) return std::numeric_limits<double>::quiet_NaN();
   const double amount = (by_piece ? pieces * price.piece : 0.0) + (by_length ? metres * price.length : 0.0);
-  if (by_piece && owned(table, row) > 0.0) return 0.0 * rate(price.currency);
+  if (by_piece && is_counted(table, row)) return pieces * least_piece(table, row);
   return amount * rate(price.currency);
 }
 

@@ -17,11 +17,13 @@ class PriceBook {
   explicit PriceBook(const machine::Problem& problem, const catalogue::Stock& stock = {});
   /// What one unit of `currency` is worth in the problem's currency; NaN if no rate is given.
   [[nodiscard]] double rate(std::string_view currency) const;
-  /// Pieces of a row's part that are there already and cost nothing (owned_parts.h counts them).
+  /// Pieces of a row's part that are there already and cost nothing.
   [[nodiscard]] double owned(const catalogue::Table& table, int row) const;
-  /// Price of a piece in the problem's currency, of what is sold by the piece.
-  [[nodiscard]] double piece(const catalogue::Table& table, int row) const;
-  /// Price of whole pieces plus a length, 0 if pieces of it are owned: only the whole machine knows how many it takes.
+  /// Whether its price depends on how many the whole machine takes (counted_parts.h).
+  [[nodiscard]] bool is_counted(const catalogue::Table& table, int row) const;
+  /// The least that a piece of such a part can cost, in the problem's currency.
+  [[nodiscard]] double least_piece(const catalogue::Table& table, int row) const;
+  /// Price of whole pieces plus a length; of what is counted the least that so many pieces can cost.
   /// Parts of the price that the row does not have count as 0. NaN if nothing is priced.
   [[nodiscard]] double line(const catalogue::Table& table, int row, double pieces, double metres) const;
 

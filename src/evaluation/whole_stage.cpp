@@ -49,7 +49,7 @@ template <class T>
 void WholeStage::answer(const Selection<T>& s, solver::Answer<T>& out) const {
   const WholeMachine<T> d = design(s);
   whole_constraints(UtilisationVisitor<T, WholeMachine<T>>(d, out.utilisation));
-  for (const OwnedPart& part : owned_parts_)
+  for (const CountedPart& part : counted_parts_)
     out.resources[cost_resource] = out.resources[cost_resource] + charge(part, s.inherited[part.state]);
   if (!error_resource_) return;
   for (std::size_t i = 0; i < states_.error.size(); ++i)

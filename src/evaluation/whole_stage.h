@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What is asked of the machine as a whole: how far the tool gives way, limits of cost and mass, and what is to be paid
-// for more pieces of a part than are owned. The last stage, without slots; the limits are the solver's own, here they
+// for parts whose price depends on how many are taken. The last stage, without slots; the limits are the solver's own, here they
 // are only reported.
 #pragma once
 
@@ -125,8 +125,8 @@ class WholeStage final : public ElementStage<WholeStage> {
   /// `error_resource`: where the tool's position error is counted, if an objective asks for it.
   explicit WholeStage(const machine::Problem& problem, std::optional<std::size_t> error_resource = {});
 
-  /// What of them is charged for here; before the stage is asked for the first time.
-  void set_owned_parts(std::vector<OwnedPart> parts) { owned_parts_ = std::move(parts); }
+  /// What is still charged for them here; before the stage is asked for the first time.
+  void set_counted_parts(std::vector<CountedPart> parts) { counted_parts_ = std::move(parts); }
 
   template <class T>
   [[nodiscard]] WholeMachine<T> design(const Selection<T>& selection) const;
@@ -137,7 +137,7 @@ class WholeStage final : public ElementStage<WholeStage> {
   WholeData data_;
   ToolStates states_;
   std::optional<std::size_t> error_resource_;
-  std::vector<OwnedPart> owned_parts_;
+  std::vector<CountedPart> counted_parts_;
 };
 
 extern template WholeMachine<double> WholeStage::design(const Selection<double>&) const;

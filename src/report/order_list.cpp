@@ -166,6 +166,24 @@ void add_cuts(OrderList& list, const Design& design, const PartLine& part) {
                          cut.length});
 }
 
+/// One line for a part whose price depends on how many are bought, with as many as it is cheapest to buy.
+void settle(OrderList& list, const evaluation::Purchase& purchase) {
+  const auto is_of = [&](const OrderLine& line) {
+    return line.manufacturer == purchase.manufacturer && line.part_number == purchase.part_number &&
+           line.supplier != in_stock;
+  };
+  const auto first = std::find_if(list.lines.begin(), list.lines.end(), is_of);
+  if (first == list.lines.end()) return;
+  for (auto other = std::next(first); other != list.lines.end(); ++other)
+    if (is_of(*other)) first->used_for += ", " + other->used_for;
+  first->quantity = purchase.bought;
+  first->total = purchase.price;
+  first->unit_price = purchase.price / purchase.bought;
+  const double left_over = purchase.bought - (purchase.taken - purchase.owned);
+  if (left_over > 0.0) first->used_for += fmt::format(", {} left over", scalar::format_number(left_over));
+  list.lines.erase(std::remove_if(std::next(first), list.lines.end(), is_of), list.lines.end());
+}
+
 auto stock_of(const CutLine& cut) { return std::tie(cut.description, cut.manufacturer, cut.part_number); }
 auto stock_of(const StockTotal& total) { return std::tie(total.description, total.manufacturer, total.part_number); }
 
@@ -218,6 +236,7 @@ OrderList order_list(const Design& design, const std::string& title) {
     add_part(list, part);
     add_cuts(list, design, part);
   }
+  for (const evaluation::Purchase& purchase : design.purchases) settle(list, purchase);
   sort(list);
   for (const OrderLine& line : list.lines) {
     if (list.supplier_totals.empty() || list.supplier_totals.back().supplier != line.supplier)
