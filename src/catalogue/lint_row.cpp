@@ -158,6 +158,8 @@ void LintRow::tell(const Suspicion& suspicion, text::Diagnostics& diagnostics) c
     if (!same) rules += ", magnitude";
     impossible |= each.severity == text::Severity::error;
   }
+  const text::Severity severity = impossible ? text::Severity::error : text::Severity::warning;
+  if (diagnostics.only_counted(severity, table_.files()[table_.file(row_)].text.get())) return;
   std::string message = fmt::format("{}: {} {} is {}, the row's other figures suggest {} to {}",
                                     text::printable(table_.part_number(row_), 60),
                                     declared.name,
@@ -174,7 +176,7 @@ void LintRow::tell(const Suspicion& suspicion, text::Diagnostics& diagnostics) c
   if (suspicion.instead) hint += fmt::format("or else {} is wrong; ", declaration(*suspicion.instead).name);
   hint += fmt::format("{}; certainty {:.0f} %", suspicion.evidence, std::min(99.0, 100.0 * suspicion.certainty));
   text::Diagnostic diagnostic;
-  diagnostic.severity = impossible ? text::Severity::error : text::Severity::warning;
+  diagnostic.severity = severity;
   diagnostic.where = table_.where(row_, suspicion.column);
   diagnostic.message = fmt::format("{} [{}]", message, rules);
   diagnostic.hint = std::move(hint);
@@ -194,6 +196,7 @@ void LintRow::conclude(const Plausibility& plausibility, text::Diagnostics& diag
 
 void LintRow::conclude(text::Diagnostics& diagnostics) const {
   for (Doubt& each : doubts_) {
+    if (diagnostics.only_counted(each.severity, table_.files()[table_.file(row_)].text.get())) continue;
     text::Diagnostic diagnostic;
     diagnostic.severity = each.severity;
     diagnostic.where = table_.where(row_, each.column);

@@ -38,12 +38,17 @@ constexpr std::size_t habit_needs = 5;
 /// Rows looked at to learn what is usual; more would not make it surer.
 constexpr std::size_t sample = 4096;
 
+/// Rows of which no figure promises to explain more than this, and no relation is farther off than so many spreads,
+/// are not looked into: e^-3.3 is less than what all hypotheses together would need.
+constexpr double promise_needed = 3.3;
+constexpr double far_off = 4.5;
+
 /// Minus the logarithm of Student's t density, up to a constant.
 constexpr double freedom = 8.0;
 constexpr double power = (freedom + 1.0) / 2.0;
 double surprise(double residual, double spread) {
   const double scaled = residual / spread;
-  return power * std::log1p(scaled * scaled / freedom);
+  return power * std::log(1.0 + scaled * scaled / freedom);
 }
 
 double element(std::vector<double>& values, std::size_t at) {
@@ -66,19 +71,31 @@ struct Plausibility::Evidence {
   int row = 0;
   std::array<double, most> logs;
   std::array<double, most> residuals;
+  std::array<double, most> surprises;  ///< of the relations as they are
+  std::array<double, most> promise;    ///< of the columns: about the most that a change of it could explain
 
-  /// How much better the relations are explained if slot `a` is off by `by_a` (logarithm) and `b` by `by_b`.
-  double gain(const Kind& kind, const Group& group, std::size_t a, double by_a, std::size_t b, double by_b) const {
+  /// How much better the relations are explained if column `a` is off by `by` (logarithm).
+  double gain(const Kind& kind, const Group& group, std::size_t a, double by) const {
     double sum = 0.0;
-    for (std::size_t i = 0; i < kind.relations.size(); ++i) {
-      double shift = 0.0;
-      for (const Part& part : kind.relations[i].parts) {
-        if (part.slot == a) shift += part.exponent * by_a;
-        if (part.slot == b) shift += part.exponent * by_b;
+    for (const Part& part : kind.of_column[a]) {
+      if (std::isnan(residuals[part.slot])) continue;
+      sum += surprises[part.slot] -
+             surprise(residuals[part.slot] - part.exponent * by, group.references[part.slot].spread);
+    }
+    return sum;
+  }
+
+  /// The same if `a` and `b` stand in each other's place.
+  double gain_of_swap(const Kind& kind, const Group& group, std::size_t a, std::size_t b) const {
+    const double by = logs[a] - logs[b];
+    double sum = gain(kind, group, a, by) + gain(kind, group, b, -by);
+    for (const Part& one : kind.of_column[a]) {  // relations that both stand in were counted twice, and wrongly
+      for (const Part& other : kind.of_column[b]) {
+        if (one.slot != other.slot || std::isnan(residuals[one.slot])) continue;
+        const double spread = group.references[one.slot].spread, residual = residuals[one.slot];
+        sum += surprise(residual - one.exponent * by, spread) + surprise(residual + other.exponent * by, spread) -
+               surprises[one.slot] - surprise(residual - (one.exponent - other.exponent) * by, spread);
       }
-      if (shift == 0.0 || std::isnan(residuals[i])) continue;
-      const double spread = group.references[i].spread;
-      sum += surprise(residuals[i], spread) - surprise(residuals[i] - shift, spread);
     }
     return sum;
   }
@@ -99,6 +116,11 @@ Plausibility::Kind Plausibility::make_kind(std::string_view name) const {
   }
   if (kind.relations.size() > most || kind.columns.size() > most)
     throw std::logic_error("too many relations in a part family");
+  kind.of_column.resize(kind.columns.size());
+  for (std::size_t i = 0; i < kind.relations.size(); ++i) {
+    for (const Part& part : kind.relations[i].parts)
+      kind.of_column[part.slot].push_back({static_cast<std::uint8_t>(i), part.exponent});
+  }
   for (const Column each : kind.columns) {
     kind.numbers.push_back(table_.numbers(each));
     kind.offsets.push_back(std::log(display_unit(each).from_si(1.0)));
@@ -196,33 +218,39 @@ Plausibility::Plausibility(const Table& table) : table_(table) {
 std::optional<Suspicion> Plausibility::examine(int row, const std::function<bool(std::string_view)>& excused) const {
   const Group& group = groups_[group_of_row_[static_cast<std::size_t>(row)]];
   const Kind& kind = kinds_[group.kind];
-  // No figure can explain more than all that is odd about the relations it stands in; rows where that is too little are
-  // in order. Products instead of sums of logarithms, since this is asked of every row.
-  static const double enough =
-      std::pow(certainty_to_report / (1.0 - certainty_to_report) / (wrong_before * largest_share * 2.0), 1.0 / power);
   Evidence evidence;
   evidence.row = row;
   logarithms(kind, row, evidence.logs.data());
-  std::array<double, most> oddness;
-  std::fill_n(oddness.begin(), kind.columns.size(), 1.0);
-  double greatest = 1.0;
-  bool impossible = false;
+  bool strange = false;
   for (std::size_t i = 0; i < kind.relations.size(); ++i) {
-    double residual = -group.references[i].centre;
+    const Reference& reference = group.references[i];
+    double residual = -reference.centre;
     for (const Part& part : kind.relations[i].parts) residual += part.exponent * evidence.logs[part.slot];
     evidence.residuals[i] = residual;
-    if (std::isnan(residual)) continue;
-    const Reference& reference = group.references[i];
-    const double scaled = residual / reference.spread;
-    impossible |= residual < reference.least || residual > reference.greatest;
-    for (const Part& part : kind.relations[i].parts) {
-      oddness[part.slot] *= 1.0 + scaled * scaled / freedom;
-      greatest = std::max(greatest, oddness[part.slot]);
-    }
+    strange |=
+        residual < reference.least || residual > reference.greatest || std::abs(residual) > far_off * reference.spread;
   }
-  if (greatest < enough && !impossible) return std::nullopt;
+  // Most rows are in order. What a figure could explain at the most is, near enough, what it would by the normal
+  // distribution, which needs no logarithms; where a relation is far off that is no measure.
+  for (std::size_t a = 0; a < kind.columns.size(); ++a) {
+    double pull = 0.0, precision = 0.0;
+    for (const Part& part : kind.of_column[a]) {
+      const double residual = evidence.residuals[part.slot], spread = group.references[part.slot].spread;
+      if (std::isnan(residual)) continue;
+      const double weight = part.exponent / (spread * spread);
+      pull += weight * residual;
+      precision += weight * part.exponent;
+    }
+    evidence.promise[a] = precision > 0.0 ? 0.5 * pull * pull / precision : 0.0;
+    strange |= evidence.promise[a] > promise_needed;
+  }
+  if (!strange) return std::nullopt;
   for (std::size_t i = 0; i < kind.relations.size(); ++i) {
     if (excused(kind.relations[i].relation->id)) evidence.residuals[i] = not_known;
+    const double spread = group.references[i].spread;
+    evidence.surprises[i] = surprise(evidence.residuals[i], spread);
+    if (!(std::abs(evidence.residuals[i]) > far_off * spread)) continue;
+    for (const Part& part : kind.relations[i].parts) evidence.promise[part.slot] = evidence.surprises[i] + 99.0;
   }
   Suspicion found = describe(kind, group, evidence);
   if (found.certainty < certainty_to_report) return std::nullopt;
@@ -254,37 +282,33 @@ Suspicion Plausibility::describe(const Kind& kind, const Group& group, const Evi
   };
   std::vector<Fault> faults;
   for (std::size_t a = 0; a < slots; ++a) {
-    if (std::isnan(row.logs[a])) continue;
+    if (std::isnan(row.logs[a]) || row.promise[a] < 0.5 * promise_needed) continue;
     for (const Slip& slip : slips(declaration(kind.columns[a]))) {
       const double by = std::log(slip.factor);
-      faults.push_back(
-          {a, a, by, slip.words, std::log(wrong_before * slip.weight) + row.gain(kind, group, a, by, a, 0.0)});
+      faults.push_back({a, a, by, slip.words, std::log(wrong_before * slip.weight) + row.gain(kind, group, a, by)});
     }
     double precision = 0.0;
     Fault best{a, a, 0.0, {}, 0.0};
-    for (std::size_t i = 0; i < kind.relations.size(); ++i) {
-      if (std::isnan(row.residuals[i])) continue;
-      for (const Part& part : kind.relations[i].parts) {
-        if (part.slot != a) continue;
-        precision += 1.0 / (spread_of(i, part) * spread_of(i, part));
-        const double by = row.residuals[i] / part.exponent;
-        if (std::abs(by) < least_of_others) continue;
-        const double gain = row.gain(kind, group, a, by, a, 0.0);
-        if (gain > best.weight) best = {a, a, by, {}, gain};
-      }
+    for (const Part& part : kind.of_column[a]) {
+      if (std::isnan(row.residuals[part.slot])) continue;
+      const double spread = spread_of(part.slot, part);
+      precision += 1.0 / (spread * spread);
+      const double by = row.residuals[part.slot] / part.exponent;
+      if (std::abs(by) < least_of_others) continue;
+      const double gain = row.gain(kind, group, a, by);
+      if (gain > best.weight) best = {a, a, by, {}, gain};
     }
     if (precision == 0.0) continue;
     best.weight +=
         std::log(wrong_before * share_of_others * std::min(1.0, 2.5 / std::sqrt(precision) / width_of_others));
     faults.push_back(best);
-    for (std::size_t b = a + 1; b < slots; ++b) {
+    for (std::size_t b = 0; b < slots; ++b) {
       const double by = row.logs[a] - row.logs[b];
-      if (std::isnan(by) || std::abs(by) < 0.05) continue;
-      faults.push_back({a,
-                        b,
-                        by,
-                        {},
-                        std::log(swap_prior(kind.columns[a], kind.columns[b])) + row.gain(kind, group, a, by, b, -by)});
+      if (b == a || std::isnan(by) || std::abs(by) < 0.05) continue;
+      if (b < a && row.promise[b] >= 0.5 * promise_needed) continue;  // seen from b
+      const double prior = std::log(swap_prior(kind.columns[a], kind.columns[b]));
+      if (prior + 1.5 * (row.promise[a] + row.promise[b]) < -4.0) continue;
+      faults.push_back({a, b, by, {}, prior + row.gain_of_swap(kind, group, a, b)});
     }
   }
   double top = 0.0;

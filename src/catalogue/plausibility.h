@@ -72,6 +72,8 @@ class Plausibility {
     std::vector<Column> columns;
     std::vector<std::span<const double>> numbers;
     std::vector<double> offsets;  ///< logarithm of SI to that of the declared unit
+    /// For each column the relations it stands in, `slot` being the relation, with its power.
+    std::vector<std::vector<Part>> of_column;
   };
   struct Reference {
     double centre = 0.0;  ///< logarithms
