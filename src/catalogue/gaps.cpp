@@ -32,6 +32,7 @@ constexpr double trapezoidal[] = {8, 10, 12, 14, 16, 18, 20, 22, 24, 28, 30, 32}
 constexpr double rails[] = {15, 20, 25, 30, 35};
 constexpr double miniature_rails[] = {7, 9, 12, 15};
 constexpr double shafts[] = {6, 8, 10, 12, 16, 20, 25, 30};
+constexpr double supported_shafts[] = {12, 16, 20, 25, 30};
 constexpr double profiles[] = {20, 30, 40, 45, 80};
 constexpr double supplies[] = {12, 24, 36, 48, 60, 72};
 constexpr double modules[] = {1, 1.5, 2, 2.5, 3, 4};
@@ -94,8 +95,8 @@ constexpr Series series[] = {
      "supported round rail",
      "kind",
      "supported round rails of",
-     shafts,
-     "ISO 10285 shafts, from 10 mm on"},
+     supported_shafts,
+     "ISO 10285 shafts, from 12 mm on"},
     {Family::racks, "module", "", "", "racks of module", modules, "DIN 780-1, series I"},
     {Family::screws,
      "nominal_diameter",

@@ -28,7 +28,6 @@ constexpr double width_of_others = 13.8;
 constexpr double least_of_others = 0.405;
 /// Two neighbouring figures, two of the same unit, any two: how often a pair is swapped.
 constexpr double swapped_neighbours = 3e-3, swapped_alike = 5e-4, swapped_any = 1e-5;
-constexpr double largest_share = 0.3;
 /// Beyond the declared limits of a relation, whatever the odds.
 constexpr double certainty_of_impossible = 0.95;
 

@@ -13,8 +13,8 @@ std::string gaps_text(const std::vector<catalogue::Gap>& gaps, const Style& styl
     const std::string_view name = catalogue::declaration(gap.family).name;
     if (name != family) text += (text.empty() ? "" : "\n") + style.heading(name) + "\n";
     family = name;
-    text += "  " + wrapped("no " + gap.missing, style.width - 2, 6) + "\n";
-    text += style.faint("    " + wrapped(gap.reason, style.width - 4, 6)) + "\n";
+    text += "  " + wrapped("no " + gap.missing, style.width - 8, 6) + "\n";
+    text += style.faint("    " + wrapped(gap.reason, style.width - 8, 6)) + "\n";
   }
   return text;
 }
