@@ -104,11 +104,15 @@ constexpr std::pair<std::string_view, std::string_view> texts[] = {
     {"list",
      "Examples:\n"
      "  millwright catalogue list\n"
-     "  millwright catalogue list ball_screws"},
+     "  millwright catalogue list ball_screws\n"
+     "  millwright catalogue list --gaps"},
     {"show",
      "Examples:\n"
      "  millwright catalogue show 23HS22-2804S"},
     {"lint",
+     "Each row is judged by what usually holds between its figures. A finding says which figure is odd, by how much, "
+     "what would explain it and how surely; the rules it rests on stand in brackets. A row that is right nevertheless "
+     "says so in its column waiver: \"motor-mass: with brake\".\n"
      "Exit code 2 if a file cannot be read or holds impossible rows; warnings alone leave it 0.\n"
      "Examples:\n"
      "  millwright catalogue lint my-parts\n"

@@ -273,6 +273,7 @@ class CommandLine {
     catalogue.footer(examples("catalogue"));
     CLI::App& list = add(catalogue, "list", Verb::catalogue_list, "the part families, or the parts of one");
     list.add_option("FAMILY", options_.subject, "e.g. steppers");
+    list.add_flag("--gaps", options_.gaps, "what is missing: usual sizes that no row has, parts without a partner");
     CLI::App& show = add(catalogue, "show", Verb::catalogue_show, "all that is known about a part");
     show.add_option("PART", options_.words, "part number")->required();
     show.add_option("--manufacturer", options_.manufacturer, "its maker")->type_name("NAME");

@@ -65,6 +65,7 @@ struct Options {
   std::string subject;             ///< claims file, formula, word, family or template
   std::vector<std::string> words;  ///< arguments, parts or files
   bool derive = false;
+  bool gaps = false;  ///< of catalogue list: what is missing
   std::string unit;
   std::string manufacturer;
 };

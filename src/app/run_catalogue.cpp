@@ -4,7 +4,9 @@
 #include "app/commands.h"
 #include "app/machine_input.h"
 #include "app/output.h"
+#include "catalogue/gaps.h"
 #include "catalogue/lint.h"
+#include "report/catalogue_gaps.h"
 #include "report/catalogue_text.h"
 #include "report/json.h"
 #include "text/nearest.h"
@@ -41,7 +43,11 @@ int list(const Options& options) {
   print(diagnostics);
   if (!loaded) return exit_bad_input;
   bool delivered = false;
-  if (family) {
+  if (options.gaps) {
+    std::vector<catalogue::Gap> gaps = catalogue::find_gaps(*loaded);
+    std::erase_if(gaps, [&](const catalogue::Gap& gap) { return family && gap.family != *family; });
+    delivered = deliver(options, report::gaps_text(gaps, output_style(options)), report::gaps_json(gaps));
+  } else if (family) {
     const auto parts = catalogue::list_parts(loaded->table(*family));
     delivered = deliver(
         options, report::parts_list_text(parts, output_style(options)), report::parts_json(options.subject, parts));

@@ -16,8 +16,13 @@ inline constexpr ColumnDeclaration steppers[] = {
     number("body_length", "mm", expected, 5, 400, "length of the body without shaft"),
     number("shaft_diameter", "mm", expected, 2, 35, "diameter of the output shaft"),
     number("step_angle", "deg", required, 0.36, 15, "angle of a full step"),
-    number(
-        "holding_torque", "N.m", required, 0.003, 60, "holding torque, both phases at rated current", "torque_basis"),
+    number("holding_torque",
+           "N.m",
+           required,
+           0.003,
+           60,
+           "holding torque at rated current, both phases on unless phases_on says one",
+           "torque_basis"),
     number("detent_torque", "N.m", optional, 1e-4, 5, "torque without current", "torque_basis"),
     text("torque_basis", optional, "where the torques come from"),
     number("rated_current", "A", required, 0.05, 20, "rated phase current, both phases on", "electrical_basis"),
@@ -30,7 +35,7 @@ inline constexpr ColumnDeclaration steppers[] = {
     text("inertia_basis", optional, "where the rotor inertia comes from"),
     number("mass", "kg", expected, 0.02, 40, "mass of the motor", "mass_basis"),
     text("mass_basis", optional, "where the mass comes from"),
-    number("phases_on", "1", optional, 1, 2, "phases energised for the stated holding torque (2 if not given)"),
+    number("phases_on", "1", optional, 1, 2, "phases energised for the stated holding torque, 1 or 2 (not given: 2)"),
 };
 
 inline constexpr ColumnDeclaration stepper_curves[] = {

@@ -45,7 +45,7 @@ void lint_missing(const Table& table, text::Diagnostics& diagnostics) {
 }
 
 /// A stepper's pull-out torque does not rise with speed (beyond what reading a chart by eye costs).
-void lint_curves(const Table& table, text::Diagnostics& diagnostics) {
+void lint_curves(const Table& table, Waivers& waivers, text::Diagnostics& diagnostics) {
   constexpr Column speed = column(Family::stepper_curves, "speed");
   constexpr Column torque = column(Family::stepper_curves, "torque");
   RowIndex curves(static_cast<std::size_t>(table.rows()));
@@ -63,9 +63,10 @@ void lint_curves(const Table& table, text::Diagnostics& diagnostics) {
       const double here = table.number(torque, points[i]);
       const std::string message =
           fmt::format("pull-out torque rises from {:.4g} to {:.4g} N.m with speed", before, here);
-      const LintRow row(table, points[i], diagnostics);
+      const LintRow row(table, points[i], waivers);
       row.demand("rising-torque", torque, !(here > 1.5 * before), message);
       row.expect("rising-torque", torque, !(here > 1.02 * before && here <= 1.5 * before), message);
+      row.conclude(diagnostics);
     }
   }
 }
@@ -74,13 +75,18 @@ void lint_curves(const Table& table, text::Diagnostics& diagnostics) {
 
 void lint(const Table& table, text::Diagnostics& diagnostics) {
   lint_missing(table, diagnostics);
+  Waivers waivers(table, diagnostics);
+  const Plausibility plausibility(table);
   for (int row = 0; row < table.rows(); ++row) {
-    const LintRow each(table, row, diagnostics);
+    const LintRow each(table, row, waivers);
     each.magnitudes();
     lint_drive(table.family(), each);
     lint_structure(table.family(), each);
+    lint_designation(table.family(), each);
+    each.conclude(plausibility, diagnostics);
   }
-  if (table.family() == Family::stepper_curves) lint_curves(table, diagnostics);
+  if (table.family() == Family::stepper_curves) lint_curves(table, waivers, diagnostics);
+  waivers.report_unneeded(diagnostics);
 }
 
 LintSummary lint_files(const std::vector<std::filesystem::path>& places,

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -30,26 +31,11 @@ std::string power_of_ten(double factor) {
 
 }  // namespace
 
-LintRow::LintRow(const Table& table, int row, text::Diagnostics& diagnostics)
-    : table_(table), row_(row), diagnostics_(diagnostics) {}
-
 double LintRow::operator()(Column column) const { return display_unit(column).from_si(table_.number(column, row_)); }
-
-bool LintRow::waived(std::string_view rule) const {
-  static constexpr std::uint8_t waiver = column(Family::steppers, "waiver").index;
-  const std::string_view waivers = table_.text(Column{table_.family(), waiver}, row_);
-  return !waivers.empty() && waivers.find(rule) != waivers.npos;
-}
 
 void LintRow::report(
     text::Severity severity, std::string_view rule, Column column, std::string message, std::string hint) const {
-  if (waived(rule)) return;
-  text::Diagnostic diagnostic;
-  diagnostic.severity = severity;
-  diagnostic.where = table_.where(row_, column);
-  diagnostic.message = fmt::format("{}: {} [{}]", text::printable(table_.part_number(row_), 60), message, rule);
-  diagnostic.hint = std::move(hint);
-  diagnostics_.add(std::move(diagnostic));
+  if (!waivers_.excuse(row_, rule)) doubts_.push_back({severity, rule, column, std::move(message), std::move(hint)});
 }
 
 void LintRow::below(std::string_view rule, Column smaller, Column larger) const {
@@ -149,6 +135,77 @@ void LintRow::magnitudes() const {
                        shown(declared.upper, declared)),
            hint);
   }
+}
+
+std::optional<Suspicion> LintRow::suspicion(const Plausibility& plausibility) const {
+  const auto nothing = [](std::string_view) { return false; };
+  std::optional<Suspicion> found = plausibility.examine(row_, nothing);
+  if (!found) return found;
+  bool excused = false;
+  for (const std::string_view rule : found->rules) excused |= waivers_.excuse(row_, rule);
+  if (!excused) return found;
+  return plausibility.examine(row_, [&](std::string_view rule) { return waivers_.excuses(row_, rule); });
+}
+
+void LintRow::tell(const Suspicion& suspicion, text::Diagnostics& diagnostics) const {
+  const ColumnDeclaration& declared = declaration(suspicion.column);
+  std::string rules;
+  bool impossible = suspicion.impossible;
+  for (const std::string_view rule : suspicion.rules) rules += (rules.empty() ? "" : ", ") + std::string(rule);
+  for (const Doubt& each : doubts_) {
+    const bool same = std::find(suspicion.rules.begin(), suspicion.rules.end(), each.rule) != suspicion.rules.end();
+    if (!same && (each.rule != "magnitude" || !(each.column == suspicion.column))) continue;
+    if (!same) rules += ", magnitude";
+    impossible |= each.severity == text::Severity::error;
+  }
+  const text::Severity severity = impossible ? text::Severity::error : text::Severity::warning;
+  if (diagnostics.only_counted(severity, table_.files()[table_.file(row_)].text.get())) return;
+  std::string message = fmt::format("{}: {} {} is {}, the row's other figures suggest {} to {}",
+                                    text::printable(table_.part_number(row_), 60),
+                                    declared.name,
+                                    shown(suspicion.value, declared),
+                                    times(suspicion.factor),
+                                    scalar::format_number(suspicion.expected_low, 3),
+                                    shown(std::stod(scalar::format_number(suspicion.expected_high, 3)), declared));
+  std::string hint;
+  if (suspicion.swapped) {
+    hint = fmt::format("swapped with {}? ", declaration(*suspicion.swapped).name);
+  } else if (!suspicion.cause.empty()) {
+    hint = std::string(suspicion.cause) + "? ";
+  }
+  if (suspicion.instead) hint += fmt::format("or else {} is wrong; ", declaration(*suspicion.instead).name);
+  hint += fmt::format("{}; certainty {:.0f} %", suspicion.evidence, std::min(99.0, 100.0 * suspicion.certainty));
+  text::Diagnostic diagnostic;
+  diagnostic.severity = severity;
+  diagnostic.where = table_.where(row_, suspicion.column);
+  diagnostic.message = fmt::format("{} [{}]", message, rules);
+  diagnostic.hint = std::move(hint);
+  diagnostics.add(std::move(diagnostic));
+}
+
+void LintRow::conclude(const Plausibility& plausibility, text::Diagnostics& diagnostics) const {
+  const std::optional<Suspicion> found = suspicion(plausibility);
+  if (!found) return conclude(diagnostics);
+  tell(*found, diagnostics);
+  std::erase_if(doubts_, [&](const Doubt& each) {
+    return std::find(found->rules.begin(), found->rules.end(), each.rule) != found->rules.end() ||
+           (each.rule == "magnitude" && each.column == found->column);
+  });
+  conclude(diagnostics);
+}
+
+void LintRow::conclude(text::Diagnostics& diagnostics) const {
+  for (Doubt& each : doubts_) {
+    if (diagnostics.only_counted(each.severity, table_.files()[table_.file(row_)].text.get())) continue;
+    text::Diagnostic diagnostic;
+    diagnostic.severity = each.severity;
+    diagnostic.where = table_.where(row_, each.column);
+    diagnostic.message =
+        fmt::format("{}: {} [{}]", text::printable(table_.part_number(row_), 60), each.message, each.rule);
+    diagnostic.hint = std::move(each.hint);
+    diagnostics.add(std::move(diagnostic));
+  }
+  doubts_.clear();
 }
 
 }  // namespace millwright::catalogue

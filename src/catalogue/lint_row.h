@@ -4,8 +4,11 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "catalogue/plausibility.h"
 #include "catalogue/table.h"
+#include "catalogue/waivers.h"
 #include "text/diagnostic.h"
 
 namespace millwright::catalogue {
@@ -20,10 +23,11 @@ struct Band {
 };
 
 /// One row under examination. Figures are in the unit of their declaration, NaN if not known; a doubt that involves a
-/// NaN is not raised. `rule` is a short name that a row's `waiver` column can name to be excused.
+/// NaN is not raised. `rule` is a short name that a row's `waiver` column can name to be excused. Doubts are kept until
+/// `conclude`.
 class LintRow {
  public:
-  LintRow(const Table& table, int row, text::Diagnostics& diagnostics);
+  LintRow(const Table& table, int row, Waivers& waivers) : table_(table), row_(row), waivers_(waivers) {}
 
   double operator()(Column column) const;
   std::string_view text(Column column) const { return table_.text(column, row_); }
@@ -46,19 +50,35 @@ class LintRow {
   /// Every number of the row against its declared plausible range.
   void magnitudes() const;
 
+  /// Tells what was found, with what the relations say of the row; that takes the place of findings it explains.
+  void conclude(const Plausibility& plausibility, text::Diagnostics& diagnostics) const;
+  /// Tells what was found.
+  void conclude(text::Diagnostics& diagnostics) const;
+
  private:
+  struct Doubt {
+    text::Severity severity;
+    std::string_view rule;
+    Column column;
+    std::string message;
+    std::string hint;
+  };
   void report(
       text::Severity severity, std::string_view rule, Column column, std::string message, std::string hint = {}) const;
-  bool waived(std::string_view rule) const;
+  std::optional<Suspicion> suspicion(const Plausibility& plausibility) const;
+  void tell(const Suspicion& suspicion, text::Diagnostics& diagnostics) const;
 
   const Table& table_;
   int row_;
-  text::Diagnostics& diagnostics_;
+  Waivers& waivers_;
+  mutable std::vector<Doubt> doubts_;
 };
 
 /// The rules of the families that drive an axis; does nothing for other families.
 void lint_drive(Family family, const LintRow& row);
 /// The rules of the families that hold and guide.
 void lint_structure(Family family, const LintRow& row);
+/// Standard designations ("Tr16x4", "M8x1", "SFU1605") against the row's figures.
+void lint_designation(Family family, const LintRow& row);
 
 }  // namespace millwright::catalogue

@@ -39,6 +39,14 @@ namespace {
 /// Detent torque where the data sheet gives none: the lower end of the usual 3 to 5 % of the holding torque.
 constexpr double detent_share = 0.03;
 
+/// The holding torque with both phases at rated current, by that stated with so many phases on: the torques of two
+/// phases stand at right angles, so together they give sqrt(2) times one. What is stated without saying so is taken as
+/// both on, as data sheets of hybrid motors do; what is neither one nor two is not known.
+double both_phases(double phases_on) {
+  if (std::isnan(phases_on) || phases_on == 2.0) return 1.0;
+  return phases_on == 1.0 ? std::sqrt(2.0) : std::nan("");
+}
+
 struct Curves {
   struct Key {
     double voltage, current;
@@ -142,7 +150,7 @@ std::optional<Motor> motor_of(const Table& motors, int row, const machine::Axis&
   const std::vector<std::string>& frames = axis.motor.frames;
   if (!frames.empty() && std::find(frames.begin(), frames.end(), frame) == frames.end()) return std::nullopt;
   machine::MotorFigures<double> f;
-  f.holding_torque = number("holding_torque");
+  f.holding_torque = number("holding_torque") * both_phases(number("phases_on"));
   f.detent_torque = number("detent_torque");
   if (std::isnan(f.detent_torque)) f.detent_torque = detent_share * f.holding_torque;
   f.rated_current = number("rated_current");

@@ -91,6 +91,16 @@ void Diagnostics::error(std::string message, std::string hint) {
   error(SourceSpan{}, std::move(message), std::move(hint));
 }
 
+bool Diagnostics::only_counted(Severity severity, const SourceText* text) {
+  const auto found = texts_.find(text);
+  if (found == texts_.end()) return false;
+  const bool is_error = severity == Severity::error;
+  if ((is_error ? found->second.kept_errors : found->second.kept_others) < limit_) return false;
+  (is_error ? error_count_ : severity == Severity::warning ? warning_count_ : note_count_) += 1;
+  ++found->second.dropped;
+  return true;
+}
+
 bool Diagnostics::is_full(const SourceText* text) const {
   const auto found = texts_.find(text);
   return found != texts_.end() && found->second.kept_errors >= limit_ && found->second.kept_errors > 0;

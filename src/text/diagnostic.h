@@ -55,6 +55,10 @@ class Diagnostics {
   /// Whether no further error of this text will be kept. Readers of long files ask this before they work out a place.
   bool is_full(const SourceText* text) const;
 
+  /// Counts one more of that severity and returns true if it would not be kept anyway, so that the caller can spare
+  /// itself the words: judges of long files ask this first.
+  bool only_counted(Severity severity, const SourceText* text);
+
   /// What was kept, texts in the order in which they were first complained about, places ascending; for each text that
   /// went over the limit a last note "... and N more".
   std::vector<Diagnostic> all() const;

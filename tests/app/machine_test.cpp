@@ -290,6 +290,11 @@ TEST_CASE("The catalogue: families, parts, one part, lint") {
   CHECK(shop.run({"catalogue", "list"}).prints("ball_screws"));
   CHECK(Json::parse(shop.run({"catalogue", "list", "--json", "-"}).out).at("families").size() == 19);
   CHECK(shop.run({"catalogue", "list", "drivers"}).prints("TB6600"));
+  CHECK(shop.run({"catalogue", "list", "--gaps"}).prints("no power supplies of 72 V"));
+  const Json gaps = Json::parse(shop.run({"catalogue", "list", "racks", "--gaps", "--json", "-"}).out).at("gaps");
+  REQUIRE(gaps.size() == 1);
+  CHECK(gaps.front().at("family") == "racks");
+  CHECK(gaps.front().at("sizes") == Json::array({"2.5 mm", "4 mm"}));
   const Outcome part = shop.run({"catalogue", "show", "17HS4401S"});
   CHECK(part.exit_code == 0);
   CHECK(part.prints("holding_torque"));

@@ -76,6 +76,7 @@ TEST_CASE("Formulas, catalogues and help fit 80 columns") {
   fits({"catalogue", "list"});
   for (const auto& entry : std::filesystem::directory_iterator(MILLWRIGHT_SOURCE_DIR "/catalogues"))
     if (entry.is_directory()) fits({"catalogue", "list", entry.path().filename().string()});
+  fits({"catalogue", "list", "--gaps"});
   fits({"catalogue", "show", "DFU2505-4"});
   fits({"catalogue", "show", "23HS22-2804S"});
   fits({"--help"});

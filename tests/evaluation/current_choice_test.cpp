@@ -112,6 +112,40 @@ machine::BillOfMaterials list_of(const Design& design, const std::set<std::strin
 
 }  // namespace
 
+TEST_CASE("A holding torque with one phase on is sqrt(2) times less than with both") {
+  // The same motor twice, its torque of 1.2 N.m with both phases stated with one: 1.2 / sqrt(2) N.m.
+  const auto parts_with = [](const std::string& torque, const std::string& phases) {
+    const TemporaryFolder folder;
+    folder.write("steppers/motor.csv",
+                 "manufacturer,part_number,frame,frame_size [mm],shaft_diameter [mm],step_angle [deg],holding_torque "
+                 "[N.m],phases_on [1],detent_torque [N.m],rated_current [A],phase_resistance [ohm],phase_inductance "
+                 "[mH],rotor_inertia [g.cm2],mass [kg],price,currency,price_basis,evidence,source,confidence\n"
+                 "tiny,M,NEMA23,57,6.35,1.8," +
+                     torque + "," + phases + ",0.04,2.8,0.9,2.5,280,0.7,16,USD,test,computed,test,high\n");
+    const TinyCatalogue tiny({}, {"steppers"});
+    return catalogue_of({tiny.path(), folder.path()});
+  };
+  const machine::Problem problem = problem_of_text(two_axes(3.0, "\"2 A\""));
+  const auto cheapest = [&](const std::string& torque, const std::string& phases) {
+    const catalogue::Catalogue parts = parts_with(torque, phases);
+    return solved(MachineModel(problem, parts), "cost");
+  };
+  const evaluation::Synthesis both = cheapest("1.2", "2"), unsaid = cheapest("1.2", "");
+  const evaluation::Synthesis one = cheapest("0.848528137423857", "1");
+  REQUIRE(both.status == solver::Status::optimal);
+  REQUIRE(one.status == solver::Status::optimal);
+  REQUIRE(unsaid.status == solver::Status::optimal);
+  CHECK(one.lower_bound == Approx(both.lower_bound));
+  CHECK(unsaid.lower_bound == Approx(both.lower_bound));
+  const auto& checks = both.designs.front().checks;
+  REQUIRE(one.designs.front().checks.size() == checks.size());
+  for (std::size_t i = 0; i < checks.size(); ++i) {
+    INFO(checks[i].axis << " " << checks[i].id);
+    CHECK(one.designs.front().checks[i].utilisation == Approx(checks[i].utilisation).margin(1e-9));
+  }
+  CHECK(cheapest("1.2", "1.5").status == solver::Status::infeasible);  // neither one nor two: not known
+}
+
 TEST_CASE("Machines that choose their motors' currents equal those of all builds") {
   const TinyCatalogue tiny;
   std::set<double> set;

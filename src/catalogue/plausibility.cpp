@@ -1,0 +1,392 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "catalogue/plausibility.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <unordered_map>
+#include <utility>
+
+#include "catalogue/column_unit.h"
+
+namespace millwright::catalogue {
+namespace {
+
+constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+
+/// How often a given figure is wrong, before anything is looked at: one in fifty.
+constexpr double wrong_before = 0.02;
+/// Of wrong figures, how many are so by no usual slip (typing errors); such factors spread over a thousandth to a
+/// thousandfold.
+constexpr double share_of_others = 0.3;
+constexpr double width_of_others = 13.8;
+/// What falsifies a figure by less than half is no slip but a part that is a little different.
+constexpr double least_of_others = 0.405;
+/// Two neighbouring figures, two of the same unit, any two: how often a pair is swapped.
+constexpr double swapped_neighbours = 3e-3, swapped_alike = 5e-4, swapped_any = 1e-5;
+/// Beyond the declared limits of a relation, whatever the odds.
+constexpr double certainty_of_impossible = 0.95;
+
+/// Rows that show a maker's habit.
+constexpr std::size_t habit_needs = 5;
+
+/// Rows looked at to learn what is usual; more would not make it surer.
+constexpr std::size_t sample = 4096;
+
+/// Rows of which no figure promises to explain more than this, and no relation is farther off than so many spreads,
+/// are not looked into: e^-3.3 is less than what all hypotheses together would need.
+constexpr double promise_needed = 3.3;
+constexpr double far_off = 4.5;
+
+/// Minus the logarithm of Student's t density, up to a constant.
+constexpr double freedom = 8.0;
+constexpr double power = (freedom + 1.0) / 2.0;
+double surprise(double residual, double spread) {
+  const double scaled = residual / spread;
+  return power * std::log(1.0 + scaled * scaled / freedom);
+}
+
+double element(std::vector<double>& values, std::size_t at) {
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(at), values.end());
+  return values[at];
+}
+
+/// Every n-th of `rows`, so that at most `sample` remain.
+std::vector<int> thinned(const std::vector<int>& rows) {
+  if (rows.size() <= sample) return rows;
+  std::vector<int> few;
+  const double step = static_cast<double>(rows.size()) / static_cast<double>(sample);
+  for (std::size_t i = 0; i < sample; ++i) few.push_back(rows[static_cast<std::size_t>(static_cast<double>(i) * step)]);
+  return few;
+}
+
+}  // namespace
+
+struct Plausibility::Evidence {
+  int row = 0;
+  std::array<double, most> logs;
+  std::array<double, most> residuals;
+  std::array<double, most> surprises;  ///< of the relations as they are
+  std::array<double, most> promise;    ///< of the columns: about the most that a change of it could explain
+
+  /// How much better the relations are explained if column `a` is off by `by` (logarithm).
+  double gain(const Kind& kind, const Group& group, std::size_t a, double by) const {
+    double sum = 0.0;
+    for (const Part& part : kind.of_column[a]) {
+      if (std::isnan(residuals[part.slot])) continue;
+      sum += surprises[part.slot] -
+             surprise(residuals[part.slot] - part.exponent * by, group.references[part.slot].spread);
+    }
+    return sum;
+  }
+
+  /// The same if `a` and `b` stand in each other's place.
+  double gain_of_swap(const Kind& kind, const Group& group, std::size_t a, std::size_t b) const {
+    const double by = logs[a] - logs[b];
+    double sum = gain(kind, group, a, by) + gain(kind, group, b, -by);
+    for (const Part& one : kind.of_column[a]) {  // relations that both stand in were counted twice, and wrongly
+      for (const Part& other : kind.of_column[b]) {
+        if (one.slot != other.slot || std::isnan(residuals[one.slot])) continue;
+        const double spread = group.references[one.slot].spread, residual = residuals[one.slot];
+        sum += surprise(residual - one.exponent * by, spread) + surprise(residual + other.exponent * by, spread) -
+               surprises[one.slot] - surprise(residual - (one.exponent - other.exponent) * by, spread);
+      }
+    }
+    return sum;
+  }
+};
+
+Plausibility::Kind Plausibility::make_kind(std::string_view name) const {
+  Kind kind;
+  for (const Relation& relation : relations(table_.family())) {
+    if (!applies(relation, name)) continue;
+    Active active{&relation, {}};
+    for (const Term& term : relation.used()) {
+      const Column wanted = column(table_.family(), term.column);
+      auto at = std::find(kind.columns.begin(), kind.columns.end(), wanted);
+      if (at == kind.columns.end()) at = kind.columns.insert(at, wanted);
+      active.parts.push_back({static_cast<std::uint8_t>(at - kind.columns.begin()), term.exponent});
+    }
+    kind.relations.push_back(std::move(active));
+  }
+  if (kind.relations.size() > most || kind.columns.size() > most)
+    throw std::logic_error("too many relations in a part family");
+  kind.of_column.resize(kind.columns.size());
+  for (std::size_t i = 0; i < kind.relations.size(); ++i) {
+    for (const Part& part : kind.relations[i].parts)
+      kind.of_column[part.slot].push_back({static_cast<std::uint8_t>(i), part.exponent});
+  }
+  for (const Column each : kind.columns) {
+    kind.numbers.push_back(table_.numbers(each));
+    kind.offsets.push_back(std::log(display_unit(each).from_si(1.0)));
+  }
+  return kind;
+}
+
+void Plausibility::logarithms(const Kind& kind, int row, double* logs) const {
+  for (std::size_t slot = 0; slot < kind.columns.size(); ++slot) {
+    const double value = kind.numbers[slot][static_cast<std::size_t>(row)];
+    logs[slot] = value > 0.0 ? std::log(value) + kind.offsets[slot] : not_known;
+  }
+}
+
+std::vector<Plausibility::Reference> Plausibility::learn(const Kind& kind,
+                                                         const std::vector<int>& rows,
+                                                         const std::vector<Reference>& otherwise) const {
+  std::vector<Reference> learnt = otherwise;
+  if (rows.size() < habit_needs) return learnt;
+  std::vector<std::vector<double>> seen(kind.relations.size());
+  std::array<double, most> logs;
+  for (const int row : thinned(rows)) {
+    logarithms(kind, row, logs.data());
+    for (std::size_t i = 0; i < kind.relations.size(); ++i) {
+      double sum = 0.0;
+      for (const Part& part : kind.relations[i].parts) sum += part.exponent * logs[part.slot];
+      if (!std::isnan(sum)) seen[i].push_back(sum);
+    }
+  }
+  for (std::size_t i = 0; i < kind.relations.size(); ++i) {
+    std::vector<double>& values = seen[i];
+    const Relation& relation = *kind.relations[i].relation;
+    if (values.size() < (relation.habit ? habit_needs : peers_needed)) continue;
+    const double centre = element(values, values.size() / 2);
+    if (std::abs(centre - std::log(relation.typical)) > 2.5 * relation.spread) continue;
+    for (double& value : values) value = std::abs(value - centre);
+    // The middle deviation, or that of 85 % where most rows agree to the digit; of a normal scatter both are the same.
+    const double middle = 1.4826 * element(values, values.size() / 2);
+    const double wide = element(values, static_cast<std::size_t>(0.85 * static_cast<double>(values.size() - 1))) / 1.44;
+    const double few = 1.0 + 2.0 / static_cast<double>(values.size());
+    // Few parts do not make a law of what only happens to be usual; a single figure has no law at all.
+    const double least = (relation.habit ? 0.2 : relation.used().size() == 1 ? 0.7 : 0.33) * relation.spread;
+    const double shift = learnt[i].centre - centre;
+    learnt[i] = {centre,
+                 std::max({few * middle, few * wide, least, 0.02}),
+                 rows.size(),
+                 learnt[i].least + shift,
+                 learnt[i].greatest + shift};
+  }
+  return learnt;
+}
+
+Plausibility::Plausibility(const Table& table) : table_(table) {
+  const std::string_view kind_name = kind_column(table.family());
+  const std::optional<Column> kind_of =
+      kind_name.empty() ? std::nullopt : std::optional(column(table.family(), kind_name));
+  std::unordered_map<std::string_view, std::uint32_t> kinds;
+  std::vector<std::unordered_map<std::string_view, std::uint32_t>> makers;
+  std::vector<std::vector<int>> rows_of_group;
+  group_of_row_.resize(static_cast<std::size_t>(table.rows()));
+  for (int row = 0; row < table.rows(); ++row) {
+    const std::string_view name = kind_of ? table.text(*kind_of, row) : std::string_view();
+    const auto [kind, new_kind] = kinds.try_emplace(name, static_cast<std::uint32_t>(kinds_.size()));
+    if (new_kind) {
+      kinds_.push_back(make_kind(name));
+      makers.emplace_back();
+    }
+    const auto [group, new_group] =
+        makers[kind->second].try_emplace(table.manufacturer(row), static_cast<std::uint32_t>(groups_.size()));
+    if (new_group) {
+      groups_.push_back({kind->second, {}});
+      rows_of_group.emplace_back();
+    }
+    group_of_row_[static_cast<std::size_t>(row)] = group->second;
+    rows_of_group[group->second].push_back(row);
+  }
+  for (std::uint32_t k = 0; k < kinds_.size(); ++k) {
+    const Kind& kind = kinds_[k];
+    std::vector<Reference> declared;
+    for (const Active& each : kind.relations) {
+      const double limit = std::log(each.relation->impossible);
+      declared.push_back({std::log(each.relation->typical), each.relation->spread, 0, -limit, limit});
+    }
+    std::vector<int> all;
+    for (std::uint32_t g = 0; g < groups_.size(); ++g) {
+      if (groups_[g].kind == k) all.insert(all.end(), rows_of_group[g].begin(), rows_of_group[g].end());
+    }
+    const std::vector<Reference> of_kind = learn(kind, all, declared);
+    for (std::uint32_t g = 0; g < groups_.size(); ++g) {
+      if (groups_[g].kind == k) groups_[g].references = learn(kind, rows_of_group[g], of_kind);
+    }
+  }
+}
+
+std::optional<Suspicion> Plausibility::examine(int row, const std::function<bool(std::string_view)>& excused) const {
+  const Group& group = groups_[group_of_row_[static_cast<std::size_t>(row)]];
+  const Kind& kind = kinds_[group.kind];
+  Evidence evidence;
+  evidence.row = row;
+  logarithms(kind, row, evidence.logs.data());
+  bool strange = false;
+  for (std::size_t i = 0; i < kind.relations.size(); ++i) {
+    const Reference& reference = group.references[i];
+    double residual = -reference.centre;
+    for (const Part& part : kind.relations[i].parts) residual += part.exponent * evidence.logs[part.slot];
+    evidence.residuals[i] = residual;
+    strange |=
+        residual < reference.least || residual > reference.greatest || std::abs(residual) > far_off * reference.spread;
+  }
+  // Most rows are in order. What a figure could explain at the most is, near enough, what it would by the normal
+  // distribution, which needs no logarithms; where a relation is far off that is no measure.
+  for (std::size_t a = 0; a < kind.columns.size(); ++a) {
+    double pull = 0.0, precision = 0.0;
+    for (const Part& part : kind.of_column[a]) {
+      const double residual = evidence.residuals[part.slot], spread = group.references[part.slot].spread;
+      if (std::isnan(residual)) continue;
+      const double weight = part.exponent / (spread * spread);
+      pull += weight * residual;
+      precision += weight * part.exponent;
+    }
+    evidence.promise[a] = precision > 0.0 ? 0.5 * pull * pull / precision : 0.0;
+    strange |= evidence.promise[a] > promise_needed;
+  }
+  if (!strange) return std::nullopt;
+  for (std::size_t i = 0; i < kind.relations.size(); ++i) {
+    if (excused(kind.relations[i].relation->id)) evidence.residuals[i] = not_known;
+    const double spread = group.references[i].spread;
+    evidence.surprises[i] = surprise(evidence.residuals[i], spread);
+    if (!(std::abs(evidence.residuals[i]) > far_off * spread)) continue;
+    for (const Part& part : kind.relations[i].parts) evidence.promise[part.slot] = evidence.surprises[i] + 99.0;
+  }
+  Suspicion found = describe(kind, group, evidence);
+  if (found.certainty < certainty_to_report) return std::nullopt;
+  return found;
+}
+
+namespace {
+
+/// A hypothesis: figure `a` is `exp(by)` times what it should be; or it was swapped with `b`.
+struct Fault {
+  std::size_t a = 0;
+  std::size_t b = 0;  ///< = a: not swapped
+  double by = 0.0;
+  std::string_view cause;
+  double weight = 0.0;  ///< logarithm of prior times likelihood, that of "all is well" being 0
+};
+
+double swap_prior(Column a, Column b) {
+  if (std::abs(static_cast<int>(a.index) - static_cast<int>(b.index)) == 1) return swapped_neighbours;
+  return declaration(a).unit == declaration(b).unit ? swapped_alike : swapped_any;
+}
+
+}  // namespace
+
+Suspicion Plausibility::describe(const Kind& kind, const Group& group, const Evidence& row) const {
+  const std::size_t slots = kind.columns.size();
+  const auto spread_of = [&](std::size_t i, const Part& part) {
+    return group.references[i].spread / std::abs(part.exponent);
+  };
+  std::vector<Fault> faults;
+  for (std::size_t a = 0; a < slots; ++a) {
+    if (std::isnan(row.logs[a]) || row.promise[a] < 0.5 * promise_needed) continue;
+    for (const Slip& slip : slips(declaration(kind.columns[a]))) {
+      const double by = std::log(slip.factor);
+      faults.push_back({a, a, by, slip.words, std::log(wrong_before * slip.weight) + row.gain(kind, group, a, by)});
+    }
+    double precision = 0.0;
+    Fault best{a, a, 0.0, {}, 0.0};
+    for (const Part& part : kind.of_column[a]) {
+      if (std::isnan(row.residuals[part.slot])) continue;
+      const double spread = spread_of(part.slot, part);
+      precision += 1.0 / (spread * spread);
+      const double by = row.residuals[part.slot] / part.exponent;
+      if (std::abs(by) < least_of_others) continue;
+      const double gain = row.gain(kind, group, a, by);
+      if (gain > best.weight) best = {a, a, by, {}, gain};
+    }
+    if (precision == 0.0) continue;
+    best.weight +=
+        std::log(wrong_before * share_of_others * std::min(1.0, 2.5 / std::sqrt(precision) / width_of_others));
+    faults.push_back(best);
+    for (std::size_t b = 0; b < slots; ++b) {
+      const double by = row.logs[a] - row.logs[b];
+      if (b == a || std::isnan(by) || std::abs(by) < 0.05) continue;
+      if (b < a && row.promise[b] >= 0.5 * promise_needed) continue;  // seen from b
+      const double prior = std::log(swap_prior(kind.columns[a], kind.columns[b]));
+      if (prior + 1.5 * (row.promise[a] + row.promise[b]) < -4.0) continue;
+      faults.push_back({a, b, by, {}, prior + row.gain_of_swap(kind, group, a, b)});
+    }
+  }
+  double top = 0.0;
+  for (const Fault& each : faults) top = std::max(top, each.weight);
+  double wrong = 0.0;
+  std::array<double, most> of_slot{};
+  for (const Fault& each : faults) {
+    const double weight = std::exp(each.weight - top);
+    wrong += weight;
+    of_slot[each.a] += each.a == each.b ? weight : 0.0;
+  }
+  Suspicion found{};
+  found.certainty = wrong / (wrong + std::exp(-top));
+  bool any_impossible = false;
+  const auto impossible = [&](std::size_t i) {
+    return row.residuals[i] < group.references[i].least || row.residuals[i] > group.references[i].greatest;
+  };
+  for (std::size_t i = 0; i < kind.relations.size(); ++i) any_impossible |= impossible(i);
+  if (any_impossible) found.certainty = std::max(found.certainty, certainty_of_impossible);
+  if (found.certainty < certainty_to_report) return found;
+
+  const std::size_t culprit =
+      static_cast<std::size_t>(std::max_element(of_slot.begin(), of_slot.end()) - of_slot.begin());
+  const Fault* fault = nullptr;
+  for (const Fault& each : faults) {
+    const bool candidate = each.a == each.b ? each.a == culprit : std::exp(each.weight - top) > of_slot[culprit];
+    if (candidate && (fault == nullptr || each.weight > fault->weight)) fault = &each;
+  }
+  found.column = kind.columns[fault->a];
+  found.cause = fault->cause;
+  if (fault->a != fault->b) found.swapped = kind.columns[fault->b];
+  double second = 0.4 * of_slot[culprit];
+  for (std::size_t slot = 0; slot < slots && !found.swapped; ++slot) {
+    if (slot == culprit || of_slot[slot] < second) continue;
+    second = of_slot[slot];
+    found.instead = kind.columns[slot];
+  }
+  found.value = std::exp(row.logs[fault->a]);
+  // What the other figures say, each relation by its spread, and less the farther it is from the fault's own guess.
+  const double guess = row.logs[fault->a] - fault->by;
+  double sum = 0.0, weights = 0.0;
+  std::vector<std::pair<double, std::size_t>> off;
+  for (std::size_t i = 0; i < kind.relations.size(); ++i) {
+    if (std::isnan(row.residuals[i])) continue;
+    const double scaled = std::abs(row.residuals[i]) / group.references[i].spread;
+    for (const Part& part : kind.relations[i].parts) {
+      if (part.slot == fault->b && fault->a != fault->b && scaled > 2.0) off.emplace_back(-scaled, i);
+      if (part.slot != fault->a) continue;
+      const double spread = spread_of(i, part);
+      const double says = row.logs[fault->a] - row.residuals[i] / part.exponent;
+      const double away = (says - guess) / spread;
+      const double weight = 1.0 / (spread * spread * (1.0 + 0.25 * away * away));
+      sum += weight * says;
+      weights += weight;
+      off.emplace_back(-scaled, i);
+      found.impossible |= impossible(i);
+    }
+  }
+  const double middle = sum / weights;
+  const double margin = 2.0 * std::max(0.02, 1.0 / std::sqrt(weights));
+  found.expected_low = std::exp(middle - margin);
+  found.expected_high = std::exp(middle + margin);
+  found.factor = std::exp(fault->cause.empty() ? row.logs[fault->a] - middle : fault->by);
+  std::sort(off.begin(), off.end());
+  for (const auto& [scaled, i] : off) {
+    const std::string_view id = kind.relations[i].relation->id;
+    if (!found.rules.empty() && scaled > -2.0) break;
+    if (std::find(found.rules.begin(), found.rules.end(), id) == found.rules.end()) found.rules.push_back(id);
+  }
+  const std::size_t worst = off.front().second;
+  const Relation& relation = *kind.relations[worst].relation;
+  const std::size_t peers = group.references[worst].peers;
+  const double excess = std::exp(row.residuals[worst]);
+  found.evidence = fmt::format("{} is {} {} the usual ({})",
+                               relation.title,
+                               scalar::format_number(excess >= 1.0 ? excess : 1.0 / excess, 3),
+                               excess >= 1.0 ? "times" : "times below",
+                               peers > 0 ? fmt::format("of {} rows like it", peers) : std::string(relation.origin));
+  return found;
+}
+
+}  // namespace millwright::catalogue
