@@ -100,7 +100,8 @@ constexpr std::pair<std::string_view, std::string_view> texts[] = {
      "Examples:\n"
      "  millwright catalogue list steppers\n"
      "  millwright catalogue show 23HS22-2804S\n"
-     "  millwright catalogue lint my-parts/steppers/motors.csv"},
+     "  millwright catalogue lint my-parts/steppers/motors.csv\n"
+     "  millwright catalogue diff my-parts"},
     {"list",
      "Examples:\n"
      "  millwright catalogue list\n"
@@ -108,6 +109,14 @@ constexpr std::pair<std::string_view, std::string_view> texts[] = {
     {"show",
      "Examples:\n"
      "  millwright catalogue show 23HS22-2804S"},
+    {"diff",
+     "A and B are folders or single files. One alone is put on top of the shipped parts (and of --catalogue), as an\n"
+     "overlay, and what it adds and changes is shown. Neither the order of rows nor the units of headers count.\n"
+     "Exit code 0 if nothing differs, 1 if something does, 2 if a file cannot be read.\n"
+     "Examples:\n"
+     "  millwright catalogue diff parts-2025 parts-2026\n"
+     "  millwright catalogue diff old/motors.csv new/motors.csv --json changes.json\n"
+     "  millwright catalogue diff my-parts --family steppers"},
     {"lint",
      "Exit code 2 if a file cannot be read or holds impossible rows; warnings alone leave it 0.\n"
      "Examples:\n"
