@@ -37,6 +37,8 @@ constexpr std::pair<std::string_view, std::string_view> texts[] = {
      "  millwright solve problems/sander.toml --minimise 'cost + 25*mass'\n"
      "  millwright solve problems/sander.toml --catalogue my-parts --json -\n"
      "  millwright solve problems/lifter.toml --alternatives 5\n"
+     "  millwright solve problems/sander.toml --write-lock sander.lock\n"
+     "  millwright solve problems/sander.toml --locked sander.lock\n"
      "  millwright solve problems/sander.toml --limit mass='11.5 kg' --without A4988 --fix y.motor=17HS8401S\n"
      "  millwright solve problems/sander.toml --fix machine.supply_voltage='36 V' --fix x.acceleration_time='0.2 s'"},
     {"pareto",
@@ -52,7 +54,8 @@ constexpr std::pair<std::string_view, std::string_view> texts[] = {
      "  millwright check problems/sander.toml problems/sander-bom.csv --hold-origin paper\n"
      "  millwright check problems/sander.toml problems/sander-bom.csv --report sander.html --language id\n"
      "  millwright check problems/sander.toml problems/sander-bom.csv --limit cost='450 USD'\n"
-     "  millwright check problems/sander.toml problems/sander-bom.csv --order order.csv"},
+     "  millwright check problems/sander.toml problems/sander-bom.csv --order order.csv\n"
+     "  millwright check problems/sander.toml sander.csv --locked sander.lock"},
     {"explain",
      "Nothing compliant (exit code 1): a smallest set of things that are asked and contradict each other, and by how\n"
      "much each of them must be eased. Else: what is forced, what the next best choice costs, what each requirement\n"

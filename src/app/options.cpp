@@ -65,11 +65,23 @@ void add_catalogue_option(CLI::App& verb, Options& options) {
       verb, "--catalogue", options.catalogues, "DIR", "parts of your own on top of the shipped ones (repeatable)");
 }
 
+void add_lock_options(CLI::App& verb, Options& options) {
+  verb.add_option("--write-lock",
+                  options.write_lock,
+                  "write the SHA-256 of every file that the result rests on, and prices and figures of its parts")
+      ->type_name("FILE.lock")
+      ->group(shared_group);
+  verb.add_option("--locked", options.locked, "stop, and say what changed, if such a file no longer holds")
+      ->type_name("FILE.lock")
+      ->group(shared_group);
+}
+
 void add_machine_options(CLI::App& verb, Options& options, bool with_page = true) {
   verb.add_option("PROBLEM", options.problem, "problem file (.toml or .json)")->required();
   add_output_options(verb, options);
   if (with_page) add_report_options(verb, options);
   add_catalogue_option(verb, options);
+  add_lock_options(verb, options);
   add_list_option(verb,
                   "--set",
                   options.settings,
@@ -235,6 +247,7 @@ class CommandLine {
     compare.add_flag("--complete", options_.complete, "choose what a bill of materials leaves open");
     add_output_options(compare, options_);
     add_catalogue_option(compare, options_);
+    add_lock_options(compare, options_);
     add_list_option(compare,
                     "--set",
                     options_.settings,

@@ -58,6 +58,8 @@ struct Options {
   std::string bom;                                              ///< written by solve, read by check
   std::string csv;                                              ///< table of a range, empty for none
   std::string order;                                            ///< list of what to buy, .csv or .xlsx; empty for none
+  std::string write_lock;                                       ///< file to write, empty for none
+  std::string locked;                                           ///< lock that has to hold, empty for none
   bool complete = false;
   std::string hold_origin;
   bool force = false;         ///< of new: overwrite

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "app/lock.h"
 #include "report/order_files.h"
 #include "text/output_file.h"
 
@@ -115,7 +116,9 @@ bool outputs_are_writable(const Options& options, text::Diagnostics& diagnostics
   if (options.verb == Verb::solve && !options.bom.empty()) targets.push_back(options.bom);
   if (!options.report.empty()) targets.push_back(options.report);
   if (!options.csv.empty()) targets.push_back(options.csv);
+  if (!options.write_lock.empty()) targets.push_back(options.write_lock);
   const std::size_t errors = diagnostics.error_count();
+  if (!options.write_lock.empty()) may_hold_lock(options.write_lock, diagnostics);
   if (!options.order.empty()) {
     const std::string kind = fs::path(options.order).extension().string();
     if (kind != ".csv" && kind != ".xlsx")
@@ -128,7 +131,7 @@ bool outputs_are_writable(const Options& options, text::Diagnostics& diagnostics
         targets.begin() + static_cast<std::ptrdiff_t>(i))
       diagnostics.error(fmt::format("{}: two outputs cannot go to one file", text::printable(targets[i])),
                         "name another file for one of them");
-  std::vector<std::string> sources{options.problem};
+  std::vector<std::string> sources{options.problem, options.locked};
   if (options.verb == Verb::check) sources.push_back(options.bom);
   for (const std::string& target : targets) {
     std::error_code failure;

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "app/commands.h"
+#include "app/lock.h"
 #include "app/machine_input.h"
 #include "app/machine_result.h"
 #include "app/output.h"
@@ -116,7 +117,9 @@ void refuse_needless(const Options& options, Diagnostics& diagnostics) {
   const std::pair<const char*, bool> given[] = {{"--problem", !options.problem.empty()},
                                                 {"--set", !options.settings.empty()},
                                                 {"--catalogue", !options.catalogues.empty()},
-                                                {"--complete", options.complete}};
+                                                {"--complete", options.complete},
+                                                {"--locked", !options.locked.empty()},
+                                                {"--write-lock", !options.write_lock.empty()}};
   for (const auto& [name, used] : given)
     if (used)
       diagnostics.error(fmt::format("{}: both are results, whose figures are shown as they were recorded", name),
@@ -158,11 +161,15 @@ int run_compare(const Options& options) {
     if (sides[i].text && !sides[i].is_result && sides[1 - i].text)
       problem = problem_for(options, sides[i], sides[1 - i], diagnostics);
   std::optional<MachineInput> input;
+  BomTexts boms;
+  for (const Side& side : sides)
+    if (side.text && !side.is_result) boms.push_back(side.text);
   if (!problem.empty()) {
     Options with_problem = options;
     with_problem.problem = problem;
     input = read_machine(with_problem, diagnostics);
     if (input) count_all(input->problem);
+    if (input) verify_lock(options, *input, diagnostics, boms);
   }
   std::vector<ComparedBuild> builds;
   for (Side& side : sides) {
@@ -175,10 +182,13 @@ int run_compare(const Options& options) {
   if (builds.size() == 2) refuse_other_machine(builds[0], builds[1], diagnostics);
   print(diagnostics);
   if (!writable || builds.size() < 2 || diagnostics.has_errors()) return exit_bad_input;
+  std::vector<const evaluation::Design*> evaluated;
+  for (std::size_t i = 0; i < 2; ++i)
+    if (!sides[i].is_result) evaluated.push_back(&builds[i].design);
   const bool delivered = deliver(options,
                                  report::comparison_text(builds[0], builds[1], output_style(options)),
                                  report::comparison_json(builds[0], builds[1]));
-  if (!delivered) return exit_bad_input;
+  if (!delivered || (input && !write_lock(options, *input, evaluated, boms))) return exit_bad_input;
   return report::failed_checks(builds[0].design) + report::failed_checks(builds[1].design) > 0 ? exit_failed
                                                                                                : exit_done;
 }
