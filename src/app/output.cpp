@@ -109,6 +109,32 @@ report::Language page_language(const Options& options) {
   return report::language_of(options.language).value_or(report::Language::english);
 }
 
+namespace {
+
+/// Reports why the file could not be written, or must not be: it is one of those that are read.
+void check_target(const std::string& target, const std::vector<std::string>& sources, text::Diagnostics& diagnostics) {
+  namespace fs = std::filesystem;
+  std::error_code failure;
+  if (std::any_of(sources.begin(), sources.end(), [&](const std::string& source) {
+        return fs::equivalent(source, target, failure);
+      }))
+    diagnostics.error(fmt::format("{}: cannot be written: it is read too", text::printable(target)),
+                      "name another file for the output");
+  const fs::path parent = fs::path(target).parent_path();
+  const fs::path folder = parent.empty() ? fs::path(".") : parent;
+  if (!fs::is_directory(folder, failure))
+    diagnostics.error(
+        fmt::format(
+            "{}: cannot be written: there is no folder {}", text::printable(target), text::quoted(folder.string())),
+        "make the folder first");
+  else if (access(folder.c_str(), W_OK) != 0)
+    diagnostics.error(fmt::format("{}: cannot be written: no right to write in its folder", text::printable(target)));
+  else if (fs::is_directory(target, failure))
+    diagnostics.error(fmt::format("{}: cannot be written: it is a folder", text::printable(target)));
+}
+
+}  // namespace
+
 bool outputs_are_writable(const Options& options, text::Diagnostics& diagnostics) {
   namespace fs = std::filesystem;
   std::vector<std::string> targets;
@@ -133,25 +159,7 @@ bool outputs_are_writable(const Options& options, text::Diagnostics& diagnostics
                         "name another file for one of them");
   std::vector<std::string> sources{options.problem, options.locked};
   if (options.verb == Verb::check) sources.push_back(options.bom);
-  for (const std::string& target : targets) {
-    std::error_code failure;
-    if (std::any_of(sources.begin(), sources.end(), [&](const std::string& source) {
-          return fs::equivalent(source, target, failure);
-        }))
-      diagnostics.error(fmt::format("{}: cannot be written: it is read too", text::printable(target)),
-                        "name another file for the output");
-    const fs::path parent = fs::path(target).parent_path();
-    const fs::path folder = parent.empty() ? fs::path(".") : parent;
-    if (!fs::is_directory(folder, failure))
-      diagnostics.error(
-          fmt::format(
-              "{}: cannot be written: there is no folder {}", text::printable(target), text::quoted(folder.string())),
-          "make the folder first");
-    else if (access(folder.c_str(), W_OK) != 0)
-      diagnostics.error(fmt::format("{}: cannot be written: no right to write in its folder", text::printable(target)));
-    else if (fs::is_directory(target, failure))
-      diagnostics.error(fmt::format("{}: cannot be written: it is a folder", text::printable(target)));
-  }
+  for (const std::string& target : targets) check_target(target, sources, diagnostics);
   return diagnostics.error_count() == errors;
 }
 

@@ -149,6 +149,26 @@ void refuse_other_machine(const ComparedBuild& a, const ComparedBuild& b, Diagno
                       "compare builds priced in one currency");
 }
 
+BomTexts bom_texts(const Side (&sides)[2]) {
+  BomTexts texts;
+  for (const Side& side : sides)
+    if (side.text && !side.is_result) texts.push_back(side.text);
+  return texts;
+}
+
+/// Writes the lock of the builds that were evaluated now.
+bool lock_evaluated(const Options& options,
+                    const std::optional<MachineInput>& input,
+                    const Side (&sides)[2],
+                    const std::vector<ComparedBuild>& builds,
+                    const BomTexts& boms) {
+  if (!input) return true;
+  std::vector<const evaluation::Design*> designs;
+  for (std::size_t i = 0; i < 2; ++i)
+    if (!sides[i].is_result) designs.push_back(&builds[i].design);
+  return write_lock(options, *input, designs, boms);
+}
+
 }  // namespace
 
 int run_compare(const Options& options) {
@@ -161,9 +181,7 @@ int run_compare(const Options& options) {
     if (sides[i].text && !sides[i].is_result && sides[1 - i].text)
       problem = problem_for(options, sides[i], sides[1 - i], diagnostics);
   std::optional<MachineInput> input;
-  BomTexts boms;
-  for (const Side& side : sides)
-    if (side.text && !side.is_result) boms.push_back(side.text);
+  const BomTexts boms = bom_texts(sides);
   if (!problem.empty()) {
     Options with_problem = options;
     with_problem.problem = problem;
@@ -182,13 +200,10 @@ int run_compare(const Options& options) {
   if (builds.size() == 2) refuse_other_machine(builds[0], builds[1], diagnostics);
   print(diagnostics);
   if (!writable || builds.size() < 2 || diagnostics.has_errors()) return exit_bad_input;
-  std::vector<const evaluation::Design*> evaluated;
-  for (std::size_t i = 0; i < 2; ++i)
-    if (!sides[i].is_result) evaluated.push_back(&builds[i].design);
   const bool delivered = deliver(options,
                                  report::comparison_text(builds[0], builds[1], output_style(options)),
                                  report::comparison_json(builds[0], builds[1]));
-  if (!delivered || (input && !write_lock(options, *input, evaluated, boms))) return exit_bad_input;
+  if (!delivered || !lock_evaluated(options, input, sides, builds, boms)) return exit_bad_input;
   return report::failed_checks(builds[0].design) + report::failed_checks(builds[1].design) > 0 ? exit_failed
                                                                                                : exit_done;
 }

@@ -47,7 +47,7 @@ class SortedRows {
     std::iota(rows_.begin(), rows_.end(), 0);
     std::sort(rows_.begin(), rows_.end(), [this](int one, int other) {
       const auto order = compare(group_, one, *this, other);
-      return order != 0 ? order < 0 : compare(point_, one, *this, other) < 0;
+      return std::is_neq(order) ? std::is_lt(order) : std::is_lt(compare(point_, one, *this, other));
     });
   }
 
@@ -58,7 +58,7 @@ class SortedRows {
   /// Behind the last row of the part that begins at `first`.
   [[nodiscard]] std::size_t end_of_part(std::size_t first) const {
     std::size_t end = first + 1;
-    while (end < rows_.size() && compare(group_, rows_[first], *this, rows_[end]) == 0) ++end;
+    while (end < rows_.size() && std::is_eq(compare(group_, rows_[first], *this, rows_[end]))) ++end;
     return end;
   }
   [[nodiscard]] std::weak_ordering part(int row, const SortedRows& other, int other_row) const {
@@ -86,7 +86,7 @@ class SortedRows {
     for (const Column each : columns) {
       if (declaration(each).kind == Kind::text) {
         const auto order = table_.text(each, row) <=> other.table_.text(each, other_row);
-        if (order != 0) return order;
+        if (std::is_neq(order)) return order;
         continue;
       }
       const double mine = keys_[each.index][static_cast<std::size_t>(row)];
@@ -143,9 +143,9 @@ class PartComparison {
       const auto order = i == a_end   ? std::weak_ordering::greater
                          : j == b_end ? std::weak_ordering::less
                                       : a_.point(a_[i], b_, b_[j]);
-      if (order < 0) {
+      if (std::is_lt(order)) {
         lone_point(a_, a_[i++], true, part.cells);
-      } else if (order > 0) {
+      } else if (std::is_gt(order)) {
         lone_point(b_, b_[j++], false, part.cells);
       } else {
         pair(a_[i++], b_[j++], part.cells);
@@ -221,11 +221,11 @@ FamilyDifference difference(const Table& a, const Table& b) {
     const auto order = i == in_a.size()   ? std::weak_ordering::greater
                        : j == in_b.size() ? std::weak_ordering::less
                                           : in_a.part(in_a[i], in_b, in_b[j]);
-    const std::size_t a_end = order <= 0 ? in_a.end_of_part(i) : i;
-    const std::size_t b_end = order >= 0 ? in_b.end_of_part(j) : j;
-    if (order < 0) {
+    const std::size_t a_end = std::is_lteq(order) ? in_a.end_of_part(i) : i;
+    const std::size_t b_end = std::is_gteq(order) ? in_b.end_of_part(j) : j;
+    if (std::is_lt(order)) {
       found.removed.push_back(in_a[i]);
-    } else if (order > 0) {
+    } else if (std::is_gt(order)) {
       found.added.push_back(in_b[j]);
     } else if (PartChange part = comparison.compare(i, a_end, j, b_end); part.cells.empty()) {
       ++found.same;

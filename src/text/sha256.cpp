@@ -4,6 +4,7 @@
 #include <nettle/sha2.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace millwright::text {
@@ -27,7 +28,8 @@ std::string sha256(std::string_view bytes) {
 }
 
 bool is_sha256(std::string_view text) {
-  return text.size() == 2 * SHA256_DIGEST_SIZE && text.find_first_not_of(hexadecimal) == std::string_view::npos;
+  return text.size() == std::size_t{2} * SHA256_DIGEST_SIZE &&
+         text.find_first_not_of(hexadecimal) == std::string_view::npos;
 }
 
 }  // namespace millwright::text

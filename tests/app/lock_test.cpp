@@ -148,7 +148,7 @@ TEST_CASE("a file that changed without a changed figure, a missing and a new one
   CHECK(overlay.says("mine/couplings/x.csv is new"));
 }
 
-TEST_CASE("another problem stops a locked run; what is asked for otherwise is a warning") {
+TEST_CASE("another problem stops a locked run, and what is asked for otherwise is a warning") {
   const LockedShop shop;
   const Outcome asked = shop.locked({"--set", "axis.x.stroke='220 mm'"});
   INFO(asked.err);

@@ -79,16 +79,16 @@ TEST_CASE("other units, other order of rows and columns and other files are no d
           "confidence,manufacturer,part_number,drive_voltage [mV],phase_current [mA],driver,speed [rev/s],torque "
           "[N.cm]\nhigh,A,M,24000,2000,d,4,50\nhigh,A,M,24000,2000,d,1,100\nhigh,A,M,24000,2000,d,2,90\n");
   const Catalogue in_a = load(a), in_b = load(b);
-  const auto families = difference(in_a, in_b);
-  REQUIRE(families.size() == 2);
-  for (const FamilyDifference& family : families) {
+  const auto changes = difference(in_a, in_b);
+  REQUIRE(changes.size() == 2);
+  for (const FamilyDifference& family : changes) {
     INFO(declaration(family.family).name);
     for (const PartChange& part : family.changed)
       for (const CellChange& cell : part.cells) UNSCOPED_INFO(told(cell));
     CHECK(family.equal());
   }
-  CHECK(families[0].same == 2);
-  CHECK(families[1].same == 1);
+  CHECK(changes[0].same == 2);
+  CHECK(changes[1].same == 1);
   CHECK(difference(in_a, in_b, Family::stepper_curves).size() == 1);
 }
 
