@@ -55,7 +55,8 @@ constexpr std::pair<std::string_view, std::string_view> texts[] = {
      "  millwright check problems/sander.toml problems/sander-bom.csv --report sander.html --language id\n"
      "  millwright check problems/sander.toml problems/sander-bom.csv --limit cost='450 USD'\n"
      "  millwright check problems/sander.toml problems/sander-bom.csv --order order.csv\n"
-     "  millwright check problems/sander.toml sander.csv --locked sander.lock"},
+     "  millwright check problems/sander.toml problems/sander-bom.csv --write-lock bom.lock\n"
+     "  millwright check problems/sander.toml problems/sander-bom.csv --locked bom.lock"},
     {"explain",
      "Nothing compliant (exit code 1): a smallest set of things that are asked and contradict each other, and by how\n"
      "much each of them must be eased. Else: what is forced, what the next best choice costs, what each requirement\n"
@@ -118,7 +119,7 @@ constexpr std::pair<std::string_view, std::string_view> texts[] = {
      "Exit code 0 if nothing differs, 1 if something does, 2 if a file cannot be read.\n"
      "Examples:\n"
      "  millwright catalogue diff parts-2025 parts-2026\n"
-     "  millwright catalogue diff old/motors.csv new/motors.csv --json changes.json\n"
+     "  millwright catalogue diff parts-2025/steppers/motors.csv parts-2026/steppers/motors.csv --json changes.json\n"
      "  millwright catalogue diff my-parts --family steppers"},
     {"lint",
      "Exit code 2 if a file cannot be read or holds impossible rows; warnings alone leave it 0.\n"
