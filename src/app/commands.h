@@ -22,7 +22,7 @@ int run_formulas(const Options& options);
 /// reference and schema.
 int run_reference(const Options& options);
 int run_new(const Options& options);
-/// catalogue list, show, lint.
+/// catalogue list, show, lint, diff.
 int run_catalogue(const Options& options);
 
 }  // namespace millwright::app

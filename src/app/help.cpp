@@ -37,6 +37,8 @@ constexpr std::pair<std::string_view, std::string_view> texts[] = {
      "  millwright solve problems/sander.toml --minimise 'cost + 25*mass'\n"
      "  millwright solve problems/sander.toml --catalogue my-parts --json -\n"
      "  millwright solve problems/lifter.toml --alternatives 5\n"
+     "  millwright solve problems/sander.toml --write-lock sander.lock\n"
+     "  millwright solve problems/sander.toml --locked sander.lock\n"
      "  millwright solve problems/sander.toml --limit mass='11.5 kg' --without A4988 --fix y.motor=17HS8401S\n"
      "  millwright solve problems/sander.toml --fix machine.supply_voltage='36 V' --fix x.acceleration_time='0.2 s'"},
     {"pareto",
@@ -52,7 +54,9 @@ constexpr std::pair<std::string_view, std::string_view> texts[] = {
      "  millwright check problems/sander.toml problems/sander-bom.csv --hold-origin paper\n"
      "  millwright check problems/sander.toml problems/sander-bom.csv --report sander.html --language id\n"
      "  millwright check problems/sander.toml problems/sander-bom.csv --limit cost='450 USD'\n"
-     "  millwright check problems/sander.toml problems/sander-bom.csv --order order.csv"},
+     "  millwright check problems/sander.toml problems/sander-bom.csv --order order.csv\n"
+     "  millwright check problems/sander.toml problems/sander-bom.csv --write-lock bom.lock\n"
+     "  millwright check problems/sander.toml problems/sander-bom.csv --locked bom.lock"},
     {"explain",
      "Nothing compliant (exit code 1): a smallest set of things that are asked and contradict each other, and by how\n"
      "much each of them must be eased. Else: what is forced, what the next best choice costs, what each requirement\n"
@@ -100,7 +104,8 @@ constexpr std::pair<std::string_view, std::string_view> texts[] = {
      "Examples:\n"
      "  millwright catalogue list steppers\n"
      "  millwright catalogue show 23HS22-2804S\n"
-     "  millwright catalogue lint my-parts/steppers/motors.csv"},
+     "  millwright catalogue lint my-parts/steppers/motors.csv\n"
+     "  millwright catalogue diff my-parts"},
     {"list",
      "Examples:\n"
      "  millwright catalogue list\n"
@@ -109,6 +114,14 @@ constexpr std::pair<std::string_view, std::string_view> texts[] = {
     {"show",
      "Examples:\n"
      "  millwright catalogue show 23HS22-2804S"},
+    {"diff",
+     "A and B are folders or single files. One alone is put on top of the shipped parts (and of --catalogue), as an\n"
+     "overlay, and what it adds and changes is shown. Neither the order of rows nor the units of headers count.\n"
+     "Exit code 0 if nothing differs, 1 if something does, 2 if a file cannot be read.\n"
+     "Examples:\n"
+     "  millwright catalogue diff parts-2025 parts-2026\n"
+     "  millwright catalogue diff parts-2025/steppers/motors.csv parts-2026/steppers/motors.csv --json changes.json\n"
+     "  millwright catalogue diff my-parts --family steppers"},
     {"lint",
      "Each row is judged by what usually holds between its figures. A finding says which figure is odd, by how much, "
      "what would explain it and how surely; the rules it rests on stand in brackets. A row that is right nevertheless "

@@ -35,6 +35,7 @@ int run(const Options& options) {
     case Verb::catalogue_list:
     case Verb::catalogue_show:
     case Verb::catalogue_lint:
+    case Verb::catalogue_diff:
       return run_catalogue(options);
   }
   return exit_bug;

@@ -6,15 +6,13 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <memory>
-#include <set>
 
 #include "app/help.h"
 #include "app/help_formatter.h"
 #include "app/name_lists.h"
+#include "app/objective_option.h"
 #include "app/output.h"
-#include "machine/objective.h"
 #include "report/page_texts.h"
 #include "text/diagnostic.h"
 #include "text/nearest.h"
@@ -70,11 +68,23 @@ void add_catalogue_option(CLI::App& verb, Options& options) {
                   "parts of your own on top of the shipped ones, and what is in stock (repeatable)");
 }
 
+void add_lock_options(CLI::App& verb, Options& options) {
+  verb.add_option("--write-lock",
+                  options.write_lock,
+                  "write the SHA-256 of every file that the result rests on, and prices and figures of its parts")
+      ->type_name("FILE.lock")
+      ->group(shared_group);
+  verb.add_option("--locked", options.locked, "stop, and say what changed, if such a file no longer holds")
+      ->type_name("FILE.lock")
+      ->group(shared_group);
+}
+
 void add_machine_options(CLI::App& verb, Options& options, bool with_page = true) {
   verb.add_option("PROBLEM", options.problem, "problem file (.toml or .json)")->required();
   add_output_options(verb, options);
   if (with_page) add_report_options(verb, options);
   add_catalogue_option(verb, options);
+  add_lock_options(verb, options);
   add_list_option(verb,
                   "--set",
                   options.settings,
@@ -240,6 +250,7 @@ class CommandLine {
     compare.add_flag("--complete", options_.complete, "choose what a bill of materials leaves open");
     add_output_options(compare, options_);
     add_catalogue_option(compare, options_);
+    add_lock_options(compare, options_);
     add_list_option(compare,
                     "--set",
                     options_.settings,
@@ -281,7 +292,12 @@ class CommandLine {
     lint.add_option("FILES", options_.words, "catalogue files or folders")->required();
     lint.add_option("--family", options_.subject, "their family, where neither folder nor header tells")
         ->type_name("FAMILY");
-    for (CLI::App* sub : {&list, &show, &lint}) {
+    CLI::App& diff = add(catalogue, "diff", Verb::catalogue_diff, "what changed between two catalogues");
+    diff.add_option("A", options_.first, "catalogue folder or file; without B, what goes on top of the shipped parts")
+        ->required();
+    diff.add_option("B", options_.second, "the same, newer");
+    diff.add_option("--family", options_.subject, "only this one")->type_name("FAMILY");
+    for (CLI::App* sub : {&list, &show, &lint, &diff}) {
       add_output_options(*sub, options_);
       if (sub != &lint) add_catalogue_option(*sub, options_);
     }
@@ -291,11 +307,6 @@ class CommandLine {
   CLI::App app_{"Designs the drives of machines, exactly and with the calculation shown."};
   std::vector<VerbEntry> verbs_;
 };
-
-void complain(const std::string& message, const std::string& hint) {
-  fmt::print(stderr, "millwright: error: {}\n", message);
-  if (!hint.empty()) fmt::print(stderr, "  hint: {}\n", hint);
-}
 
 /// The first word, past options, that is not a verb where one has to stand.
 std::optional<std::string> misspelt_verb(CommandLine& line, int argc, char** argv) {
@@ -313,10 +324,10 @@ std::optional<std::string> misspelt_verb(CommandLine& line, int argc, char** arg
     return first;
   }
   if (first != "catalogue" || argc < 3 || argv[2][0] == '-') return std::nullopt;
-  const std::vector<std::string> inner{"list", "show", "lint"};
+  const std::vector<std::string> inner{"list", "show", "lint", "diff"};
   if (std::find(inner.begin(), inner.end(), argv[2]) != inner.end()) return std::nullopt;
   complain("there is no command 'catalogue " + text::printable(argv[2]) + "'",
-           text::did_you_mean(argv[2], inner, "commands: catalogue list, show, lint"));
+           text::did_you_mean(argv[2], inner, "commands: catalogue list, show, lint, diff"));
   return first;
 }
 
@@ -337,44 +348,6 @@ void complain_of(const CLI::ParseError& error, CommandLine& line, int argc, char
     complain("there is no option " + text::quoted(unknown),
              text::did_you_mean(unknown, known, fmt::format("options: {}", fmt::join(known, ", "))));
   }
-}
-
-/// Objectives by their names, as many as the verb takes; false, after a complaint, if they are none.
-bool settle_objectives(Options& options) {
-  text::Diagnostics diagnostics;
-  for (std::string& objective : options.objectives) {
-    constexpr std::string_view option = "--minimise ";
-    machine::ObjectiveFault fault;
-    if (const auto read = machine::parse_objective(objective, fault)) {
-      objective = read->name();
-      continue;
-    }
-    const auto typed = text::SourceText::from_string("command line", std::string(option) + objective);
-    diagnostics.error(text::span_at(typed, option.size() + fault.offset, fault.length), fault.message, fault.hint);
-  }
-  if (diagnostics.has_errors()) {
-    print(diagnostics);
-    return false;
-  }
-  if ((options.verb == Verb::solve || options.verb == Verb::explain) && options.objectives.size() > 1) {
-    complain(fmt::format("{} minimises one objective", options.verb == Verb::solve ? "solve" : "explain"),
-             "'millwright pareto' gives the front of two");
-    return false;
-  }
-  if (options.verb != Verb::pareto) return true;
-  if (options.objectives.empty()) options.objectives = {"cost", "mass"};
-  for (const std::string& objective : options.objectives)
-    if (!machine::objective_named(objective).single()) {
-      complain("a front is of plain quantities, and " + text::quoted(objective) + " is a weighted sum",
-               "'millwright solve' minimises weighted sums");
-      return false;
-    }
-  const std::set<std::string> different(options.objectives.begin(), options.objectives.end());
-  if (different.size() < 2 || different.size() > 3 || different.size() < options.objectives.size()) {
-    complain("a front has two or three different objectives", "write --minimise cost,mass");
-    return false;
-  }
-  return true;
 }
 
 }  // namespace

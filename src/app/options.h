@@ -23,13 +23,14 @@ enum class Verb {
   schema,
   catalogue_list,
   catalogue_show,
-  catalogue_lint
+  catalogue_lint,
+  catalogue_diff
 };
 
 /// Exit codes of the program.
 enum ExitCode : int {
   exit_done = 0,       ///< done and compliant
-  exit_failed = 1,     ///< no compliant design, or a check failed
+  exit_failed = 1,     ///< no compliant design, or a check failed; catalogues that differ
   exit_bad_input = 2,  ///< everything wrong has been reported
   exit_limit = 3,      ///< a limit was reached before the proof was complete
   exit_bug = 70        ///< our own mistake
@@ -57,10 +58,12 @@ struct Options {
   std::string bom;                                              ///< written by solve, read by check
   std::string csv;                                              ///< table of a range, empty for none
   std::string order;                                            ///< list of what to buy, .csv or .xlsx; empty for none
+  std::string write_lock;                                       ///< file to write, empty for none
+  std::string locked;                                           ///< lock that has to hold, empty for none
   bool complete = false;
   std::string hold_origin;
   bool force = false;         ///< of new: overwrite
-  std::string first, second;  ///< of compare: results or bills of materials
+  std::string first, second;  ///< of compare: results or bills of materials; of catalogue diff: catalogues
   // audit, calc, formulas, catalogue
   std::string subject;             ///< claims file, formula, word, family or template
   std::vector<std::string> words;  ///< arguments, parts or files

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "app/lock.h"
 #include "report/order_files.h"
 #include "text/output_file.h"
 
@@ -108,6 +109,32 @@ report::Language page_language(const Options& options) {
   return report::language_of(options.language).value_or(report::Language::english);
 }
 
+namespace {
+
+/// Reports why the file could not be written, or must not be: it is one of those that are read.
+void check_target(const std::string& target, const std::vector<std::string>& sources, text::Diagnostics& diagnostics) {
+  namespace fs = std::filesystem;
+  std::error_code failure;
+  if (std::any_of(sources.begin(), sources.end(), [&](const std::string& source) {
+        return fs::equivalent(source, target, failure);
+      }))
+    diagnostics.error(fmt::format("{}: cannot be written: it is read too", text::printable(target)),
+                      "name another file for the output");
+  const fs::path parent = fs::path(target).parent_path();
+  const fs::path folder = parent.empty() ? fs::path(".") : parent;
+  if (!fs::is_directory(folder, failure))
+    diagnostics.error(
+        fmt::format(
+            "{}: cannot be written: there is no folder {}", text::printable(target), text::quoted(folder.string())),
+        "make the folder first");
+  else if (access(folder.c_str(), W_OK) != 0)
+    diagnostics.error(fmt::format("{}: cannot be written: no right to write in its folder", text::printable(target)));
+  else if (fs::is_directory(target, failure))
+    diagnostics.error(fmt::format("{}: cannot be written: it is a folder", text::printable(target)));
+}
+
+}  // namespace
+
 bool outputs_are_writable(const Options& options, text::Diagnostics& diagnostics) {
   namespace fs = std::filesystem;
   std::vector<std::string> targets;
@@ -115,7 +142,9 @@ bool outputs_are_writable(const Options& options, text::Diagnostics& diagnostics
   if (options.verb == Verb::solve && !options.bom.empty()) targets.push_back(options.bom);
   if (!options.report.empty()) targets.push_back(options.report);
   if (!options.csv.empty()) targets.push_back(options.csv);
+  if (!options.write_lock.empty()) targets.push_back(options.write_lock);
   const std::size_t errors = diagnostics.error_count();
+  if (!options.write_lock.empty()) may_hold_lock(options.write_lock, diagnostics);
   if (!options.order.empty()) {
     const std::string kind = fs::path(options.order).extension().string();
     if (kind != ".csv" && kind != ".xlsx")
@@ -128,27 +157,9 @@ bool outputs_are_writable(const Options& options, text::Diagnostics& diagnostics
         targets.begin() + static_cast<std::ptrdiff_t>(i))
       diagnostics.error(fmt::format("{}: two outputs cannot go to one file", text::printable(targets[i])),
                         "name another file for one of them");
-  std::vector<std::string> sources{options.problem};
+  std::vector<std::string> sources{options.problem, options.locked};
   if (options.verb == Verb::check) sources.push_back(options.bom);
-  for (const std::string& target : targets) {
-    std::error_code failure;
-    if (std::any_of(sources.begin(), sources.end(), [&](const std::string& source) {
-          return fs::equivalent(source, target, failure);
-        }))
-      diagnostics.error(fmt::format("{}: cannot be written: it is read too", text::printable(target)),
-                        "name another file for the output");
-    const fs::path parent = fs::path(target).parent_path();
-    const fs::path folder = parent.empty() ? fs::path(".") : parent;
-    if (!fs::is_directory(folder, failure))
-      diagnostics.error(
-          fmt::format(
-              "{}: cannot be written: there is no folder {}", text::printable(target), text::quoted(folder.string())),
-          "make the folder first");
-    else if (access(folder.c_str(), W_OK) != 0)
-      diagnostics.error(fmt::format("{}: cannot be written: no right to write in its folder", text::printable(target)));
-    else if (fs::is_directory(target, failure))
-      diagnostics.error(fmt::format("{}: cannot be written: it is a folder", text::printable(target)));
-  }
+  for (const std::string& target : targets) check_target(target, sources, diagnostics);
   return diagnostics.error_count() == errors;
 }
 

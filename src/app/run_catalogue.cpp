@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/commands.h"
 #include "app/machine_input.h"
 #include "app/output.h"
 #include "catalogue/gaps.h"
 #include "catalogue/lint.h"
+#include "report/catalogue_difference.h"
 #include "report/catalogue_gaps.h"
 #include "report/catalogue_text.h"
 #include "report/json.h"
@@ -103,11 +106,49 @@ int lint(const Options& options) {
   return deliver(options, text, json) && !diagnostics.has_errors() ? exit_done : exit_bad_input;
 }
 
+/// What the places are called that make one catalogue.
+std::string name_of(const std::vector<std::filesystem::path>& places) {
+  std::string name;
+  for (const std::filesystem::path& place : places) name += (name.empty() ? "" : " + ") + place.string();
+  return name;
+}
+
+/// Two catalogues; or, with one word, what that adds to and changes in those it would be put on.
+int diff(const Options& options) {
+  text::Diagnostics diagnostics;
+  outputs_are_writable(options, diagnostics);
+  std::optional<Family> family;
+  if (!options.subject.empty()) family = family_of(options.subject, diagnostics);
+  std::vector<std::filesystem::path> places[2];
+  if (options.second.empty()) {
+    places[0] = places[1] = catalogue_places(options.catalogues, diagnostics);
+    places[1].emplace_back(options.first);
+  } else {
+    places[0] = {options.first};
+    places[1] = {options.second};
+    if (!options.catalogues.empty())
+      diagnostics.error("--catalogue: both catalogues are named", "leave it out, or name one: what is put on top");
+  }
+  Catalogue sides[2];
+  for (int i = 0; i < 2; ++i) sides[i] = Catalogue::load(places[i], diagnostics);
+  print(diagnostics);
+  if (diagnostics.has_errors()) return exit_bad_input;
+  const report::ComparedCatalogue a{name_of(places[0]), &sides[0]}, b{name_of(places[1]), &sides[1]};
+  const auto families = catalogue::difference(sides[0], sides[1], family);
+  if (!deliver(options,
+               report::catalogue_difference_text(a, b, families, output_style(options)),
+               report::catalogue_difference_json(a, b, families)))
+    return exit_bad_input;
+  const bool equal = std::all_of(families.begin(), families.end(), [](const auto& each) { return each.equal(); });
+  return equal ? exit_done : exit_failed;
+}
+
 }  // namespace
 
 int run_catalogue(const Options& options) {
   if (options.verb == Verb::catalogue_list) return list(options);
   if (options.verb == Verb::catalogue_show) return show(options);
+  if (options.verb == Verb::catalogue_diff) return diff(options);
   return lint(options);
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/commands.h"
+#include "app/lock.h"
 #include "app/machine_input.h"
 #include "app/machine_result.h"
 #include "app/output.h"
@@ -78,6 +79,7 @@ int run_check(const Options& options) {
   const auto input = read_machine(options, diagnostics);
   const auto text = text::SourceText::load(options.bom, diagnostics);
   const auto bom = input && text ? read_bom(options, input->problem, text, diagnostics) : std::nullopt;
+  const auto lock = input && text ? verify_lock(options, *input, diagnostics, {text}) : std::nullopt;
   if (bom) machine::refuse_excluded(*bom, input->steering.without, diagnostics);
   if (!bom || !writable || diagnostics.has_errors()) {
     print(diagnostics);
@@ -87,9 +89,14 @@ int run_check(const Options& options) {
   report::MachineResult result = check(options, *input, *bom, diagnostics);
   print(diagnostics);
   if (diagnostics.has_errors()) return exit_bad_input;
+  if (wants_inventory(options)) result.catalogues = inventory_of(*input);
+  if (lock && !result.designs.empty()) compare_with_lock(*lock, *input, result.designs.front());
   result.timing.read = read;
   result.timing.total = watch.seconds();
   if (!result.designs.empty() && !write_order(options, result.designs.front(), result.title)) return exit_bad_input;
+  std::vector<const evaluation::Design*> designs;
+  for (const evaluation::Design& design : result.designs) designs.push_back(&design);
+  if (!write_lock(options, *input, designs, {text})) return exit_bad_input;
   const bool satisfied = !result.designs.empty() && result.designs.front().satisfied();
   const std::string json = report::check_json(result);
   const std::string page =

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "app/commands.h"
+#include "app/lock.h"
 #include "app/machine_input.h"
 #include "app/machine_result.h"
 #include "app/output.h"
@@ -116,7 +117,9 @@ void refuse_needless(const Options& options, Diagnostics& diagnostics) {
   const std::pair<const char*, bool> given[] = {{"--problem", !options.problem.empty()},
                                                 {"--set", !options.settings.empty()},
                                                 {"--catalogue", !options.catalogues.empty()},
-                                                {"--complete", options.complete}};
+                                                {"--complete", options.complete},
+                                                {"--locked", !options.locked.empty()},
+                                                {"--write-lock", !options.write_lock.empty()}};
   for (const auto& [name, used] : given)
     if (used)
       diagnostics.error(fmt::format("{}: both are results, whose figures are shown as they were recorded", name),
@@ -146,6 +149,26 @@ void refuse_other_machine(const ComparedBuild& a, const ComparedBuild& b, Diagno
                       "compare builds priced in one currency");
 }
 
+BomTexts bom_texts(const Side (&sides)[2]) {
+  BomTexts texts;
+  for (const Side& side : sides)
+    if (side.text && !side.is_result) texts.push_back(side.text);
+  return texts;
+}
+
+/// Writes the lock of the builds that were evaluated now.
+bool lock_evaluated(const Options& options,
+                    const std::optional<MachineInput>& input,
+                    const Side (&sides)[2],
+                    const std::vector<ComparedBuild>& builds,
+                    const BomTexts& boms) {
+  if (!input) return true;
+  std::vector<const evaluation::Design*> designs;
+  for (std::size_t i = 0; i < 2; ++i)
+    if (!sides[i].is_result) designs.push_back(&builds[i].design);
+  return write_lock(options, *input, designs, boms);
+}
+
 }  // namespace
 
 int run_compare(const Options& options) {
@@ -158,11 +181,13 @@ int run_compare(const Options& options) {
     if (sides[i].text && !sides[i].is_result && sides[1 - i].text)
       problem = problem_for(options, sides[i], sides[1 - i], diagnostics);
   std::optional<MachineInput> input;
+  const BomTexts boms = bom_texts(sides);
   if (!problem.empty()) {
     Options with_problem = options;
     with_problem.problem = problem;
     input = read_machine(with_problem, diagnostics);
     if (input) count_all(input->problem);
+    if (input) verify_lock(options, *input, diagnostics, boms);
   }
   std::vector<ComparedBuild> builds;
   for (Side& side : sides) {
@@ -178,7 +203,7 @@ int run_compare(const Options& options) {
   const bool delivered = deliver(options,
                                  report::comparison_text(builds[0], builds[1], output_style(options)),
                                  report::comparison_json(builds[0], builds[1]));
-  if (!delivered) return exit_bad_input;
+  if (!delivered || !lock_evaluated(options, input, sides, builds, boms)) return exit_bad_input;
   return report::failed_checks(builds[0].design) + report::failed_checks(builds[1].design) > 0 ? exit_failed
                                                                                                : exit_done;
 }

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "app/commands.h"
+#include "app/lock.h"
 #include "app/machine_input.h"
 #include "app/machine_result.h"
 #include "app/output.h"
@@ -50,6 +51,7 @@ int run_explain(const Options& options) {
     for (const evaluation::BomProblem& problem : model.problems())
       diagnostics.error(problem.where, problem.message, problem.hint);
   }
+  if (input) verify_lock(options, *input, diagnostics);
   print(diagnostics);
   if (!input || !writable || diagnostics.has_errors()) return exit_bad_input;
   const machine::Asked asked{input->problem, input->steering.fixed, input->steering.without, input->steering.limits};
@@ -67,7 +69,11 @@ int run_explain(const Options& options) {
                                       how,
                                       [&](std::size_t solves, const std::string& what) { line.show(solves, what); });
   }
-  const report::MachineResult result = result_for(*input);
+  report::MachineResult result = result_for(*input);
+  if (wants_inventory(options)) result.catalogues = inventory_of(*input);
+  std::vector<const evaluation::Design*> designs;
+  if (explanation.design) designs.push_back(&*explanation.design);
+  if (!write_lock(options, *input, designs)) return exit_bad_input;
   const bool delivered = deliver(options,
                                  report::explanation_text(result, explanation, output_style(options)),
                                  report::explanation_json(result, explanation));

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/commands.h"
+#include "app/lock.h"
 #include "app/machine_input.h"
 #include "app/machine_result.h"
 #include "app/output.h"
@@ -27,6 +28,14 @@ void check_alternatives(const Options& options, const MachineInput& input, text:
   diagnostics.error(text::SourceSpan{},
                     fmt::format("--alternatives: the best builds are known by cost or mass, not by {}", objective),
                     "add --minimise cost, or leave --alternatives out");
+}
+
+/// What was asked for: the best build, without the alternatives, or the whole front.
+std::vector<const evaluation::Design*> designs_of(const Options& options, const report::MachineResult& result) {
+  std::vector<const evaluation::Design*> designs;
+  for (const evaluation::Design& design : result.designs)
+    if (designs.empty() || options.verb == Verb::pareto) designs.push_back(&design);
+  return designs;
 }
 
 int exit_code_of(const report::MachineResult& result) {
@@ -53,6 +62,7 @@ int run_search(const Options& options) {
     for (const evaluation::BomProblem& problem : model->problems())
       diagnostics.error(problem.where, problem.message, problem.hint);
   }
+  const auto lock = input ? verify_lock(options, *input, diagnostics) : std::nullopt;
   print(diagnostics);
   if (!model || !writable || diagnostics.has_errors()) return exit_bad_input;
   const double read = watch.seconds();
@@ -63,6 +73,9 @@ int run_search(const Options& options) {
     result = search_machine(options, *input, *model, stop, line);
     add_ways_out(options, *model, stop, result);
   }
+  if (wants_inventory(options)) result.catalogues = inventory_of(*input);
+  if (lock && options.verb == Verb::solve && !result.designs.empty())
+    compare_with_lock(*lock, *input, result.designs.front());
   result.timing.read = read;
   result.timing.total = watch.seconds();
   if (!options.bom.empty() && !result.designs.empty()) {
@@ -73,6 +86,7 @@ int run_search(const Options& options) {
     }
   }
   if (!result.designs.empty() && !write_order(options, result.designs.front(), result.title)) return exit_bad_input;
+  if (!write_lock(options, *input, designs_of(options, result))) return exit_bad_input;
   const report::Style style = output_style(options);
   const bool front = options.verb == Verb::pareto;
   const std::string json = front ? report::front_json(result) : report::solve_json(result);

@@ -8,6 +8,7 @@
 #include <list>
 
 #include "app/commands.h"
+#include "app/lock.h"
 #include "app/machine_input.h"
 #include "app/machine_result.h"
 #include "app/output.h"
@@ -32,6 +33,7 @@ void refuse_single_outputs(const Options& options, text::Diagnostics& diagnostic
   if (!options.bom.empty()) refuse("--bom");
   if (!options.order.empty()) refuse("--order");
   if (options.builds > 1) refuse("--alternatives");
+  if (!options.write_lock.empty()) refuse("--write-lock");
 }
 
 /// The range among the settings, and its place there. Reported: more than one.
@@ -155,6 +157,7 @@ int run_sweep(const Options& options) {
   const auto range = find_range(options, place, diagnostics);
   std::list<MachineInput> inputs;
   if (range && !diagnostics.has_errors()) inputs = read_all(options, place, *range, diagnostics);
+  if (!inputs.empty() && !diagnostics.has_errors()) verify_lock(options, inputs.front(), diagnostics);
   print(diagnostics);
   if (diagnostics.has_errors() || inputs.empty()) return exit_bad_input;
   const double read = watch.seconds();

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "catalogue/cell_text.h"
 #include "catalogue/column_unit.h"
 
 namespace millwright::catalogue {
@@ -35,15 +36,6 @@ void add_price(const Table& table, Column column, int row, double value, std::ve
   found->lowest = std::min(found->lowest, value);
   found->highest = std::max(found->highest, value);
   ++found->rows;
-}
-
-std::string unit_shown(const Table& table, Column column, int row) {
-  const ColumnDeclaration& declared = declaration(column);
-  if (declared.kind == Kind::money) {
-    const std::string currency(table.text("currency", row));
-    return declared.unit.empty() ? currency : currency + std::string(declared.unit.substr(1));
-  }
-  return declared.unit == "1" ? std::string() : std::string(declared.unit);
 }
 
 /// As many digits as a catalogue gives: the shortest decimal that is the value to 12 digits.
@@ -95,7 +87,7 @@ std::vector<PartLine> list_parts(const Table& table) {
     for_each_column(table.family(), [&](Column each) {
       const ColumnDeclaration& declared = declaration(each);
       if (declared.need != Need::required || declared.kind != Kind::number) return;
-      const std::string unit = unit_shown(table, each, row);
+      const std::string unit = shown_unit(table, each, row);
       figures += fmt::format("{}{} {}{}{}",
                              figures.empty() ? "" : ", ",
                              declared.name,
@@ -131,7 +123,7 @@ PartSheet show(const Table& table, int row) {
       if (std::isnan(figure.si)) return;
       figure.value = declared.kind == Kind::flag ? (figure.si != 0.0 ? "yes" : "no")
                                                  : digits(display_unit(each).from_si(figure.si));
-      figure.unit = unit_shown(table, each, row);
+      figure.unit = shown_unit(table, each, row);
       figure.standing = table.standing(row, each);
       figure.estimate = table.is_estimate(row, each);
       figure.tolerance = table.tolerance(row, each);

@@ -105,6 +105,8 @@ function example_workshop() {
   const motors = path.join(source, "catalogues", "steppers", "ldo.csv");
   fs.mkdirSync(path.join(folder, "my-parts", "steppers"), { recursive: true });
   fs.copyFileSync(motors, path.join(folder, "my-parts", "steppers", "motors.csv"));
+  for (const year of ["2025", "2026"])
+    fs.cpSync(path.join(folder, "my-parts"), path.join(folder, "parts-" + year), { recursive: true });
   fs.copyFileSync(motors, path.join(folder, "motors.csv"));
   for (const name of ["my-bom.csv", "mine.csv"])
     fs.copyFileSync(path.join(source, "problems", "sander-bom.csv"), path.join(folder, name));

@@ -193,6 +193,28 @@ std::string nothing_section(const MachineResult& result, const Texts&) {
   return "<pre>" + escaped(nothing_text(result, Style{})) + "</pre>\n";
 }
 
+std::string catalogues_section(const MachineResult& result, const Texts& t) {
+  const catalogue::Inventory& all = result.catalogues;
+  if (all.layers.empty()) return {};
+  const auto hash = [](const std::string& sha256) { return "<code class=\"hash\">" + escaped(sha256) + "</code>"; };
+  HtmlTable layers("<>><", {t("catalogues.place"), t("catalogues.files"), t("catalogues.rows"), "SHA-256"});
+  for (const catalogue::LayerRecord& layer : all.layers)
+    layers.add({escaped(layer.place), std::to_string(layer.files), std::to_string(layer.rows), hash(layer.sha256)});
+  std::set<std::string> used;
+  for (const Design& design : result.designs)
+    for (const PartLine& part : design.parts) used.insert(part.where.substr(0, part.where.rfind(':')));
+  HtmlTable files("<><", {t("catalogues.file"), t("catalogues.rows"), "SHA-256"});
+  for (const catalogue::FileRecord& file : all.files) {
+    const std::string& place = all.layers[static_cast<std::size_t>(file.layer)].place;
+    const std::string name = used.count(place) > 0 ? place : place + "/" + file.name;
+    if (used.count(name) > 0) files.add({escaped(name), std::to_string(file.rows), hash(file.sha256)});
+  }
+  return section("catalogues",
+                 t("catalogues"),
+                 "<p class=\"hint\">" + escaped(t("catalogues.about")) + "</p>\n" + layers.str() +
+                     (files.empty() ? std::string() : files.str()));
+}
+
 std::string certificate_section(const MachineResult& result, const Texts& t) {
   const std::string text = certificate_text(result, Style{});
   const std::size_t line = text.find('\n');

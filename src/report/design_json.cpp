@@ -70,6 +70,14 @@ std::string unit_of(machine::Quantity counted, const std::string& currency) {
   return counted == machine::Quantity::cost ? currency : std::string(machine::declaration(counted).unit);
 }
 
+void add_catalogues(const MachineResult& result, Json& json) {
+  if (result.catalogues.layers.empty()) return;
+  json["catalogues"] = Json::array();
+  for (const catalogue::LayerRecord& layer : result.catalogues.layers)
+    json["catalogues"].push_back(
+        {{"place", layer.place}, {"files", layer.files}, {"rows", layer.rows}, {"sha256", layer.sha256}});
+}
+
 Json totals_of(const Design& design) {
   Json totals{{"cost", quantity(design.cost, design.currency)}, {"mass", quantity(design.mass, "kg")}};
   for (const evaluation::CountedTotal& each : design.counted) {

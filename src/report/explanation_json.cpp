@@ -101,6 +101,7 @@ void add_feasible(const MachineResult& result, const Explanation& explanation, J
 std::string explanation_json(const MachineResult& result, const Explanation& explanation) {
   Json json = result_of("explain");
   json["problem"] = {{"title", result.title}, {"file", result.file}};
+  add_catalogues(result, json);
   add_steering(result, json);
   json["status"] = to_string(explanation.status == solver::Status::optimal      ? Status::optimal
                              : explanation.status == solver::Status::infeasible ? Status::infeasible

@@ -150,6 +150,7 @@ void add_design(const MachineResult& result, const Design& design, Json& json) {
 std::string solve_json(const MachineResult& result) {
   Json json = result_of("solve");
   json["problem"] = problem_of(result);
+  add_catalogues(result, json);
   add_steering(result, json);
   json["status"] = to_string(result.status);
   json["objective"] = objective_of(result);
@@ -165,6 +166,7 @@ std::string solve_json(const MachineResult& result) {
 std::string front_json(const MachineResult& result) {
   Json json = result_of("pareto");
   json["problem"] = problem_of(result);
+  add_catalogues(result, json);
   add_steering(result, json);
   json["status"] = to_string(result.status);
   json["objectives"] = result.objectives;
@@ -186,6 +188,7 @@ std::string front_json(const MachineResult& result) {
 std::string check_json(const MachineResult& result) {
   Json json = result_of("check");
   json["problem"] = problem_of(result);
+  add_catalogues(result, json);
   add_steering(result, json);
   json["bill_of_materials"] = result.bom_file;
   const bool satisfied = !result.designs.empty() && result.designs.front().satisfied();

@@ -178,6 +178,7 @@ std::string machine_page(const MachineResult& result,
     body += alternatives_html(result, t) + axis_sections(result, design, t) + basis_sections(result, design, t);
     charts["axes"] = axis_charts(result, design, t);
   }
+  body += catalogues_section(result, t);
   if (kind != PageKind::check) body += certificate_section(result, t);
   body += "</main>\n<footer>" + escaped(t("footer")) + "</footer>\n";
   return document((result.title.empty() ? result.file : result.title) + " – Millwright", body, charts, json, t);

@@ -71,6 +71,8 @@ std::string nothing_section(const MachineResult& result, const Texts& t);
 
 /// Outside validity, requirements, assumptions, estimates.
 std::string basis_sections(const MachineResult& result, const evaluation::Design& design, const Texts& t);
+/// The files that the result rests on, with their SHA-256; empty where they were not looked at.
+std::string catalogues_section(const MachineResult& result, const Texts& t);
 std::string certificate_section(const MachineResult& result, const Texts& t);
 
 }  // namespace millwright::report

@@ -192,6 +192,17 @@ const std::vector<PageText>& page_texts() {
       {"assume.prices", "Prices", "Harga"},
       {"assume.estimates", "Estimated inputs", "Masukan perkiraan"},
       {"certificate", "Certificate", "Sertifikat"},
+      {"catalogues", "Catalogues", "Katalog"},
+      {"catalogues.about",
+       "What this result rests on. Of a catalogue, the SHA-256 of the list that sha256sum prints of its files, "
+       "ascending "
+       "by name; then that of each file from which a part above comes.",
+       "Dasar hasil ini. Untuk katalog: SHA-256 dari daftar yang dicetak sha256sum untuk berkas-berkasnya, urut nama; "
+       "lalu SHA-256 tiap berkas asal komponen di atas."},
+      {"catalogues.place", "Catalogue", "Katalog"},
+      {"catalogues.file", "File", "Berkas"},
+      {"catalogues.files", "Files", "Berkas"},
+      {"catalogues.rows", "Rows", "Baris"},
 
       {"sweep", "The best build at each value", "Rancangan terbaik pada tiap nilai"},
       {"sweep.speed", "Against the cycle time", "Terhadap waktu siklus"},

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "catalogue/inventory.h"
 #include "evaluation/ledger.h"
 #include "evaluation/ways_out.h"
 #include "machine/problem.h"
@@ -63,6 +64,7 @@ struct MachineResult {
   std::string title;
   std::string file;
   std::string currency;                     ///< of the problem
+  catalogue::Inventory catalogues;          ///< the files that parts were read from, where they are to be told
   machine::Steering steering;               ///< what was asked for beside the problem file
   std::vector<std::string> axes;            ///< in the order of the problem file
   std::vector<std::string> objectives;      ///< by name, see machine/objective.h

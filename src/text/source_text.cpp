@@ -86,6 +86,11 @@ SourceText::SourceText(std::string path, Buffer contents)
       buffer_(std::move(contents)),
       contents_(without_mark({buffer_.bytes.get(), buffer_.size})) {}
 
+std::string_view SourceText::bytes() const {
+  if (buffer_.bytes) return {buffer_.bytes.get(), buffer_.size};
+  return bytes_;
+}
+
 std::shared_ptr<const SourceText> SourceText::from_string(std::string path, std::string contents) {
   return std::make_shared<const SourceText>(std::move(path), std::move(contents));
 }

@@ -59,6 +59,8 @@ class SourceText {
 
   const std::string& path() const { return path_; }
   std::string_view contents() const { return contents_; }
+  /// As the file has them, with a byte order mark where there is one.
+  std::string_view bytes() const;
   int line_count() const;
 
   /// Line `number` (from 1) without its line end; empty outside the text.

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/catalogue_difference.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "report/design_text.h"
+#include "report/json_value.h"
+
+namespace millwright::report {
+
+namespace {
+
+using catalogue::CellChange;
+using catalogue::FamilyDifference;
+using catalogue::PartChange;
+using catalogue::Table;
+
+constexpr const char* not_given = "–";
+constexpr std::size_t most_points = 12;  ///< of a curve, listed; JSON has them all
+
+std::string counted(std::size_t count, const char* what) { return fmt::format("{} {}", count, what); }
+
+std::string parts_text(std::size_t count) { return counted(count, count == 1 ? "part" : "parts"); }
+
+std::string line_of(const text::SourceSpan& span) {
+  return fmt::format("{}:{}", text::printable(span.text ? span.text->path() : std::string()), span.line);
+}
+
+std::string value_text(const std::string& value) { return value.empty() ? not_given : text::printable(value, 1000); }
+
+std::string relative_text(double relative) {
+  if (!std::isfinite(relative)) return {};
+  constexpr double smallest = 5e-4;  // that three digits of a percent show
+  if (std::abs(relative) < smallest) return fmt::format("{:+.0e} %", 100.0 * relative);
+  return signed_text(100.0 * relative, 1) + " %";
+}
+
+std::string cells_text(const PartChange& part, const Style& style) {
+  TextTable table({{""}, {"", Align::left, 0, false, 2}, {"", Align::right}});
+  std::size_t points = 0;
+  for (const CellChange& cell : part.cells) {
+    if (!cell.point.empty() && ++points > most_points) continue;
+    std::string name(catalogue::declaration(cell.column).name);
+    if (!cell.point.empty()) name += " at " + cell.point;
+    table.add({std::move(name), value_text(cell.a) + " -> " + value_text(cell.b), relative_text(cell.relative)});
+  }
+  std::string out = table.str(6, style);
+  if (points > most_points) out += fmt::format("      ... and {} more (--json has them)\n", points - most_points);
+  return out;
+}
+
+std::string changed_text(const Table& a, const Table& b, const PartChange& part, const Style& style) {
+  std::string title = text::printable(catalogue::part_title(b, part.b_row));
+  if (part.a_points > 1 || part.b_points > 1)
+    title += part.a_points == part.b_points ? fmt::format(", {} points", part.b_points)
+                                            : fmt::format(", {} -> {} points", part.a_points, part.b_points);
+  const std::string in_a = "A " + line_of(a.where(part.a_row)), in_b = "B " + line_of(b.where(part.b_row));
+  const std::string together = "      " + in_a + "   " + in_b;
+  return "    " + title + "\n" +
+         style.faint(display_width(together) <= style.width ? together : "      " + in_a + "\n      " + in_b) + "\n" +
+         cells_text(part, style);
+}
+
+std::string list_text(const char* title, const Table& table, const std::vector<int>& rows, const Style& style) {
+  if (rows.empty()) return {};
+  TextTable lines({{""}, {""}});
+  for (const int row : rows) lines.add({text::printable(catalogue::part_title(table, row)), line_of(table.where(row))});
+  return fmt::format("  {}\n", title) + lines.str(4, style);
+}
+
+std::string family_text(const Table& a, const Table& b, const FamilyDifference& family, const Style& style) {
+  std::string out;
+  if (!family.changed.empty()) out += "  changed\n";
+  for (const PartChange& part : family.changed) out += changed_text(a, b, part, style);
+  return out + list_text("only in B", b, family.added, style) + list_text("only in A", a, family.removed, style);
+}
+
+std::string counts_text(std::size_t added, std::size_t removed, std::size_t changed, std::size_t same) {
+  std::string out;
+  for (const auto& [count, what] : {std::pair<std::size_t, const char*>{added, "added"},
+                                    {removed, "removed"},
+                                    {changed, "changed"},
+                                    {same, "the same"}})
+    if (count > 0) out += (out.empty() ? "" : ", ") + counted(count, what);
+  return out.empty() ? "no parts" : out;
+}
+
+std::string side_text(const char* letter, const ComparedCatalogue& side) {
+  return fmt::format(
+      "{}  {}, {} rows\n", letter, text::printable(side.name), side.catalogue ? side.catalogue->rows() : 0);
+}
+
+Json place_of(const text::SourceSpan& span) {
+  if (!span.text) return nullptr;
+  return fmt::format("{}:{}:{}", span.text->path(), span.line, span.column);
+}
+
+Json part_json(const Table& table, int row) {
+  return Json{{"manufacturer", table.manufacturer(row)},
+              {"part_number", table.part_number(row)},
+              {"title", catalogue::part_title(table, row)}};
+}
+
+Json cell_json(const CellChange& cell) {
+  const auto given = [](const std::string& value) { return value.empty() ? Json(nullptr) : Json(value); };
+  Json json{{"column", catalogue::declaration(cell.column).name}};
+  if (!cell.point.empty()) json["point"] = cell.point;
+  json["a"] = given(cell.a);
+  json["b"] = given(cell.b);
+  json["relative_change"] = number(cell.relative);
+  json["a_place"] = place_of(cell.a_where);
+  json["b_place"] = place_of(cell.b_where);
+  return json;
+}
+
+Json rows_json(const Table& table, const std::vector<int>& rows) {
+  Json list = Json::array();
+  for (const int row : rows) {
+    list.push_back(part_json(table, row));
+    list.back()["place"] = place_of(table.where(row));
+  }
+  return list;
+}
+
+Json changes_json(const Table& a, const Table& b, const std::vector<PartChange>& changes) {
+  Json list = Json::array();
+  for (const PartChange& part : changes) {
+    Json json = part_json(b, part.b_row);
+    json["a_place"] = place_of(a.where(part.a_row));
+    json["b_place"] = place_of(b.where(part.b_row));
+    if (part.a_points > 1 || part.b_points > 1) json["points"] = {{"a", part.a_points}, {"b", part.b_points}};
+    json["cells"] = Json::array();
+    for (const CellChange& cell : part.cells) json["cells"].push_back(cell_json(cell));
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
+}  // namespace
+
+std::string catalogue_difference_text(const ComparedCatalogue& a,
+                                      const ComparedCatalogue& b,
+                                      const std::vector<FamilyDifference>& families,
+                                      const Style& style) {
+  std::string out = side_text("A", a) + side_text("B", b) + "\n";
+  std::size_t added = 0, removed = 0, changed = 0, same = 0;
+  for (const FamilyDifference& family : families) {
+    added += family.added.size();
+    removed += family.removed.size();
+    changed += family.changed.size();
+    same += static_cast<std::size_t>(family.same);
+    if (family.equal()) continue;
+    out +=
+        style.heading(catalogue::declaration(family.family).name) + ": " +
+        counts_text(
+            family.added.size(), family.removed.size(), family.changed.size(), static_cast<std::size_t>(family.same)) +
+        "\n";
+    if (!style.brief)
+      out += family_text(a.catalogue->table(family.family), b.catalogue->table(family.family), family, style) + "\n";
+  }
+  const bool equal = added + removed + changed == 0;
+  return out + (equal ? "No differences: " + parts_text(same) + " the same.\n"
+                      : "In all: " + counts_text(added, removed, changed, same) + ".\n");
+}
+
+std::string catalogue_difference_json(const ComparedCatalogue& a,
+                                      const ComparedCatalogue& b,
+                                      const std::vector<FamilyDifference>& families) {
+  Json json = result_of("catalogue diff");
+  json["a"] = {{"name", a.name}, {"rows", a.catalogue->rows()}};
+  json["b"] = {{"name", b.name}, {"rows", b.catalogue->rows()}};
+  bool equal = true;
+  Json list = Json::array();
+  for (const FamilyDifference& family : families) {
+    equal = equal && family.equal();
+    const Table& in_a = a.catalogue->table(family.family);
+    const Table& in_b = b.catalogue->table(family.family);
+    list.push_back({{"family", catalogue::declaration(family.family).name},
+                    {"same", family.same},
+                    {"changed", changes_json(in_a, in_b, family.changed)},
+                    {"added", rows_json(in_b, family.added)},
+                    {"removed", rows_json(in_a, family.removed)}});
+  }
+  json["equal"] = equal;
+  json["families"] = std::move(list);
+  return text_of(json);
+}
+
+}  // namespace millwright::report

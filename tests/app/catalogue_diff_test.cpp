@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "catch.h"
+#include "program.h"
+
+using namespace millwright::app;
+
+namespace {
+
+const std::string motors =
+    "manufacturer,part_number,step_angle [deg],holding_torque [N.m],rated_current [A],price,currency\n";
+
+std::size_t longest_line(const std::string& text) {
+  std::istringstream lines(text);
+  std::size_t longest = 0;
+  for (std::string line; std::getline(lines, line);) longest = std::max(longest, line.size());
+  return longest;
+}
+
+}  // namespace
+
+TEST_CASE("catalogue diff tells what changed, in 80 columns and as JSON, and its exit code says whether") {
+  const Workshop shop;
+  shop.write("old/steppers/m.csv", motors + "Acme,M1,1.8,1.26,2,10,USD\nAcme,M2,1.8,1,2,5,USD\n");
+  shop.write("new/steppers/n.csv", motors + "Acme,M3,1.8,1,2,5,USD\nAcme,M1,1.8,1.26,2,11.5,USD\n");
+  const Outcome same = shop.run({"catalogue", "diff", "old", "old"});
+  CHECK(same.exit_code == 0);
+  CHECK(same.prints("No differences: 2 parts the same."));
+  const Outcome text = shop.run({"catalogue", "diff", "old", "new"});
+  CHECK(text.exit_code == 1);
+  CHECK(text.err.empty());
+  CHECK(text.prints("10 USD -> 11.5 USD"));
+  CHECK(text.prints("+15.0 %"));
+  CHECK(text.prints("A old/steppers/m.csv:2   B new/steppers/n.csv:3"));
+  CHECK(text.prints("Acme M3  new/steppers/n.csv:2"));
+  CHECK(text.prints("Acme M2  old/steppers/m.csv:3"));
+  CHECK(longest_line(text.out) <= 80);
+  const Outcome files = shop.run({"catalogue", "diff", "old/steppers/m.csv", "new/steppers/n.csv", "--json", "-"});
+  CHECK(files.exit_code == 1);
+  const auto json = nlohmann::json::parse(files.out);
+  CHECK(json.at("command") == "catalogue diff");
+  CHECK(json.at("equal") == false);
+  const auto& family = json.at("families").at(0);
+  CHECK(family.at("family") == "steppers");
+  CHECK(family.at("added").at(0).at("part_number") == "M3");
+  CHECK(family.at("removed").at(0).at("place") == "old/steppers/m.csv:3:6");
+  const auto& cell = family.at("changed").at(0).at("cells").at(0);
+  CHECK(cell.at("column") == "price");
+  CHECK(cell.at("a") == "10 USD");
+  CHECK(cell.at("b") == "11.5 USD");
+  CHECK(cell.at("relative_change").get<double>() == Approx(0.15));
+  CHECK(cell.at("a_place") == "old/steppers/m.csv:2:20");
+}
+
+TEST_CASE("catalogue diff of one catalogue shows what it does on top of the shipped ones") {
+  const Workshop shop;
+  shop.write("mine/steppers/m.csv", motors + "Acme,M1,1.8,1.26,2,10,USD\n");
+  shop.write("more/steppers/m.csv", motors + "Acme,M1,1.8,1.26,2,12,USD\n");
+  const Outcome first = shop.run({"catalogue", "diff", "mine", "--json", "-"});
+  CHECK(first.exit_code == 1);
+  const auto json = nlohmann::json::parse(first.out);
+  CHECK(json.at("families").size() > 10);  // all that is shipped
+  CHECK(json.at("families").at(0).at("added").size() == 1);
+  CHECK(json.at("families").at(0).at("removed").empty());
+  const Outcome second = shop.run({"catalogue", "diff", "more", "--catalogue", "mine"});
+  CHECK(second.exit_code == 1);
+  CHECK(second.prints("10 USD -> 12 USD"));
+  CHECK(second.prints("In all: 1 changed"));
+  CHECK(shop.run({"catalogue", "diff", "mine", "--catalogue", "mine"}).exit_code == 0);
+  CHECK(shop.run({"catalogue", "diff", "mine", "--family", "belts"}).exit_code == 0);
+}
+
+TEST_CASE("catalogue diff refuses what it cannot compare, all in one go") {
+  const Workshop shop;
+  std::filesystem::create_directory(shop.path("empty"));
+  shop.write("twice/steppers/m.csv", motors + "Acme,M1,1.8,1.26,2,10,USD\nAcme,M1,1.8,1.2,2,10,USD\n");
+  const Outcome outcome = shop.run({"catalogue", "diff", "empty", "twice", "--family", "stepers"});
+  CHECK(outcome.exit_code == 2);
+  CHECK(outcome.out.empty());
+  CHECK(outcome.says("the catalogue 'empty' is empty"));
+  CHECK(outcome.says("twice/steppers/m.csv:3:6: error"));
+  CHECK(outcome.says("steppers"));
+  CHECK(outcome.says("3 errors"));
+  const Outcome missing = shop.run({"catalogue", "diff", "nowhere", "twice", "--catalogue", "empty"});
+  CHECK(missing.exit_code == 2);
+  CHECK(missing.says("nowhere: error"));
+  CHECK(missing.says("--catalogue: both catalogues are named"));
+}
