@@ -36,6 +36,8 @@ int run(const Options& options) {
     case Verb::catalogue_show:
     case Verb::catalogue_lint:
       return run_catalogue(options);
+    case Verb::catalogue_import:
+      return run_import(options);
   }
   return exit_bug;
 }

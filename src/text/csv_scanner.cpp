@@ -81,6 +81,8 @@ void CsvScanner::seek(std::size_t offset) {
 }
 
 bool CsvScanner::next(std::vector<std::uint32_t>& starts) {
+  const std::size_t record = position_;
+  const std::size_t most = starts.size() + cell_limit + 1;
   std::size_t cell_begin = position_;
   starts.push_back(narrow(cell_begin));
   while (true) {
@@ -89,6 +91,7 @@ bool CsvScanner::next(std::vector<std::uint32_t>& starts) {
       if (!quoted_cell(cell_begin, found)) return false;
       continue;
     }
+    if (starts.size() == most) return too_many_cells(record);
     cell_begin = found + 1;
     starts.push_back(narrow(cell_begin));
     if (found >= bytes_.size() || bytes_[found] == '\n') {
@@ -156,6 +159,13 @@ void CsvScanner::unescape(std::size_t cell_begin, std::size_t opening, std::size
     if (bytes_[i] == '"') ++i;
   }
   unescaped_.insert_or_assign(narrow(cell_begin), std::move(content));
+}
+
+bool CsvScanner::too_many_cells(std::size_t record) {
+  diagnostics_.error(span_at(text_, record, 1),
+                     "more than " + std::to_string(cell_limit) + " cells in a line: this is no table of parts",
+                     "is this the right file?");
+  return give_up_line(position_ = record);
 }
 
 /// Goes on with the line after the one that holds `offset`.
