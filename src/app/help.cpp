@@ -102,8 +102,10 @@ constexpr std::pair<std::string_view, std::string_view> texts[] = {
      "  millwright catalogue show 23HS22-2804S\n"
      "  millwright catalogue lint my-parts/steppers/motors.csv"},
     {"import",
-     "Shows which column of the table is which of ours, in what unit, and how sure that is; asks; writes a catalogue file that lint\n"
-     "has examined. Columns that are not ours are kept as x_NAME. Exit code 1 if it was not confirmed, 2 if something is wrong.\n"
+     "Shows which column of the table is which of ours, in what unit, and how sure that is; asks; writes a catalogue "
+     "file that lint\n"
+     "has examined. Columns that are not ours are kept as x_NAME. Exit code 1 if it was not confirmed, 2 if something "
+     "is wrong.\n"
      "Examples:\n"
      "  millwright catalogue import prices.xlsx --family steppers\n"
      "  millwright catalogue import prices.xlsx --family steppers --constant manufacturer=ACT --unit mass=kg \\\n"

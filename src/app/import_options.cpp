@@ -12,15 +12,17 @@ void add_import_options(CLI::App& verb, Options& options) {
   verb.add_flag("--yes,-y", import.yes, "write without asking; not where a unit is merely assumed");
   verb.add_option("--mapping", import.mapping, "read the columns as this file says, and write without asking")
       ->type_name("FILE.toml");
-  verb.add_option("--save-mapping", import.save_mapping, "write the mapping as a file, to edit or for the next price list")
+  verb.add_option(
+          "--save-mapping", import.save_mapping, "write the mapping as a file, to edit or for the next price list")
       ->type_name("FILE.toml");
   const auto repeatable = [&](const char* name, std::vector<std::string>& list, const char* type, const char* text) {
     verb.add_option(name, list, text)->type_name(type)->allow_extra_args(false);
   };
-  repeatable("--constant",
-             import.constants,
-             "COLUMN=VALUE",
-             "the same for all rows, e.g. manufacturer='ACT', currency=EUR, price_basis='shop 2026-01-15' (repeatable)");
+  repeatable(
+      "--constant",
+      import.constants,
+      "COLUMN=VALUE",
+      "the same for all rows, e.g. manufacturer='ACT', currency=EUR, price_basis='shop 2026-01-15' (repeatable)");
   repeatable("--unit",
              import.units,
              "COLUMN=UNIT",

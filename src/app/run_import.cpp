@@ -34,9 +34,14 @@ void add_assignments(const char* option,
     const text::SourceSpan where = text::span_at(typed, begin, word.size());
     const std::size_t equals = word.find('=');
     if (equals == std::string::npos || equals == 0)
-      diagnostics.error(where, "a column, '=' and a value are wanted", std::string("for example ") + option + " mass=kg");
+      diagnostics.error(
+          where, "a column, '=' and a value are wanted", std::string("for example ") + option + " mass=kg");
     else
-      add(request, std::string_view(word).substr(0, equals), std::string_view(word).substr(equals + 1), where, diagnostics);
+      add(request,
+          std::string_view(word).substr(0, equals),
+          std::string_view(word).substr(equals + 1),
+          where,
+          diagnostics);
   }
 }
 
@@ -45,11 +50,15 @@ ImportRequest request_of(const Options& options, text::Diagnostics& diagnostics)
   ImportRequest request;
   if (!options.subject.empty()) {
     const auto typed = text::SourceText::from_string("command line", "--family " + options.subject);
-    request.family = catalogue::family_named(options.subject, text::span_at(typed, 9, options.subject.size()), diagnostics);
+    request.family =
+        catalogue::family_named(options.subject, text::span_at(typed, 9, options.subject.size()), diagnostics);
   }
   request.format.sheet = said.sheet;
   request.format.encoding = said.encoding;
-  request.format.separator = said.separator == "tab" ? '\t' : said.separator == "semicolon" ? ';' : said.separator == "comma" ? ',' : '\0';
+  request.format.separator = said.separator == "tab"         ? '\t'
+                             : said.separator == "semicolon" ? ';'
+                             : said.separator == "comma"     ? ','
+                                                             : '\0';
   if (!said.decimal.empty())
     request.choices.mark = said.decimal == "comma" ? catalogue::DecimalMark::comma : catalogue::DecimalMark::point;
   // What the command line says goes before the file; but only the file may know the family.
@@ -58,7 +67,8 @@ ImportRequest request_of(const Options& options, text::Diagnostics& diagnostics)
   if (!request.family) request.family = from_file.family;
   if (!request.family) {
     if (!diagnostics.has_errors())
-      diagnostics.error("which parts are these?", "say --family steppers; 'millwright catalogue list' shows the families");
+      diagnostics.error("which parts are these?",
+                        "say --family steppers; 'millwright catalogue list' shows the families");
     return request;
   }
   add_assignments("--constant", said.constants, request, diagnostics, catalogue::add_constant);
@@ -154,8 +164,8 @@ class Import {
   bool save(const ImportMapping& mapping, bool confirmed) {
     if (said_.save_mapping.empty()) return true;
     text::Diagnostics failures;
-    const bool saved =
-        text::write_file_atomically(said_.save_mapping, catalogue::mapping_text(mapping, request_, confirmed), failures);
+    const bool saved = text::write_file_atomically(
+        said_.save_mapping, catalogue::mapping_text(mapping, request_, confirmed), failures);
     print(failures);
     if (saved && !options_.quiet) show(fmt::format("{}: mapping written.\n", text::printable(said_.save_mapping)));
     return saved;
@@ -167,10 +177,7 @@ class Import {
     if (consent != Consent::none && !file) return stop();
     bool written = true;
     const auto summary = catalogue::write_import(
-        sheet,
-        mapping,
-        [&](std::string_view lines) { return written = !file || file->append(lines); },
-        diagnostics_);
+        sheet, mapping, [&](std::string_view lines) { return written = !file || file->append(lines); }, diagnostics_);
     if (summary.rows == 0 && !diagnostics_.has_errors())
       diagnostics_.error(mapping.header, "there are no parts below the header");
     print(diagnostics_);

@@ -63,7 +63,8 @@ ImportFields::ImportFields(const ImportMapping& mapping, text::Diagnostics& diag
 void ImportFields::add(Column target) {
   const ColumnDeclaration& declared = declaration(target);
   ImportField field;
-  const auto source = std::find_if(mapping_.columns.begin(), mapping_.columns.end(), [&](const auto& each) { return each.target == target; });
+  const auto source = std::find_if(
+      mapping_.columns.begin(), mapping_.columns.end(), [&](const auto& each) { return each.target == target; });
   const auto constant = std::find_if(
       mapping_.constants.begin(), mapping_.constants.end(), [&](const auto& each) { return each.first == target; });
   field.header = std::string(declared.name);
@@ -82,7 +83,8 @@ void ImportFields::add(Column target) {
   }
   if (declared.name == "currency") {
     const bool in_prices = std::any_of(mapping_.columns.begin(), mapping_.columns.end(), [](const SourceColumn& each) {
-      return each.target && declaration(*each.target).kind == Kind::money && (!each.currency.empty() || !each.cell_units.empty());
+      return each.target && declaration(*each.target).kind == Kind::money &&
+             (!each.currency.empty() || !each.cell_units.empty());
     });
     if (!field.source && constant == mapping_.constants.end() && !in_prices) return;
     field.kind = ImportField::Kind::currency;
@@ -102,10 +104,14 @@ std::string ImportFields::header_line() const {
   return line + "\n";
 }
 
-void ImportFields::refuse(const SheetRows& row, std::size_t source, const std::string& message, const std::string& hint) {
+void ImportFields::refuse(const SheetRows& row,
+                          std::size_t source,
+                          const std::string& message,
+                          const std::string& hint) {
   row_is_good_ = false;
-  const std::string name = mapping_.columns[source].target ? std::string(declaration(*mapping_.columns[source].target).name)
-                                                           : mapping_.columns[source].kept_name;
+  const std::string name = mapping_.columns[source].target
+                               ? std::string(declaration(*mapping_.columns[source].target).name)
+                               : mapping_.columns[source].kept_name;
   diagnostics_.error(row.span(source), name + ": " + message, hint);
 }
 
@@ -179,7 +185,8 @@ void ImportFields::append_number(const SheetRows& row, const ImportField& field,
   const bool money = field.kind == ImportField::Kind::money;
   if (cell.empty()) return;
   const DecimalMark mark = row.is_number(source) ? DecimalMark::point : column.mark;
-  const bool bare_is_known = money || (column.unit_origin != UnitOrigin::none && column.unit_origin != UnitOrigin::cells) ||
+  const bool bare_is_known = money ||
+                             (column.unit_origin != UnitOrigin::none && column.unit_origin != UnitOrigin::cells) ||
                              declaration(*column.target).unit == "1";
   if (mark == DecimalMark::point && !column.converts && bare_is_known && is_plain(cell)) {
     line += cell;
@@ -198,7 +205,8 @@ void ImportFields::append_number(const SheetRows& row, const ImportField& field,
                               text::quoted(parts.number),
                               mark == DecimalMark::comma ? "comma" : "point"),
                   parts.number.size() > 400 ? fmt::format("{} characters are no number", parts.number.size()) : "");
-  std::string words = std::string(is_diameter_sign(parts.before) ? std::string_view() : parts.before) + std::string(parts.after);
+  std::string words =
+      std::string(is_diameter_sign(parts.before) ? std::string_view() : parts.before) + std::string(parts.after);
   if (words.empty()) {
     if (!bare_is_known)
       return refuse(row,
@@ -274,9 +282,10 @@ std::string ImportFields::currency_of_row(const SheetRows& row, const ImportFiel
     const std::string_view cell = row.cell(*field.source);
     said = currency_of(cell);
     if (said.empty() || said == "?") said = std::string(cell);
-  } else if (const auto constant = std::find_if(mapping_.constants.begin(),
-                                                mapping_.constants.end(),
-                                                [](const auto& each) { return declaration(each.first).name == "currency"; });
+  } else if (const auto constant =
+                 std::find_if(mapping_.constants.begin(),
+                              mapping_.constants.end(),
+                              [](const auto& each) { return declaration(each.first).name == "currency"; });
              constant != mapping_.constants.end()) {
     said = constant->second;
   }

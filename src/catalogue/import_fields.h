@@ -18,7 +18,7 @@ void append_csv_cell(std::string& line, std::string_view text);
 /// A column of the file that is written.
 struct ImportField {
   enum class Kind { constant, text, frame, number, money, flag, currency, kept } kind = Kind::text;
-  std::string header;            ///< "holding_torque [N.cm]"
+  std::string header;                 ///< "holding_torque [N.cm]"
   std::optional<std::size_t> source;  ///< column of the table
   std::string constant;
   std::string out_unit;

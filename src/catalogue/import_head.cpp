@@ -34,9 +34,11 @@ std::size_t names_in(const SheetRows& row, const ImportChoices& choices) {
     const std::string_view cell = row.cell(i);
     if (cell.empty() || cell.size() > longest_header_cell || row.is_number(i)) continue;
     if (choices.complete)
-      count += std::any_of(choices.columns.begin(), choices.columns.end(), [&](const auto& given) { return given.from == cell; })
-                   ? 1
-                   : 0;
+      count +=
+          std::any_of(
+              choices.columns.begin(), choices.columns.end(), [&](const auto& given) { return given.from == cell; })
+              ? 1
+              : 0;
     else if (cut_cell(cell).number.size() < cell.size())
       count += names_a_column(cell, choices.family) ? 1 : 0;
   }
@@ -83,18 +85,20 @@ std::optional<TableHead> find_head(const ImportSheet& sheet,
     found = best.names > 0 && row.begin() == best.begin;
     std::string title;
     for (std::size_t i = 0; !found && i < row.cells() && title.size() < longest_header_cell; ++i)
-      if (!row.cell(i).empty()) title += (title.empty() ? "" : " ") + std::string(row.cell(i).substr(0, longest_header_cell));
+      if (!row.cell(i).empty())
+        title += (title.empty() ? "" : " ") + std::string(row.cell(i).substr(0, longest_header_cell));
     if (!found && head.titles.size() < rows_looked_at) head.titles.push_back(std::move(title));
     if (best.names == 0) break;
   }
   if (!found) {
     const std::string family(declaration(choices.family).name);
-    diagnostics.error(text::whole(sheet.text),
-                      choices.complete ? "no row holds the headers that the mapping names"
-                                       : fmt::format("no row among the first {} names columns of {}", rows_looked_at, family),
-                      choices.complete ? "is this the table it was made for?"
-                                       : "is it another family? 'millwright catalogue list' shows them; a mapping file can "
-                                         "name the columns");
+    diagnostics.error(
+        text::whole(sheet.text),
+        choices.complete ? "no row holds the headers that the mapping names"
+                         : fmt::format("no row among the first {} names columns of {}", rows_looked_at, family),
+        choices.complete ? "is this the table it was made for?"
+                         : "is it another family? 'millwright catalogue list' shows them; a mapping file can "
+                           "name the columns");
     return std::nullopt;
   }
   std::size_t used = row.cells();

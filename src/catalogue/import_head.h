@@ -25,6 +25,8 @@ struct TableHead {
 };
 
 /// The row that names most of our columns, or those of a mapping file, among the first ones. Reports if there is none.
-std::optional<TableHead> find_head(const ImportSheet& sheet, const ImportChoices& choices, text::Diagnostics& diagnostics);
+std::optional<TableHead> find_head(const ImportSheet& sheet,
+                                   const ImportChoices& choices,
+                                   text::Diagnostics& diagnostics);
 
 }  // namespace millwright::catalogue

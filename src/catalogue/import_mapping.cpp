@@ -61,7 +61,8 @@ Figures look_at(const std::vector<TableHead::Sample>& samples, Column target, co
     if (!words.empty() && !own) continue;
     ++figures.numbers;
     if (own) ++figures.with_unit;
-    const DecimalMark mark = mark_evidence(parts.number) == MarkEvidence::comma ? DecimalMark::comma : DecimalMark::point;
+    const DecimalMark mark =
+        mark_evidence(parts.number) == MarkEvidence::comma ? DecimalMark::comma : DecimalMark::point;
     const auto value = text::parse_number(plain_number(parts.number, mark));
     if (!value) continue;
     ++figures.judged;
@@ -73,7 +74,10 @@ Figures look_at(const std::vector<TableHead::Sample>& samples, Column target, co
 
 class Proposal {
  public:
-  Proposal(const ImportSheet& sheet, const TableHead& head, const ImportChoices& choices, text::Diagnostics& diagnostics)
+  Proposal(const ImportSheet& sheet,
+           const TableHead& head,
+           const ImportChoices& choices,
+           text::Diagnostics& diagnostics)
       : sheet_(sheet), head_(head), choices_(choices), diagnostics_(diagnostics) {}
 
   ImportMapping make() {
@@ -104,7 +108,9 @@ class Proposal {
         choices_.constants.begin(), choices_.constants.end(), [&](const auto& each) { return each.first == column; });
   }
   bool is_taken(Column column) const {
-    return std::any_of(mapping_.columns.begin(), mapping_.columns.end(), [&](const SourceColumn& each) { return each.target == column; });
+    return std::any_of(mapping_.columns.begin(), mapping_.columns.end(), [&](const SourceColumn& each) {
+      return each.target == column;
+    });
   }
   const GivenColumn* given(Column column) const {
     for (const GivenColumn& each : choices_.columns)
@@ -115,9 +121,10 @@ class Proposal {
   void take_given() {
     for (const GivenColumn& each : choices_.columns) {
       if (each.from.empty()) continue;
-      const auto found = std::find_if(mapping_.columns.begin(), mapping_.columns.end(), [&](const SourceColumn& column) {
-        return column.header == each.from && column.occurrence == each.occurrence;
-      });
+      const auto found =
+          std::find_if(mapping_.columns.begin(), mapping_.columns.end(), [&](const SourceColumn& column) {
+            return column.header == each.from && column.occurrence == each.occurrence;
+          });
       if (found == mapping_.columns.end()) {
         diagnostics_.error(each.where,
                            fmt::format("the table has no column {}", text::quoted(each.from, 80)),
@@ -272,7 +279,8 @@ class Proposal {
     column.unit = candidate.unit;
     column.currency = candidate.currency;
     column.unit_origin = candidate.origin;
-    if (candidate.origin == UnitOrigin::assumed) column.confidence = std::min(column.confidence, confidence_without_unit);
+    if (candidate.origin == UnitOrigin::assumed)
+      column.confidence = std::min(column.confidence, confidence_without_unit);
   }
 
   void name_kept() {
@@ -282,7 +290,8 @@ class Proposal {
       if (column.target) continue;
       std::string slug = "x";
       for (const char c : column.header) {
-        const bool letter = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || (static_cast<unsigned char>(c) & 0x80U) != 0;
+        const bool letter =
+            (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || (static_cast<unsigned char>(c) & 0x80U) != 0;
         if (c >= 'A' && c <= 'Z')
           slug += slug.size() == 1 ? "_" : "", slug += static_cast<char>(c - 'A' + 'a');
         else if (letter)
@@ -310,8 +319,10 @@ void demand_units(const ImportChoices& choices, const ImportMapping& mapping, te
   for (const GivenColumn& given : choices.columns) {
     if (given.from.empty() || !wants_unit(given.target)) continue;
     for (const SourceColumn& column : mapping.columns) {
-      const bool open = column.target == given.target && column.has_bare_figures && column.unit_origin == UnitOrigin::none;
-      const bool price_of_piece = declaration(given.target).kind == Kind::money && declaration(given.target).unit.empty();
+      const bool open =
+          column.target == given.target && column.has_bare_figures && column.unit_origin == UnitOrigin::none;
+      const bool price_of_piece =
+          declaration(given.target).kind == Kind::money && declaration(given.target).unit.empty();
       if (open && !price_of_piece)
         diagnostics.error(given.where,
                           fmt::format("nothing says the unit of {}", declaration(given.target).name),
@@ -324,8 +335,12 @@ void demand_units(const ImportChoices& choices, const ImportMapping& mapping, te
 void complete(const ImportSheet& sheet, ImportMapping& mapping, text::Diagnostics& diagnostics) {
   const auto provided = [&](std::string_view name) {
     const Column wanted = column(mapping.family, name);
-    return std::any_of(mapping.columns.begin(), mapping.columns.end(), [&](const auto& each) { return each.target == wanted; }) ||
-           std::any_of(mapping.constants.begin(), mapping.constants.end(), [&](const auto& each) { return each.first == wanted; });
+    return std::any_of(mapping.columns.begin(),
+                       mapping.columns.end(),
+                       [&](const auto& each) { return each.target == wanted; }) ||
+           std::any_of(mapping.constants.begin(), mapping.constants.end(), [&](const auto& each) {
+             return each.first == wanted;
+           });
   };
   if (!provided("source")) {
     std::string origin = "imported from " + std::filesystem::path(sheet.text->path()).filename().string();
@@ -335,13 +350,16 @@ void complete(const ImportSheet& sheet, ImportMapping& mapping, text::Diagnostic
   const auto demand = [&](std::string_view name, const std::string& hint) {
     if (provided(name)) return;
     diagnostics.error(
-        mapping.header, fmt::format("nothing in the table gives {}, which {} need", name, declaration(mapping.family).name), hint);
+        mapping.header,
+        fmt::format("nothing in the table gives {}, which {} need", name, declaration(mapping.family).name),
+        hint);
   };
   for (std::size_t index = 0; index < column_count(mapping.family); ++index) {
     const ColumnDeclaration& declared = declaration(Column{mapping.family, static_cast<std::uint8_t>(index)});
     if (declared.need == Need::required)
-      demand(declared.name,
-             fmt::format("say --constant {}='...' if it is the same for all rows: {}", declared.name, declared.meaning));
+      demand(
+          declared.name,
+          fmt::format("say --constant {}='...' if it is the same for all rows: {}", declared.name, declared.meaning));
     if (declared.need == Need::expected && !provided(declared.name)) mapping.missing.emplace_back(declared.name);
   }
   const FamilyDeclaration& sold = declaration(mapping.family);

@@ -20,11 +20,11 @@ enum class UnitOrigin { none, header, units_row, cells, given, assumed };
 /// What an import knows of one of our columns from the command line or a mapping file.
 struct GivenColumn {
   Column target{};
-  std::string from;                ///< header, as it is written; empty: only the unit is given
-  int occurrence = 1;              ///< of columns of that header the first, second, ...
-  std::optional<std::string> unit; ///< of figures without a unit of their own
+  std::string from;                 ///< header, as it is written; empty: only the unit is given
+  int occurrence = 1;               ///< of columns of that header the first, second, ...
+  std::optional<std::string> unit;  ///< of figures without a unit of their own
   DecimalMark mark = DecimalMark::unknown;
-  text::SourceSpan where;          ///< where that is said
+  text::SourceSpan where;  ///< where that is said
 };
 
 /// What a person says about a table; all of it may be empty.
@@ -47,8 +47,8 @@ struct SourceColumn {
   std::vector<std::string> reasons;
 
   // Of numbers and prices:
-  std::string unit;           ///< of figures without a unit of their own, as our header takes it
-  std::string currency;       ///< of a price, if header or units row say it; "?" for $
+  std::string unit;      ///< of figures without a unit of their own, as our header takes it
+  std::string currency;  ///< of a price, if header or units row say it; "?" for $
   UnitOrigin unit_origin = UnitOrigin::none;
   DecimalMark mark = DecimalMark::unknown;
   std::vector<std::string> cell_units;  ///< that stand in the cells, as written
@@ -63,7 +63,7 @@ struct ImportMapping {
   std::vector<std::pair<Column, std::string>> constants;
   std::vector<std::string> titles;  ///< lines above the header
   text::SourceSpan header;
-  std::size_t data_begin = 0;       ///< byte where the first row of parts begins
+  std::size_t data_begin = 0;  ///< byte where the first row of parts begins
   std::size_t rows = 0;
   std::vector<std::string> remarks;  ///< what was found out, for people
   std::vector<std::string> missing;  ///< columns of ours that a table must have, or should

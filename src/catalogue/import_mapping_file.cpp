@@ -38,7 +38,9 @@ bool check_unit(Column column, std::string_view unit, const text::SourceSpan& wh
     return false;
   }
   if (shop_unit(unit, column, reason)) return true;
-  diagnostics.error(where, fmt::format("{}: {}", declaration(column).name, reason), fmt::format("for example {}", header_cell(column)));
+  diagnostics.error(where,
+                    fmt::format("{}: {}", declaration(column).name, reason),
+                    fmt::format("for example {}", header_cell(column)));
   return false;
 }
 
@@ -51,7 +53,8 @@ std::optional<std::string> constant_of(Column column,
   if (value.empty() || !is_number_column(column)) return std::string(value);
   if (declared.kind == Kind::money || declared.unit == "1") {
     if (text::parse_number(value)) return std::string(value);
-    diagnostics.error(where, fmt::format("{}: not a number: {}", declared.name, text::quoted(value)), text::number_hint(value));
+    diagnostics.error(
+        where, fmt::format("{}: not a number: {}", declared.name, text::quoted(value)), text::number_hint(value));
     return std::nullopt;
   }
   std::string reason;
@@ -75,17 +78,18 @@ class MappingFile {
     if (const auto name = top_.string({"family", "part family of the table"})) {
       const auto family = family_named(*name, top_.node().find("family")->span(), diagnostics_);
       if (family && request_.family && *request_.family != *family)
-        diagnostics_.error(top_.node().find("family")->span(),
-                           fmt::format("the mapping is for {}, but --family says {}",
-                                       *name,
-                                       declaration(*request_.family).name));
+        diagnostics_.error(
+            top_.node().find("family")->span(),
+            fmt::format("the mapping is for {}, but --family says {}", *name, declaration(*request_.family).name));
       if (!request_.family) request_.family = family;
     } else if (!request_.family && !top_.node().find("family")) {
-      diagnostics_.error(top_.node().span(), "the mapping does not say which family it is for", "family = \"steppers\"");
+      diagnostics_.error(
+          top_.node().span(), "the mapping does not say which family it is for", "family = \"steppers\"");
     }
     read_format();
     const text::Node* constants = top_.table({"constants", "values of columns that the table does not have"});
-    const text::Node* columns = top_.table({"columns", "which column of the table is which of ours"}, text::Presence::required);
+    const text::Node* columns =
+        top_.table({"columns", "which column of the table is which of ours"}, text::Presence::required);
     top_.finish();
     if (!request_.family) return;
     if (constants) read_constants(*constants);
@@ -95,7 +99,8 @@ class MappingFile {
  private:
   void read_format() {
     SheetFormat& format = request_.format;
-    if (const auto sheet = top_.string({"sheet", "of a workbook"}); sheet && format.sheet.empty()) format.sheet = *sheet;
+    if (const auto sheet = top_.string({"sheet", "of a workbook"}); sheet && format.sheet.empty())
+      format.sheet = *sheet;
     const auto encoding = top_.word({"encoding", "of a text"}, {"utf-8", "utf-16", "windows-1252"});
     if (encoding && format.encoding.empty()) format.encoding = *encoding;
     const auto separator = top_.word({"separator", "between the cells"}, {",", ";", "\t"});
@@ -134,7 +139,8 @@ class MappingFile {
       GivenColumn given;
       given.target = *column;
       given.where = entry.value.span();
-      const auto from = reader.string({"from", "its header in the table, as it is written there"}, text::Presence::required);
+      const auto from =
+          reader.string({"from", "its header in the table, as it is written there"}, text::Presence::required);
       const auto occurrence = reader.integer({"occurrence", "if several columns have that header: 1, 2, ..."});
       const auto unit = reader.string({"unit", "of figures without a unit of their own"});
       const auto mark = mark_of(reader.word({"decimal", "decimal mark"}, {"point", "comma"}));
@@ -193,7 +199,9 @@ std::string unit_said(const SourceColumn& column) {
 
 }  // namespace
 
-std::optional<Family> family_named(std::string_view name, const text::SourceSpan& where, text::Diagnostics& diagnostics) {
+std::optional<Family> family_named(std::string_view name,
+                                   const text::SourceSpan& where,
+                                   text::Diagnostics& diagnostics) {
   if (const auto family = find_family(name)) return family;
   std::vector<std::string_view> names;
   for (const FamilyDeclaration& each : families) names.push_back(each.name);
@@ -236,7 +244,8 @@ void add_unit(ImportRequest& request,
 }
 
 std::string mapping_text(const ImportMapping& mapping, const ImportRequest& request, bool confirmed) {
-  std::string text = "# How a table becomes ours: millwright catalogue import TABLE --mapping THIS_FILE --output FILE\n";
+  std::string text =
+      "# How a table becomes ours: millwright catalogue import TABLE --mapping THIS_FILE --output FILE\n";
   text += fmt::format("family = {}\n", toml_string(declaration(mapping.family).name));
   if (!request.format.sheet.empty()) text += fmt::format("sheet = {}\n", toml_string(request.format.sheet));
   if (!request.format.encoding.empty()) text += fmt::format("encoding = {}\n", toml_string(request.format.encoding));

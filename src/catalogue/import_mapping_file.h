@@ -26,20 +26,28 @@ struct ImportRequest {
   ImportChoices choices;  ///< its family is that of the request, once there is one
 };
 
-/// Reads a mapping file into the request; what it holds already (from the command line) goes before. Everything wrong is
-/// reported at its place.
+/// Reads a mapping file into the request; what it holds already (from the command line) goes before. Everything wrong
+/// is reported at its place.
 void read_mapping(const std::string& path, ImportRequest& request, text::Diagnostics& diagnostics);
 
 /// `name=value` for all rows: a text, or a number with the unit of its column. `where` is the place of `value`.
-void add_constant(
-    ImportRequest& request, std::string_view name, std::string_view value, const text::SourceSpan& where, text::Diagnostics& diagnostics);
+void add_constant(ImportRequest& request,
+                  std::string_view name,
+                  std::string_view value,
+                  const text::SourceSpan& where,
+                  text::Diagnostics& diagnostics);
 
 /// `column=unit` for the figures of one of our columns.
-void add_unit(
-    ImportRequest& request, std::string_view name, std::string_view unit, const text::SourceSpan& where, text::Diagnostics& diagnostics);
+void add_unit(ImportRequest& request,
+              std::string_view name,
+              std::string_view unit,
+              const text::SourceSpan& where,
+              text::Diagnostics& diagnostics);
 
 /// The family of that name; reports if there is none.
-std::optional<Family> family_named(std::string_view name, const text::SourceSpan& where, text::Diagnostics& diagnostics);
+std::optional<Family> family_named(std::string_view name,
+                                   const text::SourceSpan& where,
+                                   text::Diagnostics& diagnostics);
 
 /// The mapping as a file that read_mapping() takes. A unit that is merely assumed is left open, unless `confirmed`.
 std::string mapping_text(const ImportMapping& mapping, const ImportRequest& request, bool confirmed);

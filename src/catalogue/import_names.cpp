@@ -19,11 +19,14 @@ struct Synonyms {
 /// units and figures then decide.
 constexpr Synonyms synonyms[] = {
     {"manufacturer", "brand|maker|vendor|mfr|make|producer|hersteller|marke|merek|pabrikan"},
-    {"part_number", "part no|part nr|part|pn|mpn|model|model no|model number|sku|article|article no|article number|"
-                    "item|item no|item number|order code|order no|order number|type|product|product code|product no|"
-                    "artikelnummer|artikel|artikel nr|bestellnummer|bestell nr|typ|teilenummer|kode|kode barang|tipe"},
-    {"price", "unit price|net price|price each|list price|price per piece|cost|unit cost|preis|einzelpreis|"
-              "st\xC3\xBC" "ckpreis|nettopreis|listenpreis|harga|harga satuan"},
+    {"part_number",
+     "part no|part nr|part|pn|mpn|model|model no|model number|sku|article|article no|article number|"
+     "item|item no|item number|order code|order no|order number|type|product|product code|product no|"
+     "artikelnummer|artikel|artikel nr|bestellnummer|bestell nr|typ|teilenummer|kode|kode barang|tipe"},
+    {"price",
+     "unit price|net price|price each|list price|price per piece|cost|unit cost|preis|einzelpreis|"
+     "st\xC3\xBC"
+     "ckpreis|nettopreis|listenpreis|harga|harga satuan"},
     {"price_per_length", "price per metre|price per meter|price per m|meterpreis|preis pro meter|harga per meter"},
     {"price_per_mass", "price per kg|kilopreis|preis pro kg|harga per kg"},
     {"currency", "curr|w\xC3\xA4hrung|mata uang"},
@@ -31,22 +34,29 @@ constexpr Synonyms synonyms[] = {
     {"supplier", "shop|seller|distributor|dealer|lieferant|h\xC3\xA4ndler|toko|pemasok"},
     {"note", "notes|remark|remarks|comment|comments|description|bemerkung|beschreibung|catatan|keterangan"},
     {"pack_size", "pack quantity|package quantity|pack qty|qty per pack|vpe"},
-    {"frame", "nema|nema size|frame size|motor frame|motor size|baugr\xC3\xB6\xC3\x9F" "e"},
+    {"frame",
+     "nema|nema size|frame size|motor frame|motor size|baugr\xC3\xB6\xC3\x9F"
+     "e"},
     {"frame_size", "flange|flange size|flange width|motor width|flansch|flanschma\xC3\x9F|square flange"},
     {"body_length", "length|motor length|body|body length l|stack length|l\xC3\xA4nge|motorl\xC3\xA4nge|panjang"},
     {"shaft_diameter", "shaft|shaft dia|shaft d|shaft size|wellendurchmesser|welle|diameter poros|poros"},
     {"step_angle", "step|angle|angle per step|schrittwinkel|sudut langkah"},
-    {"holding_torque", "torque|static torque|max torque|max holding torque|haltemoment|haltedrehmoment|drehmoment|torsi|"
-                       "torsi tahan"},
+    {"holding_torque",
+     "torque|static torque|max torque|max holding torque|haltemoment|haltedrehmoment|drehmoment|torsi|"
+     "torsi tahan"},
     {"detent_torque", "detent|cogging torque|residual torque|rastmoment|selbsthaltemoment"},
-    {"rated_current", "current|phase current|current per phase|rated current per phase|amps|amps per phase|amperage|"
-                      "nennstrom|strom|phasenstrom|arus|arus per fasa"},
-    {"phase_resistance", "resistance|resistance per phase|winding resistance|coil resistance|widerstand|"
-                         "phasenwiderstand|wicklungswiderstand|hambatan|resistansi"},
-    {"phase_inductance", "inductance|inductance per phase|winding inductance|coil inductance|induktivit\xC3\xA4t|"
-                         "phaseninduktivit\xC3\xA4t|induktansi"},
-    {"rotor_inertia", "inertia|rotor moment of inertia|moment of inertia|tr\xC3\xA4gheitsmoment|rotortr\xC3\xA4gheit|"
-                      "rotortr\xC3\xA4gheitsmoment|massentr\xC3\xA4gheitsmoment|inersia|inersia rotor"},
+    {"rated_current",
+     "current|phase current|current per phase|rated current per phase|amps|amps per phase|amperage|"
+     "nennstrom|strom|phasenstrom|arus|arus per fasa"},
+    {"phase_resistance",
+     "resistance|resistance per phase|winding resistance|coil resistance|widerstand|"
+     "phasenwiderstand|wicklungswiderstand|hambatan|resistansi"},
+    {"phase_inductance",
+     "inductance|inductance per phase|winding inductance|coil inductance|induktivit\xC3\xA4t|"
+     "phaseninduktivit\xC3\xA4t|induktansi"},
+    {"rotor_inertia",
+     "inertia|rotor moment of inertia|moment of inertia|tr\xC3\xA4gheitsmoment|rotortr\xC3\xA4gheit|"
+     "rotortr\xC3\xA4gheitsmoment|massentr\xC3\xA4gheitsmoment|inersia|inersia rotor"},
     {"inertia", "moment of inertia|tr\xC3\xA4gheitsmoment|massentr\xC3\xA4gheitsmoment|inersia"},
     {"mass", "weight|net weight|motor weight|gewicht|masse|berat|wt"},
     {"maximum_voltage", "max voltage|voltage max|supply voltage max|max spannung"},
@@ -55,14 +65,18 @@ constexpr Synonyms synonyms[] = {
     {"speed", "rpm|drehzahl|kecepatan"},
     {"torque", "pull out torque|drehmoment|torsi"},
     {"nominal_diameter", "diameter|dia|nominal dia|size|d|d0|durchmesser|nenndurchmesser"},
-    {"outside_diameter", "od|outer diameter|outer dia|external diameter|au\xC3\x9F" "endurchmesser|diameter luar"},
+    {"outside_diameter",
+     "od|outer diameter|outer dia|external diameter|au\xC3\x9F"
+     "endurchmesser|diameter luar"},
     {"lead", "thread lead|travel per rev|travel per revolution|steigung"},
     {"root_diameter", "root dia|core diameter|kerndurchmesser"},
     {"pitch", "teilung|tooth pitch|thread pitch"},
-    {"dynamic_load_rating", "dynamic load|dynamic load capacity|basic dynamic load rating|dynamic rating|ca|c|"
-                            "dynamische tragzahl|dyn tragzahl"},
-    {"static_load_rating", "static load|static load capacity|basic static load rating|static rating|c0a|c0|coa|co|"
-                           "statische tragzahl|stat tragzahl"},
+    {"dynamic_load_rating",
+     "dynamic load|dynamic load capacity|basic dynamic load rating|dynamic rating|ca|c|"
+     "dynamische tragzahl|dyn tragzahl"},
+    {"static_load_rating",
+     "static load|static load capacity|basic static load rating|static rating|c0a|c0|coa|co|"
+     "statische tragzahl|stat tragzahl"},
     {"accuracy_grade", "accuracy|grade|accuracy class|genauigkeit|toleranzklasse"},
     {"minimum_bore", "bore min|min bore|bohrung min"},
     {"maximum_bore", "bore max|max bore|bohrung max|bore"},
@@ -70,7 +84,9 @@ constexpr Synonyms synonyms[] = {
     {"rated_torque", "torque|nominal torque|nenndrehmoment|nennmoment"},
     {"maximum_torque", "max torque|peak torque|maximalmoment"},
     {"torsional_stiffness", "stiffness|torsional rigidity|static torsional stiffness|torsionssteife"},
-    {"maximum_speed", "max speed|max rpm|speed|rpm|h\xC3\xB6" "chstdrehzahl|max drehzahl"},
+    {"maximum_speed",
+     "max speed|max rpm|speed|rpm|h\xC3\xB6"
+     "chstdrehzahl|max drehzahl"},
     {"teeth", "number of teeth|no of teeth|tooth count|z|z\xC3\xA4hne|z\xC3\xA4hnezahl|jumlah gigi"},
     {"width", "breite|lebar|belt width"},
     {"belt_width", "width|breite"},

@@ -13,7 +13,8 @@ namespace {
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// Blanks and apostrophes that separate thousands, however they are typed.
-constexpr std::array<std::string_view, 6> group_marks = {" ", "'", "\xC2\xA0", "\xE2\x80\xAF", "\xE2\x80\x89", "\xE2\x80\x99"};
+constexpr std::array<std::string_view, 6> group_marks = {
+    " ", "'", "\xC2\xA0", "\xE2\x80\xAF", "\xE2\x80\x89", "\xE2\x80\x99"};
 
 /// The length of a group mark at `at` that three digits, and no fourth, follow; else 0.
 std::size_t group_mark_at(std::string_view text, std::size_t at) {
@@ -54,8 +55,10 @@ CellParts cut_cell(std::string_view cell) {
   }
   std::size_t begin = first;
   if (begin > 0 && (cell[begin - 1] == '.' || cell[begin - 1] == ',')) --begin;  // .5
-  if (begin > 0 && sign_length(cell.substr(begin - 1)) == 1) --begin;
-  else if (begin > 2 && sign_length(cell.substr(begin - 3)) == 3) begin -= 3;
+  if (begin > 0 && sign_length(cell.substr(begin - 1)) == 1)
+    --begin;
+  else if (begin > 2 && sign_length(cell.substr(begin - 3)) == 3)
+    begin -= 3;
   std::size_t end = first;
   while (end < cell.size()) {
     if (is_digit(cell[end])) {
@@ -144,8 +147,21 @@ bool says_unknown(std::string_view cell) {
   if (cell.size() > 9) return false;
   std::string word(cell);
   for (char& c : word) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  constexpr std::array<std::string_view, 15> words = {
-      "-", "--", "---", "\xE2\x80\x93", "\xE2\x80\x94", "n/a", "na", "n.a.", "none", "null", "tbd", "?", "unknown", "k.a.", "/"};
+  constexpr std::array<std::string_view, 15> words = {"-",
+                                                      "--",
+                                                      "---",
+                                                      "\xE2\x80\x93",
+                                                      "\xE2\x80\x94",
+                                                      "n/a",
+                                                      "na",
+                                                      "n.a.",
+                                                      "none",
+                                                      "null",
+                                                      "tbd",
+                                                      "?",
+                                                      "unknown",
+                                                      "k.a.",
+                                                      "/"};
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 

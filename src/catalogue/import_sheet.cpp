@@ -40,7 +40,8 @@ std::string from_windows_1252(std::string_view bytes) {
   return text;
 }
 
-/// UTF-16 with or without a byte order mark (then the lower byte first); what is wrong becomes a byte that is not UTF-8.
+/// UTF-16 with or without a byte order mark (then the lower byte first); what is wrong becomes a byte that is not
+/// UTF-8.
 std::string from_utf_16(std::string_view bytes) {
   const bool high_first = bytes.starts_with("\xFE\xFF");
   if (high_first || bytes.starts_with("\xFF\xFE")) bytes.remove_prefix(2);
@@ -153,7 +154,8 @@ std::shared_ptr<const text::SourceText> load_text(const std::string& path,
   }
   const auto bytes = text::read_bytes(path, recoded_file_limit, diagnostics);
   if (!bytes) return nullptr;
-  auto text = text::SourceText::from_string(path, encoding == "utf-16" ? from_utf_16(*bytes) : from_windows_1252(*bytes));
+  auto text =
+      text::SourceText::from_string(path, encoding == "utf-16" ? from_utf_16(*bytes) : from_windows_1252(*bytes));
   return text::check_text(text, diagnostics) ? text : nullptr;
 }
 
@@ -168,7 +170,8 @@ std::optional<ImportSheet> load_sheet(const std::string& path,
   };
   const std::string head = text::first_bytes(path, 8);
   if (head.starts_with("\xD0\xCF\x11\xE0"))
-    return refuse("is a workbook of the old binary format (.xls), or one with a password", "save it as .xlsx, .ods or CSV");
+    return refuse("is a workbook of the old binary format (.xls), or one with a password",
+                  "save it as .xlsx, .ods or CSV");
   ImportSheet sheet;
   if (head.starts_with("PK")) {
     auto read = load_workbook(path, format, diagnostics);

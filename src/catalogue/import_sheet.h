@@ -26,14 +26,16 @@ struct SheetFormat {
 struct ImportSheet {
   std::shared_ptr<const text::SourceText> text;
   char separator = ',';
-  std::string sheet;                 ///< of a workbook; empty: it is none
+  std::string sheet;                   ///< of a workbook; empty: it is none
   std::vector<std::uint32_t> numbers;  ///< of a workbook: bytes where cells begin that hold a number, not a text
-  std::vector<std::string> remarks;  ///< what was found out about it, for people
+  std::vector<std::string> remarks;    ///< what was found out about it, for people
 };
 
 /// Reports everything that prevents reading: no file, no text (with the place of the first bytes that are none), no or
 /// an unknown workbook, too large.
-std::optional<ImportSheet> load_sheet(const std::string& path, const SheetFormat& format, text::Diagnostics& diagnostics);
+std::optional<ImportSheet> load_sheet(const std::string& path,
+                                      const SheetFormat& format,
+                                      text::Diagnostics& diagnostics);
 
 /// Goes through the rows once. Blank rows are skipped; rows with bad quotes are reported and skipped.
 class SheetRows {

@@ -148,8 +148,7 @@ class Survey {
     if (!meant.empty() && (column.unit_origin == UnitOrigin::none || column.unit_origin == UnitOrigin::assumed) &&
         !column.has_bare_figures)
       column.unit_origin = UnitOrigin::cells;
-    if (tally.unknown > 0)
-      column.reasons.push_back(fmt::format("{} cells such as '-' left empty", tally.unknown));
+    if (tally.unknown > 0) column.reasons.push_back(fmt::format("{} cells such as '-' left empty", tally.unknown));
   }
 
   void decide_marks() {
@@ -189,7 +188,8 @@ class Survey {
     const bool commas_are_few = tally.commas <= tally.points;
     text::Diagnostic diagnostic;
     diagnostic.where = commas_are_few ? *tally.comma : *tally.point;
-    diagnostic.message = fmt::format("{}: decimal commas and decimal points in one column", declaration(*of(tally).target).name);
+    diagnostic.message =
+        fmt::format("{}: decimal commas and decimal points in one column", declaration(*of(tally).target).name);
     diagnostic.hint = fmt::format("use one decimal mark throughout, or say --decimal point or --decimal comma");
     diagnostic.related = commas_are_few ? *tally.point : *tally.comma;
     diagnostic.related_message = "the other mark is here";

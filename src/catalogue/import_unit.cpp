@@ -17,32 +17,124 @@ using Pair = std::pair<std::string_view, std::string_view>;
 
 /// Spelt otherwise by many; compared without case, blanks and dots.
 constexpr Pair spellings[] = {
-    {"ohms", "ohm"},        {"ohm", "ohm"},         {"volt", "V"},       {"volts", "V"},       {"vdc", "V"},      {"dcv", "V"},
-    {"v", "V"},             {"amp", "A"},        {"amps", "A"},        {"ampere", "A"},   {"a", "A"},
-    {"ma", "mA"},           {"adc", "A"},        {"degree", "deg"},    {"degrees", "deg"}, {"grad", "deg"},
-    {"deg/step", "deg"},    {"\"", "in"},        {"\xE2\x80\xB3", "in"}, {"zoll", "in"},   {"inch", "in"},
-    {"inches", "in"},       {"gram", "g"},       {"grams", "g"},       {"gr", "g"},       {"kgs", "kg"},
-    {"kg", "kg"},           {"g", "g"},          {"lbs", "lb"},        {"lb", "lb"},      {"mm", "mm"},
-    {"cm", "cm"},           {"nm", "N.m"},       {"ncm", "N.cm"},      {"nmm", "N.mm"},   {"mnm", "mN.m"},
-    {"ozin", "oz.in"},      {"lbin", "lbf.in"},  {"inlb", "lbf.in"},   {"inlbs", "lbf.in"}, {"lbfin", "lbf.in"},
-    {"ftlb", "ft.lbf"},     {"lbft", "lbf.ft"},  {"inoz", "oz.in"},    {"kgcm", "kgf.cm"}, {"kgfcm", "kgf.cm"},
-    {"gcm", "gf.cm"},       {"kgm", "kgf.m"},    {"gcm2", "g.cm2"},    {"kgcm2", "kg.cm2"}, {"kgm2", "kg.m2"},
-    {"kgmm2", "kg.mm2"},    {"ozin2", "oz.in2"}, {"lbin2", "lb.in2"},  {"mh", "mH"},      {"uh", "uH"},
-    {"w", "W"},             {"kw", "kW"},        {"n", "N"},           {"kn", "kN"},      {"mpa", "MPa"},
-    {"gpa", "GPa"},         {"n/mm2", "N/mm2"},  {"1/min", "rpm"},     {"u/min", "rpm"},  {"min-1", "rpm"},
-    {"r/min", "rpm"},       {"rev/min", "rpm"},  {"kg/m", "kg/m"},     {"g/m", "g/m"},    {"n/um", "N/um"},
-    {"m/s", "m/s"},         {"kg/m3", "kg/m3"},  {"g/cm3", "g/cm3"},   {"percent", "%"},  {"nm/rad", "N.m/rad"},
-    {"microns", "um"},      {"micron", "um"},    {"stk", "1"},         {"pcs", "1"},      {"pc", "1"},
+    {"ohms", "ohm"},
+    {"ohm", "ohm"},
+    {"volt", "V"},
+    {"volts", "V"},
+    {"vdc", "V"},
+    {"dcv", "V"},
+    {"v", "V"},
+    {"amp", "A"},
+    {"amps", "A"},
+    {"ampere", "A"},
+    {"a", "A"},
+    {"ma", "mA"},
+    {"adc", "A"},
+    {"degree", "deg"},
+    {"degrees", "deg"},
+    {"grad", "deg"},
+    {"deg/step", "deg"},
+    {"\"", "in"},
+    {"\xE2\x80\xB3", "in"},
+    {"zoll", "in"},
+    {"inch", "in"},
+    {"inches", "in"},
+    {"gram", "g"},
+    {"grams", "g"},
+    {"gr", "g"},
+    {"kgs", "kg"},
+    {"kg", "kg"},
+    {"g", "g"},
+    {"lbs", "lb"},
+    {"lb", "lb"},
+    {"mm", "mm"},
+    {"cm", "cm"},
+    {"nm", "N.m"},
+    {"ncm", "N.cm"},
+    {"nmm", "N.mm"},
+    {"mnm", "mN.m"},
+    {"ozin", "oz.in"},
+    {"lbin", "lbf.in"},
+    {"inlb", "lbf.in"},
+    {"inlbs", "lbf.in"},
+    {"lbfin", "lbf.in"},
+    {"ftlb", "ft.lbf"},
+    {"lbft", "lbf.ft"},
+    {"inoz", "oz.in"},
+    {"kgcm", "kgf.cm"},
+    {"kgfcm", "kgf.cm"},
+    {"gcm", "gf.cm"},
+    {"kgm", "kgf.m"},
+    {"gcm2", "g.cm2"},
+    {"kgcm2", "kg.cm2"},
+    {"kgm2", "kg.m2"},
+    {"kgmm2", "kg.mm2"},
+    {"ozin2", "oz.in2"},
+    {"lbin2", "lb.in2"},
+    {"mh", "mH"},
+    {"uh", "uH"},
+    {"w", "W"},
+    {"kw", "kW"},
+    {"n", "N"},
+    {"kn", "kN"},
+    {"mpa", "MPa"},
+    {"gpa", "GPa"},
+    {"n/mm2", "N/mm2"},
+    {"1/min", "rpm"},
+    {"u/min", "rpm"},
+    {"min-1", "rpm"},
+    {"r/min", "rpm"},
+    {"rev/min", "rpm"},
+    {"kg/m", "kg/m"},
+    {"g/m", "g/m"},
+    {"n/um", "N/um"},
+    {"m/s", "m/s"},
+    {"kg/m3", "kg/m3"},
+    {"g/cm3", "g/cm3"},
+    {"percent", "%"},
+    {"nm/rad", "N.m/rad"},
+    {"microns", "um"},
+    {"micron", "um"},
+    {"stk", "1"},
+    {"pcs", "1"},
+    {"pc", "1"},
 };
 
 /// What says of which thing it is, not how much.
-constexpr std::string_view of_what[] = {"/phase", "/ph", "/ phase", " per phase", "/pcs", "/pc", "/piece", "/ea", "/each",
-                                        "/stk",   "/unit", "/st\xC3\xBC" "ck", " each", " per piece", "/step", " rms"};
+constexpr std::string_view of_what[] = {"/phase",
+                                        "/ph",
+                                        "/ phase",
+                                        " per phase",
+                                        "/pcs",
+                                        "/pc",
+                                        "/piece",
+                                        "/ea",
+                                        "/each",
+                                        "/stk",
+                                        "/unit",
+                                        "/st\xC3\xBC"
+                                        "ck",
+                                        " each",
+                                        " per piece",
+                                        "/step",
+                                        " rms"};
 
 constexpr Pair currency_signs[] = {
-    {"\xE2\x82\xAC", "EUR"}, {"euro", "EUR"},        {"\xC2\xA3", "GBP"},     {"us$", "USD"}, {"us dollar", "USD"},
-    {"\xE2\x82\xB9", "INR"}, {"\xE2\x82\xA9", "KRW"}, {"\xE2\x82\xBA", "TRY"}, {"rp", "IDR"},  {"rmb", "CNY"},
-    {"z\xC5\x82", "PLN"},    {"\xE2\x82\xBD", "RUB"}, {"$", "?"},              {"\xC2\xA5", "?"}, {"kr", "?"},
+    {"\xE2\x82\xAC", "EUR"},
+    {"euro", "EUR"},
+    {"\xC2\xA3", "GBP"},
+    {"us$", "USD"},
+    {"us dollar", "USD"},
+    {"\xE2\x82\xB9", "INR"},
+    {"\xE2\x82\xA9", "KRW"},
+    {"\xE2\x82\xBA", "TRY"},
+    {"rp", "IDR"},
+    {"rmb", "CNY"},
+    {"z\xC5\x82", "PLN"},
+    {"\xE2\x82\xBD", "RUB"},
+    {"$", "?"},
+    {"\xC2\xA5", "?"},
+    {"kr", "?"},
 };
 
 std::string lower(std::string_view text) {
@@ -53,10 +145,22 @@ std::string lower(std::string_view text) {
 
 /// Without case, blanks, dots and other signs of multiplication.
 std::string folded(std::string_view text) {
-  static constexpr Pair replaced[] = {{"\xC2\xB2", "2"}, {"\xC2\xB3", "3"}, {"\xC2\xB5", "u"}, {"\xCE\xBC", "u"},
-                                      {"\xCE\xA9", "ohm"}, {"\xE2\x84\xA6", "ohm"}, {"\xC2\xB0", "deg"},
-                                      {"\xC2\xB7", ""}, {"\xE2\x8B\x85", ""}, {"\xC3\x97", ""}, {" ", ""}, {".", ""},
-                                      {"*", ""}, {"-", ""}, {"^", ""}, {"_", ""}};
+  static constexpr Pair replaced[] = {{"\xC2\xB2", "2"},
+                                      {"\xC2\xB3", "3"},
+                                      {"\xC2\xB5", "u"},
+                                      {"\xCE\xBC", "u"},
+                                      {"\xCE\xA9", "ohm"},
+                                      {"\xE2\x84\xA6", "ohm"},
+                                      {"\xC2\xB0", "deg"},
+                                      {"\xC2\xB7", ""},
+                                      {"\xE2\x8B\x85", ""},
+                                      {"\xC3\x97", ""},
+                                      {" ", ""},
+                                      {".", ""},
+                                      {"*", ""},
+                                      {"-", ""},
+                                      {"^", ""},
+                                      {"_", ""}};
   std::string result;
   const std::string all = lower(text);
   for (std::size_t i = 0; i < all.size();) {
@@ -84,7 +188,8 @@ std::string_view without_brackets(std::string_view text) {
 std::string_view without_what(std::string_view text) {
   const std::string all = lower(text);
   for (const std::string_view ending : of_what)
-    if (all.size() >= ending.size() && all.ends_with(ending)) return without_blanks(text.substr(0, text.size() - ending.size()));
+    if (all.size() >= ending.size() && all.ends_with(ending))
+      return without_blanks(text.substr(0, text.size() - ending.size()));
   return text;
 }
 
@@ -98,7 +203,8 @@ std::string with_forces(std::string_view text) {
   std::string result;
   for (std::size_t i = 0; i < text.size();) {
     std::size_t end = i;
-    while (end < text.size() && ((text[end] >= 'a' && text[end] <= 'z') || (text[end] >= 'A' && text[end] <= 'Z'))) ++end;
+    while (end < text.size() && ((text[end] >= 'a' && text[end] <= 'z') || (text[end] >= 'A' && text[end] <= 'Z')))
+      ++end;
     const std::string_view word = text.substr(i, end - i);
     result += word;
     if (word == "kg" || word == "g" || word == "lb" || word == "oz") result += 'f';

@@ -132,7 +132,8 @@ class ImportWriter {
       text::Diagnostic rest;
       rest.severity = severity;
       rest.where = text::whole(sheet_.text);
-      rest.message = fmt::format("{} more of the kind in rows {} to {}", count, summary_.rows - places_.size() + 1, summary_.rows);
+      rest.message =
+          fmt::format("{} more of the kind in rows {} to {}", count, summary_.rows - places_.size() + 1, summary_.rows);
       diagnostics_.add(std::move(rest));
     };
     more(text::Severity::error, findings.error_count() - errors);

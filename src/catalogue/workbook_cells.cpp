@@ -35,13 +35,13 @@ void WorkbookCells::add(std::int64_t row, std::int64_t column, std::string_view 
     throw WorkbookProblem{fmt::format("has a cell in row {}, column {}", row + 1, column + 1),
                           fmt::format("at most {} rows and {} columns are read", most_rows, most_columns)};
   if (text.size() > longest_cell)
-    throw WorkbookProblem{
-        fmt::format("has a cell of {} bytes in row {}, column {}", text.size(), row + 1, column + 1), {}};
+    throw WorkbookProblem{fmt::format("has a cell of {} bytes in row {}, column {}", text.size(), row + 1, column + 1),
+                          {}};
   if (cells_.size() >= workbook_cell_limit || texts_.size() + text.size() > workbook_size_limit)
-    throw WorkbookProblem{fmt::format("has more than {} cells, or {} MB of text, in a sheet",
-                                      workbook_cell_limit,
-                                      workbook_size_limit >> 20U),
-                          "save the sheet as CSV (UTF-8) and import that"};
+    throw WorkbookProblem{
+        fmt::format(
+            "has more than {} cells, or {} MB of text, in a sheet", workbook_cell_limit, workbook_size_limit >> 20U),
+        "save the sheet as CSV (UTF-8) and import that"};
   cells_.push_back({static_cast<std::int32_t>(row),
                     static_cast<std::int32_t>(column),
                     static_cast<std::uint32_t>(texts_.size()),
@@ -164,7 +164,8 @@ std::optional<WorkbookSheet> read_workbook(std::string_view bytes,
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& problem) {
-    return refuse("is damaged: " + text::printable(problem.what()), "open it in a spreadsheet program and save it anew");
+    return refuse("is damaged: " + text::printable(problem.what()),
+                  "open it in a spreadsheet program and save it anew");
   }
 }
 

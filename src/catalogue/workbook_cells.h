@@ -24,7 +24,9 @@ class WorkbookCells {
   void add_text(std::int64_t row, std::int64_t column, std::string_view text);
   /// `unit` is written behind it: a currency; `%` makes 0.85 to 85%.
   void add_number(std::int64_t row, std::int64_t column, double value, std::string_view unit = {});
-  void add_boolean(std::int64_t row, std::int64_t column, bool value) { add_text(row, column, value ? "true" : "false"); }
+  void add_boolean(std::int64_t row, std::int64_t column, bool value) {
+    add_text(row, column, value ? "true" : "false");
+  }
   /// The cells of the last row added, `count` times more below it.
   void repeat_last_row(std::int64_t count);
 

@@ -133,7 +133,8 @@ struct Styles : Listener {
   std::vector<Look> cell_formats;
   bool in_cell_formats = false;
   void start_element(const text::XmlElement& element) override {
-    if (element.name == "numFmt") own[attribute_number(attributes.get("numFmtId"), -1)] = look_of(attributes.get("formatCode"));
+    if (element.name == "numFmt")
+      own[attribute_number(attributes.get("numFmtId"), -1)] = look_of(attributes.get("formatCode"));
     if (element.name == "cellXfs") in_cell_formats = true;
     if (element.name == "xf" && in_cell_formats) {
       const std::int64_t id = attribute_number(attributes.get("numFmtId"), 0);
@@ -229,7 +230,8 @@ struct SheetCells : Listener {
     if (type == "s") {
       const std::int64_t index = attribute_number(value, -1);
       if (index < 0 || index >= static_cast<std::int64_t>(strings.texts.size()))
-        throw WorkbookProblem{fmt::format("the cell in row {}, column {} names a text that is not there", row + 1, column + 1), {}};
+        throw WorkbookProblem{
+            fmt::format("the cell in row {}, column {} names a text that is not there", row + 1, column + 1), {}};
       return cells.add_text(row, column, strings.texts[static_cast<std::size_t>(index)]);
     }
     if (type == "b") return cells.add_boolean(row, column, value == "1" || value == "true");

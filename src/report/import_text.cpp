@@ -35,7 +35,8 @@ std::string unit_of(const SourceColumn& column) {
 }  // namespace
 
 std::string import_text(const catalogue::ImportMapping& mapping, const Style& style) {
-  std::string text = style.heading(fmt::format("{} rows of {}", mapping.rows, catalogue::declaration(mapping.family).title)) + "\n";
+  std::string text =
+      style.heading(fmt::format("{} rows of {}", mapping.rows, catalogue::declaration(mapping.family).title)) + "\n";
   for (const std::string& remark : mapping.remarks) text += fmt::format("  {}\n", remark);
   TextTable columns({{"their column"}, {"our column"}, {"unit"}, {"sure", Align::right}, {"why", Align::left, 44}});
   std::string kept;
@@ -56,7 +57,8 @@ std::string import_text(const catalogue::ImportMapping& mapping, const Style& st
   if (!kept.empty()) text += "\nNot ours\n" + kept;
   if (!mapping.constants.empty()) text += "\nThe same for all rows\n";
   for (const auto& [column, value] : mapping.constants)
-    text += fmt::format("  {}: {}\n", catalogue::declaration(column).name, value.empty() ? "(not known)" : text::printable(value));
+    text += fmt::format(
+        "  {}: {}\n", catalogue::declaration(column).name, value.empty() ? "(not known)" : text::printable(value));
   if (!mapping.missing.empty())
     text += fmt::format("\nNot given, though parts should have it: {}\n", fmt::join(mapping.missing, ", "));
   return text;

@@ -71,7 +71,7 @@ void XMLCALL on_document_type(void* data, const XML_Char*, const XML_Char*, cons
 
 void read_xml(std::string_view xml, XmlListener& listener) {
   const std::unique_ptr<std::remove_pointer_t<XML_Parser>, decltype(&XML_ParserFree)> parser(XML_ParserCreate(nullptr),
-                                                                                            &XML_ParserFree);
+                                                                                             &XML_ParserFree);
   if (!parser) throw std::bad_alloc();
   Reading reading{parser.get(), listener, nullptr, false};
   XML_SetUserData(parser.get(), &reading);
@@ -86,11 +86,11 @@ void read_xml(std::string_view xml, XmlListener& listener) {
   }
   if (reading.thrown) std::rethrow_exception(reading.thrown);
   if (status == XML_STATUS_OK) return;
-  throw std::runtime_error(fmt::format("{} in line {}, column {} of its XML",
-                                       reading.document_type ? "a document type"
-                                                             : XML_ErrorString(XML_GetErrorCode(parser.get())),
-                                       XML_GetCurrentLineNumber(parser.get()),
-                                       XML_GetCurrentColumnNumber(parser.get()) + 1));
+  throw std::runtime_error(
+      fmt::format("{} in line {}, column {} of its XML",
+                  reading.document_type ? "a document type" : XML_ErrorString(XML_GetErrorCode(parser.get())),
+                  XML_GetCurrentLineNumber(parser.get()),
+                  XML_GetCurrentColumnNumber(parser.get()) + 1));
 }
 
 }  // namespace millwright::text

@@ -66,7 +66,8 @@ std::optional<std::vector<ZipEntry>> zip_directory(std::string_view archive, std
   if (end == std::string_view::npos || end + end_record_size > archive.size()) return refuse("is no complete zip file");
   const std::size_t count = number_at(archive, end + 10, 2);
   std::size_t at = number_at(archive, end + 16, 4);
-  if (number_at(archive, end + 4, 2) != 0 || at == 0xFFFFFFFFU) return refuse("is a zip file in parts or of more than 4 GB");
+  if (number_at(archive, end + 4, 2) != 0 || at == 0xFFFFFFFFU)
+    return refuse("is a zip file in parts or of more than 4 GB");
   std::vector<ZipEntry> entries;
   for (std::size_t i = 0; i < count; ++i) {
     if (at + directory_entry_size > archive.size() || archive.substr(at, 4) != "PK\x01\x02")

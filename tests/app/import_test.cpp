@@ -43,7 +43,8 @@ TEST_CASE("An import shows what it would do, and writes when it is told to") {
 TEST_CASE("A mapping is saved, edited and replayed for the next price list") {
   const Workshop shop;
   shop.write("prices.csv", without_unit);
-  const Outcome assumed = shop.run(import({"--family", "steppers", "--output", "steppers.csv", "--yes", "--save-mapping", "m.toml"}));
+  const Outcome assumed =
+      shop.run(import({"--family", "steppers", "--output", "steppers.csv", "--yes", "--save-mapping", "m.toml"}));
   CHECK(assumed.exit_code == 2);
   CHECK(assumed.says("prices.csv:1:32: error: nothing says the unit of holding_torque"));
   CHECK(assumed.says("say --unit holding_torque=N.m, if that is its unit"));
@@ -52,7 +53,9 @@ TEST_CASE("A mapping is saved, edited and replayed for the next price list") {
   const Outcome open = shop.run(import({"--mapping", "m.toml", "--output", "steppers.csv"}));
   CHECK(open.exit_code == 2);
   CHECK(open.says("m.toml:"));
-  CHECK(shop.run(import({"--mapping", "m.toml", "--unit", "holding_torque=N.m", "--output", "steppers.csv"})).exit_code == 0);
+  CHECK(
+      shop.run(import({"--mapping", "m.toml", "--unit", "holding_torque=N.m", "--output", "steppers.csv"})).exit_code ==
+      0);
   CHECK(shop.run(import({"--family",
                          "steppers",
                          "--unit",
@@ -100,11 +103,11 @@ TEST_CASE("Nothing is overwritten without force, and nothing is written through 
 
 TEST_CASE("An error of lint leaves the file as it was") {
   const Workshop shop;
-  shop.write("prices.csv", std::string(table) + "ACME,009,1.8,12600,2.8 A,1,20,1\n");
+  shop.write("prices.csv", std::string(table) + "ACME,009,1.8,126000,2.8 A,1,20,1\n");
   shop.write("mine.csv", "mine");
   const Outcome wrong = shop.run(import({"--family", "steppers", "--yes", "--force", "--output", "mine.csv"}));
   CHECK(wrong.exit_code == 2);
-  CHECK(wrong.says("prices.csv:4:14: error: 009: holding_torque 126 N.m"));
+  CHECK(wrong.says("prices.csv:4:14: error: 009: holding_torque 1260 N.m"));
   CHECK(shop.read("mine.csv") == "mine");
   CHECK(shop.entries() == 2);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tables as makers and shops write them. Figures in SI were converted by hand: 1 ozf.in = 0.4448221615 N / 1.6 x 25.4 mm
-// = 0.00706155181 N.m, 1 lbf.in = 4.448221615 N x 25.4 mm = 0.112984829 N.m.
+// Tables as makers and shops write them. Figures in SI were converted by hand: 1 ozf.in = 0.4448221615 N / 1.6 x 25.4
+// mm = 0.00706155181 N.m, 1 lbf.in = 4.448221615 N x 25.4 mm = 0.112984829 N.m.
 #include "catalogue/import_table.h"
 #include "catch.h"
 
@@ -10,7 +10,8 @@ namespace {
 constexpr const char* english =
     "ACME motors - price list 2026,,,,,,,,\n"
     ",,,,,,,,\n"
-    "Brand,Model,Frame Size,Step Angle (deg),Holding Torque [oz.in],Rated Current (A),Weight (kg),Unit Price (USD),Lead wires\n"
+    "Brand,Model,Frame Size,Step Angle (deg),Holding Torque [oz.in],Rated Current (A),Weight (kg),Unit Price "
+    "(USD),Lead wires\n"
     "ACME,007-1E5,NEMA 23,1.8,178,2.8,1.0,24.33,4\n"
     "NEMA 17 series,,,,,,,,\n"
     "ACME,007-2E5,NEMA 17,1.8,62,1.68,0.28,12.50,\"4, twisted\"\n";
@@ -43,7 +44,8 @@ TEST_CASE("A maker's table: header below titles, units in the header, part numbe
 TEST_CASE("Semicolons, decimal commas and a row of units") {
   const Imported result = import_csv(
       "Artikelnummer;Haltemoment;Nennstrom;Schrittwinkel;Rotortr\xC3\xA4gheitsmoment;Gewicht;Preis\n"
-      ";Ncm;A;\xC2\xB0;g\xC2\xB7" "cm\xC2\xB2;kg;\xE2\x82\xAC\n"
+      ";Ncm;A;\xC2\xB0;g\xC2\xB7"
+      "cm\xC2\xB2;kg;\xE2\x82\xAC\n"
       "ST5918;126,5;2,8;1,8;480;1,05;1.049,90\n"
       "ST4118;44;1,8;1,8;57;0,28;49,90\n",
       asking({{"manufacturer", "Nanotec"}}));
@@ -91,14 +93,15 @@ TEST_CASE("A figure without a unit is not guessed") {
   CHECK(assumed_units(*said.mapping).empty());
   CHECK(said.text.find("rated_current [mA]") != std::string::npos);
   CHECK_FALSE(said.good);  // 2.8 mA is no motor: lint
-  const Imported some = import_csv("Brand,Part No,Step angle (deg),Torque,Current (A),Price (EUR)\nA,1,1.8,1.26 N.m,2.8,20\nA,2,1.8,1.3,2.8,20\n");
+  const Imported some = import_csv(
+      "Brand,Part No,Step angle (deg),Torque,Current (A),Price (EUR)\nA,1,1.8,1.26 N.m,2.8,20\nA,2,1.8,1.3,2.8,20\n");
   CHECK(some.says("table.csv:3:9: error: holding_torque: a figure without a unit"));
 }
 
 TEST_CASE("What a comma means is decided by the column, by the others, or not at all") {
   const auto table = [](const char* a, const char* b, const char* mass) {
-    return std::string("Brand;Part No;Step angle (deg);Torque (N.cm);Current (A);Weight (g);Price (EUR)\n") + "A;1;1;" + a +
-           ";2;" + mass + ";20\nA;2;1;" + b + ";2;" + mass + ";20\n";
+    return std::string("Brand;Part No;Step angle (deg);Torque (N.cm);Current (A);Weight (g);Price (EUR)\n") + "A;1;1;" +
+           a + ";2;" + mass + ";20\nA;2;1;" + b + ";2;" + mass + ";20\n";
   };
   const Imported by_column = import_csv(table("1,234", "98,5", "900"));
   CHECK(by_column.text.find("1.234") != std::string::npos);
@@ -125,10 +128,11 @@ TEST_CASE("Required columns that come from nowhere are named") {
 
 TEST_CASE("Findings of lint stand at the cells of the table that was read") {
   const Imported result = import_csv(
-      "Part No,Brand,Step angle (deg),Torque (N.m),Current (A),Price (EUR)\nP1,A,1.8,1.2,2.8,20\nP2,A,1.8,126,2.8,20\nP1,A,1.8,1.2,2.8,20\n");
+      "Part No,Brand,Step angle (deg),Torque (N.m),Current (A),Price "
+      "(EUR)\nP1,A,1.8,1.2,2.8,20\nP2,A,1.8,1260,2.8,20\nP1,A,1.8,1.2,2.8,20\n");
   INFO(result.complaints);
   CHECK_FALSE(result.good);
-  CHECK(result.says("table.csv:3:10: error: P2: holding_torque 126 N.m is outside"));
+  CHECK(result.says("table.csv:3:10: error: P2: holding_torque 1260 N.m is outside"));
   CHECK(result.says("table.csv:4:1: error: duplicate part 'P1'"));
 }
 
@@ -145,7 +149,8 @@ TEST_CASE("A mapping is saved and read back, for the next price list too") {
   REQUIRE(replay.family == Family::steppers);
   // Another order, another column, other prices.
   const Imported next = import_csv(
-      "Unit Price (USD),Brand,Model,Frame Size,Step Angle (deg),Colour,Holding Torque [oz.in],Rated Current (A),Weight (kg)\n"
+      "Unit Price (USD),Brand,Model,Frame Size,Step Angle (deg),Colour,Holding Torque [oz.in],Rated Current (A),Weight "
+      "(kg)\n"
       "26.00,ACME,007-1E5,NEMA 23,1.8,black,178,2.8,1.0\n",
       replay);
   INFO(next.complaints);
@@ -161,22 +166,28 @@ TEST_CASE("Mistakes of a mapping file are reported at their places") {
   const TemporaryFolder folder;
   ImportRequest request;
   text::Diagnostics diagnostics;
-  read_mapping(folder
-                   .write("m.toml",
-                          "family = \"steppers\"\ncolour = 1\n[constants]\nmaker = \"A\"\nmass = \"3 mm\"\n[columns]\n"
-                          "holding_torque = { from = \"T\", unit = \"kg\", decimal = \"dot\" }\nprice = { unit = \"EUR\" }\n")
-                   .string(),
-               request,
-               diagnostics);
+  read_mapping(
+      folder
+          .write("m.toml",
+                 "family = \"steppers\"\ncolour = 1\n[constants]\nmaker = \"A\"\nmass = \"3 mm\"\n[columns]\n"
+                 "holding_torque = { from = \"T\", unit = \"kg\", decimal = \"dot\" }\nprice = { unit = \"EUR\" }\n")
+          .string(),
+      request,
+      diagnostics);
   const std::string complaints = text::format(diagnostics);
   INFO(complaints);
-  for (const char* place : {"m.toml:2:1: error", "m.toml:4:1: error", "m.toml:5:8: error", "m.toml:7:39: error",
-                            "m.toml:7:55: error", "m.toml:8:"})
+  for (const char* place : {"m.toml:2:1: error",
+                            "m.toml:4:1: error",
+                            "m.toml:5:8: error",
+                            "m.toml:7:39: error",
+                            "m.toml:7:55: error",
+                            "m.toml:8:"})
     CHECK(complaints.find(place) != std::string::npos);
 }
 
 TEST_CASE("Other encodings are read when they are said or certain") {
-  const std::string latin = "Brand;Part No;Step angle (\xB0);Torque (N.m);Current (A);Price (\x80)\nA;\xD6l;1,8;1,2;2,8;20\n";
+  const std::string latin =
+      "Brand;Part No;Step angle (\xB0);Torque (N.m);Current (A);Price (\x80)\nA;\xD6l;1,8;1,2;2,8;20\n";
   const Imported unknown = import_csv(latin);
   CHECK(unknown.says("is not UTF-8"));
   CHECK(unknown.says("--encoding windows-1252"));
@@ -188,7 +199,8 @@ TEST_CASE("Other encodings are read when they are said or certain") {
   CHECK(said.table(Family::steppers).part_number(0) == "\xC3\x96l");
   CHECK(said.table(Family::steppers).price(0).currency == "EUR");
   std::string wide = "\xFF\xFE";
-  for (const char c : std::string("Brand\tPart No\tStep angle (deg)\tTorque (N.m)\tCurrent (A)\tPrice (EUR)\nA\tX1\t1.8\t1.2\t2.8\t20\n")) {
+  for (const char c : std::string(
+           "Brand\tPart No\tStep angle (deg)\tTorque (N.m)\tCurrent (A)\tPrice (EUR)\nA\tX1\t1.8\t1.2\t2.8\t20\n")) {
     wide += c;
     wide += '\0';
   }

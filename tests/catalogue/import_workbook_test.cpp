@@ -71,7 +71,8 @@ TEST_CASE("Cells of an XLSX workbook, wherever their texts stand") {
           "\"List \"\"2026\"\"\"\n\n00123 \xC2\xB5|126.1|2026-01-15|85%|252.2\ntrue|a & <b>|7.5||two lines\n");
   }
   CHECK(shown(xlsx(false), "Other & more").empty());
-  CHECK(shown(xlsx(false), "Motor").find("has no sheet 'Motor'\n      hint: did you mean 'Motors'?") != std::string::npos);
+  CHECK(shown(xlsx(false), "Motor").find("has no sheet 'Motor'\n      hint: did you mean 'Motors'?") !=
+        std::string::npos);
 }
 
 TEST_CASE("Cells of an ODS workbook, repeated rows and columns included") {
@@ -87,7 +88,8 @@ TEST_CASE("Cells of an ODS workbook, repeated rows and columns included") {
       "<table:table-cell table:number-columns-repeated=\"16370\"/></table:table-row>"
       "<table:table-row table:number-rows-repeated=\"1048570\"><table:table-cell "
       "table:number-columns-repeated=\"16384\"/></table:table-row>";
-  const std::string book = ods("<table:table table:name=\"A\">" + row + "</table:table><table:table table:name=\"B\"/>");
+  const std::string book =
+      ods("<table:table table:name=\"A\">" + row + "</table:table><table:table table:name=\"B\"/>");
   const std::string line = "007|1.26|2026-01-15|85%|24.5 EUR|true|a & b|3|3\n";
   CHECK(shown(book) == line + line);
   CHECK(shown(book, "C").find("sheets: A, B") != std::string::npos);
@@ -98,7 +100,8 @@ TEST_CASE("A workbook is imported as a text is; its lines are the rows of the sh
   const std::string path = (folder.path() / "prices.xlsx").string();
   lxw_workbook* book = workbook_new(path.c_str());
   lxw_worksheet* sheet = workbook_add_worksheet(book, "Steppers");
-  const char* header[] = {"Brand", "Part number", "Step angle (deg)", "Torque (N.cm)", "Current (A)", "Price (EUR)", "Listed"};
+  const char* header[] = {
+      "Brand", "Part number", "Step angle (deg)", "Torque (N.cm)", "Current (A)", "Price (EUR)", "Listed"};
   for (std::uint16_t i = 0; i < 7; ++i) worksheet_write_string(sheet, 3, i, header[i], nullptr);
   const auto part = [&](std::uint32_t row, const char* name, double torque, double price) {
     worksheet_write_string(sheet, row, 0, "ACME", nullptr);
@@ -125,10 +128,12 @@ TEST_CASE("A workbook is imported as a text is; its lines are the rows of the sh
   CHECK(result.mapping->header.line == 4);
 }
 
-// --- what means harm ---------------------------------------------------------------------------------------------------
+// --- what means harm
+// ---------------------------------------------------------------------------------------------------
 
 void put(std::string& bytes, std::size_t at, std::uint32_t value, int count) {
-  for (int i = 0; i < count; ++i) bytes[at + static_cast<std::size_t>(i)] = static_cast<char>((value >> (8 * i)) & 0xFFU);
+  for (int i = 0; i < count; ++i)
+    bytes[at + static_cast<std::size_t>(i)] = static_cast<char>((value >> (8 * i)) & 0xFFU);
 }
 
 /// A zip file whose content.xml is 300 MB of blanks, packed, with a size of our choice in its directory.
@@ -164,8 +169,8 @@ TEST_CASE("Zip bombs are refused, those that lie about their size too") {
 TEST_CASE("Sheets that would never end are refused") {
   const auto repeated = [](const std::string& rows, const std::string& columns) {
     return ods("<table:table table:name=\"A\"><table:table-row table:number-rows-repeated=\"" + rows +
-               "\"><table:table-cell office:value-type=\"float\" office:value=\"3\" table:number-columns-repeated=\"" + columns +
-               "\"/></table:table-row></table:table>");
+               "\"><table:table-cell office:value-type=\"float\" office:value=\"3\" table:number-columns-repeated=\"" +
+               columns + "\"/></table:table-row></table:table>");
   };
   CHECK(shown(repeated("1", "2000000000")).find("at most 1048576 rows and 1024 columns") != std::string::npos);
   CHECK(shown(repeated("99999999999999", "1")).find("error: has a cell in row") != std::string::npos);
@@ -180,14 +185,16 @@ TEST_CASE("Damaged workbooks are refused with a reason") {
     std::string cut = good.substr(0, good.size() * i / 400);
     (void)read_workbook(cut, "book", {}, unused);
     std::string bent = good;
-    bent[(i * 7919) % bent.size()] = static_cast<char>(bent[(i * 7919) % bent.size()] ^ static_cast<char>(1U << (i % 8)));
+    bent[(i * 7919) % bent.size()] =
+        static_cast<char>(bent[(i * 7919) % bent.size()] ^ static_cast<char>(1U << (i % 8)));
     (void)read_workbook(bent, "book", {}, unused);
   }
   CHECK(shown("PK").find("is no complete zip file") != std::string::npos);
   CHECK(shown(stored_zip({{"a.txt", "hello"}})).find("is a zip file, but no workbook") != std::string::npos);
   CHECK(shown(ods("<table:table table:name=\"A\"><table:table-row>")).find("is damaged") != std::string::npos);
   // What goes on in the XML after it was unpacked.
-  const std::string xml = "<table:table table:name=\"A\"><table:table-row>" + cell("office:value-type=\"float\" office:value=\"3\"", "&lt;3") +
+  const std::string xml = "<table:table table:name=\"A\"><table:table-row>" +
+                          cell("office:value-type=\"float\" office:value=\"3\"", "&lt;3") +
                           "</table:table-row></table:table>";
   for (std::size_t i = 0; i < xml.size(); ++i) {
     std::string bent = xml;
