@@ -4,13 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <filesystem>
 #include <map>
 #include <set>
 
 #include "catalogue/column_unit.h"
-#include "catalogue/header.h"
 #include "catalogue/import_head.h"
 #include "catalogue/import_names.h"
 #include "catalogue/import_unit.h"
@@ -34,12 +31,6 @@ struct Candidate {
   UnitOrigin origin = UnitOrigin::none;
   std::vector<std::string> reasons;
 };
-
-bool wants_unit(Column column) {
-  const ColumnDeclaration& declared = declaration(column);
-  if (declared.kind == Kind::money) return true;
-  return declared.kind == Kind::number && declared.unit != "1";
-}
 
 /// What the figures of a column look like.
 struct Figures {
@@ -196,8 +187,30 @@ class Proposal {
     return candidate;
   }
 
+  /// Whether the header, or the row of units, states a unit of another quantity: then this is another quantity.
+  bool has_foreign_unit(const Candidate& candidate) const {
+    const std::string& header = head_.cells[candidate.source];
+    std::string reason;
+    if (declaration(candidate.target).kind == Kind::money) {
+      // EUR/m is no price of a piece.
+      for (const HeaderReading& reading : header_readings(header))
+        for (const std::string_view per : {"price_per_length", "price_per_mass"}) {
+          const Column other = column(choices_.family, per);
+          if (other != candidate.target && shop_unit(reading.unit, other, reason)) return true;
+        }
+    }
+    if (candidate.origin != UnitOrigin::none) return false;
+    if (!head_.units.empty() && is_any_unit(head_.units[candidate.source])) return true;
+    const bool bracketed = header.ends_with(')') || header.ends_with(']');
+    return bracketed && is_any_unit(header_readings(header).front().unit);
+  }
+
   void judge_figures(Candidate& candidate, const std::vector<TableHead::Sample>& samples) const {
     find_unit(candidate);
+    if (wants_unit(candidate.target) && has_foreign_unit(candidate)) {
+      candidate.score = 0.0;
+      return;
+    }
     const scalar::Unit& expected = display_unit(candidate.target);
     std::string reason;
     std::optional<scalar::Unit> bare;
@@ -314,66 +327,6 @@ class Proposal {
   ImportMapping mapping_;
 };
 
-/// A mapping file that leaves a unit open is not complete.
-void demand_units(const ImportChoices& choices, const ImportMapping& mapping, text::Diagnostics& diagnostics) {
-  for (const GivenColumn& given : choices.columns) {
-    if (given.from.empty() || !wants_unit(given.target)) continue;
-    for (const SourceColumn& column : mapping.columns) {
-      const bool open =
-          column.target == given.target && column.has_bare_figures && column.unit_origin == UnitOrigin::none;
-      const bool price_of_piece =
-          declaration(given.target).kind == Kind::money && declaration(given.target).unit.empty();
-      if (open && !price_of_piece)
-        diagnostics.error(given.where,
-                          fmt::format("nothing says the unit of {}", declaration(given.target).name),
-                          fmt::format("add unit = \"{}\", if that is its unit", declaration(given.target).unit));
-    }
-  }
-}
-
-/// Adds what is known without asking, and tells what is missing.
-void complete(const ImportSheet& sheet, ImportMapping& mapping, text::Diagnostics& diagnostics) {
-  const auto provided = [&](std::string_view name) {
-    const Column wanted = column(mapping.family, name);
-    return std::any_of(mapping.columns.begin(),
-                       mapping.columns.end(),
-                       [&](const auto& each) { return each.target == wanted; }) ||
-           std::any_of(mapping.constants.begin(), mapping.constants.end(), [&](const auto& each) {
-             return each.first == wanted;
-           });
-  };
-  if (!provided("source")) {
-    std::string origin = "imported from " + std::filesystem::path(sheet.text->path()).filename().string();
-    if (!sheet.sheet.empty()) origin += ", sheet " + sheet.sheet;
-    mapping.constants.emplace_back(column(mapping.family, "source"), text::printable(origin));
-  }
-  const auto demand = [&](std::string_view name, const std::string& hint) {
-    if (provided(name)) return;
-    diagnostics.error(
-        mapping.header,
-        fmt::format("nothing in the table gives {}, which {} need", name, declaration(mapping.family).name),
-        hint);
-  };
-  for (std::size_t index = 0; index < column_count(mapping.family); ++index) {
-    const ColumnDeclaration& declared = declaration(Column{mapping.family, static_cast<std::uint8_t>(index)});
-    if (declared.need == Need::required)
-      demand(
-          declared.name,
-          fmt::format("say --constant {}='...' if it is the same for all rows: {}", declared.name, declared.meaning));
-    if (declared.need == Need::expected && !provided(declared.name)) mapping.missing.emplace_back(declared.name);
-  }
-  const FamilyDeclaration& sold = declaration(mapping.family);
-  const std::string unknown = "say --constant {0}='...', or --constant {0}= if it is not known";
-  if (sold.priced_per_piece) demand("price", fmt::format(fmt::runtime(unknown), "price"));
-  if (sold.priced_per_length) demand("price_per_length", fmt::format(fmt::runtime(unknown), "price_per_length"));
-  if (sold.priced_per_mass) demand("price_per_mass", fmt::format(fmt::runtime(unknown), "price_per_mass"));
-  const bool in_prices = std::any_of(mapping.columns.begin(), mapping.columns.end(), [](const SourceColumn& each) {
-    return each.target && declaration(*each.target).kind == Kind::money &&
-           ((!each.currency.empty() && each.currency != "?") || !each.cell_units.empty());
-  });
-  if (sold.priced() && !in_prices) demand("currency", "say for example --constant currency=EUR");
-}
-
 }  // namespace
 
 std::optional<ImportMapping> propose_mapping(const ImportSheet& sheet,
@@ -383,16 +336,8 @@ std::optional<ImportMapping> propose_mapping(const ImportSheet& sheet,
   if (!head) return std::nullopt;
   ImportMapping mapping = Proposal(sheet, *head, choices, diagnostics).make();
   survey_columns(sheet, choices, mapping, diagnostics);
-  demand_units(choices, mapping, diagnostics);
-  complete(sheet, mapping, diagnostics);
+  complete_mapping(sheet, choices, mapping, diagnostics);
   return mapping;
-}
-
-std::vector<const SourceColumn*> assumed_units(const ImportMapping& mapping) {
-  std::vector<const SourceColumn*> columns;
-  for (const SourceColumn& each : mapping.columns)
-    if (each.target && each.unit_origin == UnitOrigin::assumed && each.has_bare_figures) columns.push_back(&each);
-  return columns;
 }
 
 }  // namespace millwright::catalogue

@@ -83,6 +83,18 @@ inline bool is_number_column(Column column) {
   return declaration(column).kind == Kind::number || declaration(column).kind == Kind::money;
 }
 
+/// Whether figures of the column mean nothing without a unit (or a currency).
+inline bool wants_unit(Column column) {
+  return declaration(column).kind == Kind::money ||
+         (declaration(column).kind == Kind::number && declaration(column).unit != "1");
+}
+
+/// Adds where the rows come from, and reports what is missing. See propose_mapping().
+void complete_mapping(const ImportSheet& sheet,
+                      const ImportChoices& choices,
+                      ImportMapping& mapping,
+                      text::Diagnostics& diagnostics);
+
 /// Looks through all rows: decimal marks, units in the cells. See propose_mapping().
 void survey_columns(const ImportSheet& sheet,
                     const ImportChoices& choices,

@@ -27,8 +27,9 @@ constexpr Synonyms synonyms[] = {
      "unit price|net price|price each|list price|price per piece|cost|unit cost|preis|einzelpreis|"
      "st\xC3\xBC"
      "ckpreis|nettopreis|listenpreis|harga|harga satuan"},
-    {"price_per_length", "price per metre|price per meter|price per m|meterpreis|preis pro meter|harga per meter"},
-    {"price_per_mass", "price per kg|kilopreis|preis pro kg|harga per kg"},
+    {"price_per_length",
+     "price|preis|harga|price per metre|price per meter|price per m|meterpreis|preis pro meter|harga per meter"},
+    {"price_per_mass", "price|preis|harga|price per kg|kilopreis|preis pro kg|harga per kg"},
     {"currency", "curr|w\xC3\xA4hrung|mata uang"},
     {"source", "url|link|datasheet|data sheet|datenblatt|web page|sumber"},
     {"supplier", "shop|seller|distributor|dealer|lieferant|h\xC3\xA4ndler|toko|pemasok"},
@@ -57,6 +58,10 @@ constexpr Synonyms synonyms[] = {
     {"rotor_inertia",
      "inertia|rotor moment of inertia|moment of inertia|tr\xC3\xA4gheitsmoment|rotortr\xC3\xA4gheit|"
      "rotortr\xC3\xA4gheitsmoment|massentr\xC3\xA4gheitsmoment|inersia|inersia rotor"},
+    {"nut_mass", "nut weight|weight nut|weight of nut|muttergewicht"},
+    {"screw_mass_per_length", "shaft weight|screw weight|weight shaft|weight of shaft"},
+    {"carriage_mass", "block weight|block mass|carriage weight|weight block|weight carriage|wagengewicht"},
+    {"rail_mass_per_length", "rail weight|rail mass|weight rail|schienengewicht"},
     {"inertia", "moment of inertia|tr\xC3\xA4gheitsmoment|massentr\xC3\xA4gheitsmoment|inersia"},
     {"mass", "weight|net weight|motor weight|gewicht|masse|berat|wt"},
     {"maximum_voltage", "max voltage|voltage max|supply voltage max|max spannung"},
@@ -72,10 +77,11 @@ constexpr Synonyms synonyms[] = {
     {"root_diameter", "root dia|core diameter|kerndurchmesser"},
     {"pitch", "teilung|tooth pitch|thread pitch"},
     {"dynamic_load_rating",
-     "dynamic load|dynamic load capacity|basic dynamic load rating|dynamic rating|ca|c|"
+     "dynamic load|dynamic load c|dynamic load ca|dynamic load capacity|basic dynamic load rating|dynamic rating|ca|c|"
      "dynamische tragzahl|dyn tragzahl"},
     {"static_load_rating",
-     "static load|static load capacity|basic static load rating|static rating|c0a|c0|coa|co|"
+     "static load|static load c0|static load c0a|static load capacity|basic static load rating|static "
+     "rating|c0a|c0|coa|co|"
      "statische tragzahl|stat tragzahl"},
     {"accuracy_grade", "accuracy|grade|accuracy class|genauigkeit|toleranzklasse"},
     {"minimum_bore", "bore min|min bore|bohrung min"},
@@ -109,6 +115,22 @@ bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
 bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return is_upper(c) || is_lower(c) || (static_cast<unsigned char>(c) & 0x80U) != 0; }
+
+/// One spelling for what is often abbreviated.
+std::string in_full(const std::string& word) {
+  static const std::map<std::string, std::string> all = {{"dia", "diameter"},
+                                                         {"max", "maximum"},
+                                                         {"min", "minimum"},
+                                                         {"no", "number"},
+                                                         {"nr", "number"},
+                                                         {"num", "number"},
+                                                         {"qty", "quantity"},
+                                                         {"wt", "weight"},
+                                                         {"dyn", "dynamic"},
+                                                         {"stat", "static"}};
+  const auto found = all.find(word);
+  return found == all.end() ? word : found->second;
+}
 
 /// Said of so many figures that they tell nothing.
 bool is_filler(const std::string& word) {
@@ -161,7 +183,7 @@ std::vector<std::string> words_of(std::string_view name) {
   std::vector<std::string> words;
   std::string word;
   const auto finish = [&] {
-    if (!word.empty() && !is_filler(word)) words.push_back(word);
+    if (!word.empty() && !is_filler(word)) words.push_back(in_full(word));
     word.clear();
   };
   for (std::size_t i = 0; i < name.size(); ++i) {

@@ -119,6 +119,23 @@ TEST_CASE("What a comma means is decided by the column, by the others, or not at
   CHECK(both.says("holding_torque: decimal commas and decimal points in one column"));
 }
 
+TEST_CASE("A price per metre is no price of a piece, and a torque in mm is none") {
+  const Imported screws = import_csv(
+      "Model\td0 (mm)\tLead (mm)\tDyn. load C (kN)\tStat. load C0 (kN)\tRoot dia (mm)\tPrice EUR/m\tNut price (EUR)\n"
+      "SFU1605\t16\t5\t7.65\t13.24\t12.9\t25.50\t18.90\n",
+      asking({{"manufacturer", "TBI"}}, Family::ball_screws));
+  INFO(screws.complaints);
+  REQUIRE(screws.good);
+  CHECK(screws.meaning("Price EUR/m") == "price_per_length");
+  CHECK(screws.meaning("Nut price (EUR)") == "price");
+  const Table table = screws.table(Family::ball_screws);
+  CHECK(table.price(0).piece == 18.9);
+  CHECK(table.price(0).length == 25.5);
+  CHECK(table.number("dynamic_load_rating", 0) == Approx(7650.0));
+  const Imported other = import_csv("Brand,Part No,Torque (mm),Current (A),Price (EUR)\nA,1,1.2,2,20\n");
+  CHECK(other.meaning("Torque (mm)") == "x_torque_mm");
+}
+
 TEST_CASE("Required columns that come from nowhere are named") {
   const Imported result = import_csv("Part No,Torque (N.m),Weight (kg)\nA1,1.2,1\n");
   CHECK_FALSE(result.good);
