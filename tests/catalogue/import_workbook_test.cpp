@@ -95,7 +95,7 @@ TEST_CASE("Cells of an ODS workbook, repeated rows and columns included") {
   CHECK(shown(book, "C").find("sheets: A, B") != std::string::npos);
 }
 
-TEST_CASE("A workbook is imported as a text is; its lines are the rows of the sheet") {
+TEST_CASE("A workbook is imported as a text is, and its lines are the rows of the sheet") {
   const TemporaryFolder folder;
   const std::string path = (folder.path() / "prices.xlsx").string();
   lxw_workbook* book = workbook_new(path.c_str());
