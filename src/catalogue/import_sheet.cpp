@@ -15,6 +15,8 @@
 namespace millwright::catalogue {
 namespace {
 
+/// No spreadsheet has more columns.
+constexpr std::size_t most_cells = 16384;
 constexpr std::uintmax_t workbook_file_limit = std::uintmax_t{64} << 20U;
 constexpr std::uintmax_t recoded_file_limit = std::uintmax_t{128} << 20U;
 
@@ -208,7 +210,7 @@ std::string_view without_blanks(std::string_view text) {
 }
 
 SheetRows::SheetRows(const ImportSheet& sheet, text::Diagnostics& diagnostics, std::size_t begin)
-    : sheet_(sheet), scanner_(sheet.text, sheet.separator, begin, diagnostics) {}
+    : sheet_(sheet), scanner_(sheet.text, sheet.separator, begin, diagnostics, most_cells) {}
 
 bool SheetRows::next() {
   while (!scanner_.at_end()) {

@@ -46,11 +46,13 @@ std::uint32_t narrow(std::size_t offset) { return static_cast<std::uint32_t>(off
 CsvScanner::CsvScanner(std::shared_ptr<const SourceText> text,
                        char separator,
                        std::size_t begin,
-                       Diagnostics& diagnostics)
+                       Diagnostics& diagnostics,
+                       std::size_t cell_limit)
     : text_(std::move(text)),
       bytes_(text_->contents()),
       diagnostics_(diagnostics),
       separator_(separator),
+      cell_limit_(cell_limit),
       position_(begin) {
   seek(begin);
 }
@@ -82,7 +84,7 @@ void CsvScanner::seek(std::size_t offset) {
 
 bool CsvScanner::next(std::vector<std::uint32_t>& starts) {
   const std::size_t record = position_;
-  const std::size_t most = starts.size() + cell_limit + 1;
+  const std::size_t most = starts.size() + cell_limit_ + 1;
   std::size_t cell_begin = position_;
   starts.push_back(narrow(cell_begin));
   while (true) {
@@ -163,7 +165,7 @@ void CsvScanner::unescape(std::size_t cell_begin, std::size_t opening, std::size
 
 bool CsvScanner::too_many_cells(std::size_t record) {
   diagnostics_.error(span_at(text_, record, 1),
-                     "more than " + std::to_string(cell_limit) + " cells in a line: this is no table of parts",
+                     "more than " + std::to_string(cell_limit_) + " cells in a line: this is no table of parts",
                      "is this the right file?");
   return give_up_line(position_ = record);
 }

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -18,12 +19,13 @@ namespace millwright::text {
 
 class CsvScanner {
  public:
-  /// No spreadsheet has more columns; a record of more is reported and skipped, so that a line of nothing but
-  /// separators costs no memory.
-  static constexpr std::size_t cell_limit = 16384;
-
-  /// Reads records from `begin` on. The text must be smaller than 4 GiB.
-  CsvScanner(std::shared_ptr<const SourceText> text, char separator, std::size_t begin, Diagnostics& diagnostics);
+  /// Reads records from `begin` on. The text must be smaller than 4 GiB. A record of more cells than `cell_limit` is
+  /// reported and skipped, so that a line of nothing but separators costs no memory.
+  CsvScanner(std::shared_ptr<const SourceText> text,
+             char separator,
+             std::size_t begin,
+             Diagnostics& diagnostics,
+             std::size_t cell_limit = std::numeric_limits<std::uint32_t>::max());
 
   bool at_end() const { return position_ >= bytes_.size(); }
   std::size_t position() const { return position_; }
@@ -51,6 +53,7 @@ class CsvScanner {
   std::string_view bytes_;
   Diagnostics& diagnostics_;
   char separator_;
+  std::size_t cell_limit_;
   std::size_t position_;
   std::size_t block_ = 0;
   std::uint64_t mask_ = 0;
