@@ -9,7 +9,7 @@ find_dependency(nlohmann_json 3.11 CONFIG)
 # Plain NLopt finds the C package on Debian, which lacks the C++ algorithms.
 find_dependency(nlopt_cxx CONFIG CONFIGS NLoptConfig.cmake)
 find_dependency(Threads)
-foreach(module IN ITEMS ipopt udunits xlsxwriter nettle)
+foreach(module IN ITEMS ipopt udunits xlsxwriter nettle zlib expat)
   if(NOT TARGET PkgConfig::${module})
     pkg_check_modules(${module} REQUIRED IMPORTED_TARGET GLOBAL ${module})
   endif()

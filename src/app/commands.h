@@ -24,5 +24,6 @@ int run_reference(const Options& options);
 int run_new(const Options& options);
 /// catalogue list, show, lint, diff.
 int run_catalogue(const Options& options);
+int run_import(const Options& options);
 
 }  // namespace millwright::app

@@ -106,6 +106,16 @@ constexpr std::pair<std::string_view, std::string_view> texts[] = {
      "  millwright catalogue show 23HS22-2804S\n"
      "  millwright catalogue lint my-parts/steppers/motors.csv\n"
      "  millwright catalogue diff my-parts"},
+    {"import",
+     "Shows which column of the table is which of ours, in what unit, and how sure that is; asks; writes a catalogue "
+     "file that lint\n"
+     "has examined. Columns that are not ours are kept as x_NAME. Exit code 1 if it was not confirmed, 2 if something "
+     "is wrong.\n"
+     "Examples:\n"
+     "  millwright catalogue import prices.xlsx --family steppers\n"
+     "  millwright catalogue import prices.xlsx --family steppers --constant manufacturer=ACT --unit mass=kg \\\n"
+     "    --output my-parts/steppers/act.csv --save-mapping act.toml --yes\n"
+     "  millwright catalogue import prices-2027.xlsx --mapping act.toml --output my-parts/steppers/act.csv --force"},
     {"list",
      "Examples:\n"
      "  millwright catalogue list\n"

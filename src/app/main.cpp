@@ -37,6 +37,8 @@ int run(const Options& options) {
     case Verb::catalogue_lint:
     case Verb::catalogue_diff:
       return run_catalogue(options);
+    case Verb::catalogue_import:
+      return run_import(options);
   }
   return exit_bug;
 }

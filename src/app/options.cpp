@@ -10,6 +10,7 @@
 
 #include "app/help.h"
 #include "app/help_formatter.h"
+#include "app/import_options.h"
 #include "app/name_lists.h"
 #include "app/objective_option.h"
 #include "app/output.h"
@@ -292,6 +293,7 @@ class CommandLine {
     lint.add_option("FILES", options_.words, "catalogue files or folders")->required();
     lint.add_option("--family", options_.subject, "their family, where neither folder nor header tells")
         ->type_name("FAMILY");
+    add_import_options(add(catalogue, "import", Verb::catalogue_import, "a maker's or shop's table as ours"), options_);
     CLI::App& diff = add(catalogue, "diff", Verb::catalogue_diff, "what changed between two catalogues");
     diff.add_option("A", options_.first, "catalogue folder or file; without B, what goes on top of the shipped parts")
         ->required();
@@ -324,10 +326,10 @@ std::optional<std::string> misspelt_verb(CommandLine& line, int argc, char** arg
     return first;
   }
   if (first != "catalogue" || argc < 3 || argv[2][0] == '-') return std::nullopt;
-  const std::vector<std::string> inner{"list", "show", "lint", "diff"};
+  const std::vector<std::string> inner{"list", "show", "lint", "diff", "import"};
   if (std::find(inner.begin(), inner.end(), argv[2]) != inner.end()) return std::nullopt;
   complain("there is no command 'catalogue " + text::printable(argv[2]) + "'",
-           text::did_you_mean(argv[2], inner, "commands: catalogue list, show, lint, diff"));
+           text::did_you_mean(argv[2], inner, "commands: catalogue list, show, lint, diff, import"));
   return first;
 }
 

@@ -24,7 +24,8 @@ enum class Verb {
   catalogue_list,
   catalogue_show,
   catalogue_lint,
-  catalogue_diff
+  catalogue_diff,
+  catalogue_import
 };
 
 /// Exit codes of the program.
@@ -34,6 +35,18 @@ enum ExitCode : int {
   exit_bad_input = 2,  ///< everything wrong has been reported
   exit_limit = 3,      ///< a limit was reached before the proof was complete
   exit_bug = 70        ///< our own mistake
+};
+
+/// Of `catalogue import`.
+struct ImportOptions {
+  std::string file;
+  std::string output;
+  std::string mapping;
+  std::string save_mapping;
+  std::vector<std::string> constants;  ///< column=value
+  std::vector<std::string> units;      ///< column=unit
+  std::string decimal, sheet, encoding, separator;
+  bool yes = false;
 };
 
 struct Options {
@@ -62,7 +75,7 @@ struct Options {
   std::string locked;                                           ///< lock that has to hold, empty for none
   bool complete = false;
   std::string hold_origin;
-  bool force = false;         ///< of new: overwrite
+  bool force = false;         ///< of new and import: overwrite
   std::string first, second;  ///< of compare: results or bills of materials; of catalogue diff: catalogues
   // audit, calc, formulas, catalogue
   std::string subject;             ///< claims file, formula, word, family or template
@@ -71,6 +84,7 @@ struct Options {
   bool gaps = false;  ///< of catalogue list: what is missing
   std::string unit;
   std::string manufacturer;
+  ImportOptions import;
 };
 
 /// What the command line asks for; or nothing and the exit code, after help, the version or complaints were printed.

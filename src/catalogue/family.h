@@ -112,6 +112,9 @@ constexpr std::optional<Column> find_column(Family family, std::string_view name
   return std::nullopt;
 }
 
+/// Whether a column belongs to whoever wrote the file: it is kept there, and nobody reads or doubts it.
+constexpr bool is_own_column(std::string_view name) { return name.starts_with("x_"); }
+
 /// The column of that name; `constexpr auto inertia = column(Family::steppers, "rotor_inertia");` does not compile if
 /// it is misspelt. Throws std::logic_error at run time.
 constexpr Column column(Family family, std::string_view name) {

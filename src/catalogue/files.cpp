@@ -41,7 +41,7 @@ std::optional<Family> family_by_header(const std::shared_ptr<const text::SourceT
   std::optional<Family> only;
   for (const FamilyDeclaration& each : families) {
     const bool all_known = std::all_of(csv.columns().begin(), csv.columns().end(), [&](const text::CsvColumn& cell) {
-      return find_column(each.family, cell.name).has_value();
+      return find_column(each.family, cell.name).has_value() || is_own_column(cell.name);
     });
     const bool all_there =
         std::all_of(each.columns.begin(), each.columns.end(), [&](const ColumnDeclaration& declared) {

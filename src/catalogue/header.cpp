@@ -68,6 +68,7 @@ std::optional<Header> match_header(const text::CsvTable& csv, Family family, tex
     const text::CsvColumn& cell = csv.columns()[field];
     const std::optional<Column> known = find_column(family, cell.name);
     if (!known) {
+      if (is_own_column(cell.name)) continue;
       diagnostics.warning(
           cell.name_span,
           fmt::format("{} have no column {}; it is ignored", declaration(family).name, text::quoted(cell.name)),

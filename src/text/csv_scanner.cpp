@@ -46,11 +46,13 @@ std::uint32_t narrow(std::size_t offset) { return static_cast<std::uint32_t>(off
 CsvScanner::CsvScanner(std::shared_ptr<const SourceText> text,
                        char separator,
                        std::size_t begin,
-                       Diagnostics& diagnostics)
+                       Diagnostics& diagnostics,
+                       std::size_t cell_limit)
     : text_(std::move(text)),
       bytes_(text_->contents()),
       diagnostics_(diagnostics),
       separator_(separator),
+      cell_limit_(cell_limit),
       position_(begin) {
   seek(begin);
 }
@@ -81,6 +83,8 @@ void CsvScanner::seek(std::size_t offset) {
 }
 
 bool CsvScanner::next(std::vector<std::uint32_t>& starts) {
+  const std::size_t record = position_;
+  const std::size_t most = starts.size() + cell_limit_ + 1;
   std::size_t cell_begin = position_;
   starts.push_back(narrow(cell_begin));
   while (true) {
@@ -89,6 +93,7 @@ bool CsvScanner::next(std::vector<std::uint32_t>& starts) {
       if (!quoted_cell(cell_begin, found)) return false;
       continue;
     }
+    if (starts.size() == most) return too_many_cells(record);
     cell_begin = found + 1;
     starts.push_back(narrow(cell_begin));
     if (found >= bytes_.size() || bytes_[found] == '\n') {
@@ -156,6 +161,13 @@ void CsvScanner::unescape(std::size_t cell_begin, std::size_t opening, std::size
     if (bytes_[i] == '"') ++i;
   }
   unescaped_.insert_or_assign(narrow(cell_begin), std::move(content));
+}
+
+bool CsvScanner::too_many_cells(std::size_t record) {
+  diagnostics_.error(span_at(text_, record, 1),
+                     "more than " + std::to_string(cell_limit_) + " cells in a line: this is no table of parts",
+                     "is this the right file?");
+  return give_up_line(position_ = record);
 }
 
 /// Goes on with the line after the one that holds `offset`.

@@ -85,10 +85,17 @@ std::string objection(const std::string& path, const struct stat& status) {
 
 }  // namespace
 
-bool write_file_atomically(const std::string& path, std::string_view contents, Diagnostics& diagnostics) {
+struct OutputFile::Parts {
+  std::string path;
+  std::string directory;
+  TemporaryFile file;
+  Diagnostics& diagnostics;
+};
+
+std::unique_ptr<OutputFile> OutputFile::open(const std::string& path, Diagnostics& diagnostics) {
   const auto refuse = [&](const std::string& reason) {
     diagnostics.error(whole(SourceText::from_string(path, {})), reason);
-    return false;
+    return nullptr;
   };
   if (path.empty() || path.back() == '/' || path.find('\0') != std::string::npos) return refuse("is no name of a file");
   struct stat status {};
@@ -96,14 +103,33 @@ bool write_file_atomically(const std::string& path, std::string_view contents, D
   if (!exists && errno != ENOENT) return refuse(fmt::format("cannot be written: {}", std::strerror(errno)));
   if (const std::string reason = exists ? objection(path, status) : std::string(); !reason.empty())
     return refuse(reason);
-
   const std::string directory = directory_of(path);
-  TemporaryFile file(directory);
-  const bool written = file.is_open() && (!exists || file.set_mode(status.st_mode & 07777U)) && file.write(contents) &&
-                       file.replace(path);
-  if (!written) return refuse(fmt::format("cannot be written: {}", std::strerror(errno)));
-  flush_directory(directory);
+  std::unique_ptr<OutputFile> file(
+      new OutputFile(std::unique_ptr<Parts>(new Parts{path, directory, TemporaryFile(directory), diagnostics})));
+  if (file->parts_->file.is_open() && (!exists || file->parts_->file.set_mode(status.st_mode & 07777U))) return file;
+  return refuse(fmt::format("cannot be written: {}", std::strerror(errno)));
+}
+
+OutputFile::OutputFile(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+OutputFile::~OutputFile() = default;
+
+bool OutputFile::refuse() {
+  parts_->diagnostics.error(whole(SourceText::from_string(parts_->path, {})),
+                            fmt::format("cannot be written: {}", std::strerror(errno)));
+  return false;
+}
+
+bool OutputFile::append(std::string_view contents) { return parts_->file.write(contents) || refuse(); }
+
+bool OutputFile::commit() {
+  if (!parts_->file.replace(parts_->path)) return refuse();
+  flush_directory(parts_->directory);
   return true;
+}
+
+bool write_file_atomically(const std::string& path, std::string_view contents, Diagnostics& diagnostics) {
+  const std::unique_ptr<OutputFile> file = OutputFile::open(path, diagnostics);
+  return file && file->append(contents) && file->commit();
 }
 
 }  // namespace millwright::text

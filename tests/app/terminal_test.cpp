@@ -82,7 +82,7 @@ TEST_CASE("Formulas, catalogues and help fit 80 columns") {
   fits({"--help"});
   for (const char* verb : {"solve", "pareto", "check", "explain", "compare", "audit", "calc", "formulas", "catalogue"})
     fits({verb, "--help"});
-  for (const char* verb : {"list", "show", "lint"}) fits({"catalogue", verb, "--help"});
+  for (const char* verb : {"list", "show", "lint", "import"}) fits({"catalogue", verb, "--help"});
 }
 
 TEST_CASE("Option --quiet leaves the result") {

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: Apache-2.0
+// catalogue import: somebody's table becomes a file of ours, after it was shown how it is read.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+
+#include "app/commands.h"
+#include "app/output.h"
+#include "catalogue/import_mapping_file.h"
+#include "catalogue/import_write.h"
+#include "report/import_text.h"
+#include "text/output_file.h"
+
+namespace millwright::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+using catalogue::ImportMapping;
+using catalogue::ImportRequest;
+
+/// `name=value` of an option; reports if there is no name.
+template <class Add>
+void add_assignments(const char* option,
+                     const std::vector<std::string>& words,
+                     ImportRequest& request,
+                     text::Diagnostics& diagnostics,
+                     const Add& add) {
+  for (const std::string& word : words) {
+    const auto typed = text::SourceText::from_string("command line", std::string(option) + " " + word);
+    const std::size_t begin = std::string_view(option).size() + 1;
+    const text::SourceSpan where = text::span_at(typed, begin, word.size());
+    const std::size_t equals = word.find('=');
+    if (equals == std::string::npos || equals == 0)
+      diagnostics.error(
+          where, "a column, '=' and a value are wanted", std::string("for example ") + option + " mass=kg");
+    else
+      add(request,
+          std::string_view(word).substr(0, equals),
+          std::string_view(word).substr(equals + 1),
+          where,
+          diagnostics);
+  }
+}
+
+ImportRequest request_of(const Options& options, text::Diagnostics& diagnostics) {
+  const ImportOptions& said = options.import;
+  ImportRequest request;
+  if (!options.subject.empty()) {
+    const auto typed = text::SourceText::from_string("command line", "--family " + options.subject);
+    request.family =
+        catalogue::family_named(options.subject, text::span_at(typed, 9, options.subject.size()), diagnostics);
+  }
+  request.format.sheet = said.sheet;
+  request.format.encoding = said.encoding;
+  request.format.separator = said.separator == "tab"         ? '\t'
+                             : said.separator == "semicolon" ? ';'
+                             : said.separator == "comma"     ? ','
+                                                             : '\0';
+  if (!said.decimal.empty())
+    request.choices.mark = said.decimal == "comma" ? catalogue::DecimalMark::comma : catalogue::DecimalMark::point;
+  // What the command line says goes before the file; but only the file may know the family.
+  ImportRequest from_file = request;
+  if (!said.mapping.empty()) catalogue::read_mapping(said.mapping, from_file, diagnostics);
+  if (!request.family) request.family = from_file.family;
+  if (!request.family) {
+    if (!diagnostics.has_errors())
+      diagnostics.error("which parts are these?",
+                        "say --family steppers; 'millwright catalogue list' shows the families");
+    return request;
+  }
+  add_assignments("--constant", said.constants, request, diagnostics, catalogue::add_constant);
+  add_assignments("--unit", said.units, request, diagnostics, catalogue::add_unit);
+  if (!said.mapping.empty() && !diagnostics.has_errors()) catalogue::read_mapping(said.mapping, request, diagnostics);
+  request.choices.family = *request.family;
+  return request;
+}
+
+/// Refuses a file that may not be written, before any work.
+void check_target(const std::string& file, const Options& options, text::Diagnostics& diagnostics) {
+  if (file.empty()) return;
+  const std::string shown = text::printable(file);
+  std::error_code failure;
+  const fs::file_status status = fs::symlink_status(file, failure);
+  const fs::path parent = fs::path(file).parent_path();
+  for (const std::string& source : {options.import.file, options.import.mapping})
+    if (!source.empty() && fs::equivalent(source, file, failure)) {
+      diagnostics.error(shown + ": cannot be written: it is read too", "name another file for the output");
+      return;
+    }
+  if (fs::is_symlink(status))
+    diagnostics.error(shown + ": is a symbolic link and is not written through", "name the file itself");
+  else if (fs::is_directory(status))
+    diagnostics.error(shown + ": is a folder", "name a file in it");
+  else if (fs::exists(status) && !options.force)
+    diagnostics.error(shown + ": there is such a file already", "name another one, or say --force to overwrite it");
+  else if (!parent.empty() && !fs::is_directory(parent, failure))
+    diagnostics.error(shown + ": there is no folder " + text::quoted(parent.string()), "make the folder first");
+}
+
+bool ask(const std::string& question) {
+  fmt::print("{} [y/N] ", question);
+  std::fflush(stdout);
+  const int first = std::getchar();
+  for (int c = first; c != '\n' && c != EOF;) c = std::getchar();
+  return first == 'y' || first == 'Y';
+}
+
+/// Units that nobody said, with the options that would say them.
+void report_assumed(const ImportMapping& mapping, text::Diagnostics& diagnostics) {
+  for (const catalogue::SourceColumn* column : catalogue::assumed_units(mapping)) {
+    const std::string_view name = catalogue::declaration(*column->target).name;
+    diagnostics.error(column->span,
+                      fmt::format("nothing says the unit of {}", name),
+                      fmt::format("say --unit {}={}, if that is its unit", name, column->unit));
+  }
+}
+
+enum class Consent { given, asked_for, none };
+
+Consent consent_of(const Options& options) {
+  if (options.import.yes || !options.import.mapping.empty()) return Consent::given;
+  return isatty(STDIN_FILENO) != 0 && isatty(STDOUT_FILENO) != 0 ? Consent::asked_for : Consent::none;
+}
+
+class Import {
+ public:
+  explicit Import(const Options& options) : options_(options), said_(options.import) {}
+
+  int run() {
+    request_ = request_of(options_, diagnostics_);
+    check_target(said_.output, options_, diagnostics_);
+    check_target(said_.save_mapping, options_, diagnostics_);
+    if (!said_.output.empty() && said_.output == said_.save_mapping)
+      diagnostics_.error("--output and --save-mapping cannot be one file");
+    if (diagnostics_.has_errors()) return stop();
+    const auto sheet = catalogue::load_sheet(said_.file, request_.format, diagnostics_);
+    if (!sheet) return stop();
+    const auto mapping = catalogue::propose_mapping(*sheet, request_.choices, diagnostics_);
+    if (!mapping) return stop();
+    if (!options_.quiet) show(report::import_text(*mapping, output_style(options_)));
+    const Consent consent = said_.output.empty() ? Consent::none : consent_of(options_);
+    if (consent == Consent::given) report_assumed(*mapping, diagnostics_);
+    if (diagnostics_.has_errors()) {
+      (void)save(*mapping, false);  // to be edited
+      return stop();
+    }
+    return write(*sheet, *mapping, consent);
+  }
+
+ private:
+  int stop() {
+    print(diagnostics_);
+    return exit_bad_input;
+  }
+
+  static void show(const std::string& text) {
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    std::fflush(stdout);
+  }
+
+  bool save(const ImportMapping& mapping, bool confirmed) {
+    if (said_.save_mapping.empty()) return true;
+    text::Diagnostics failures;
+    const bool saved = text::write_file_atomically(
+        said_.save_mapping, catalogue::mapping_text(mapping, request_, confirmed), failures);
+    print(failures);
+    if (saved && !options_.quiet) show(fmt::format("{}: mapping written.\n", text::printable(said_.save_mapping)));
+    return saved;
+  }
+
+  int write(const catalogue::ImportSheet& sheet, const ImportMapping& mapping, Consent consent) {
+    std::unique_ptr<text::OutputFile> file;
+    if (consent != Consent::none) file = text::OutputFile::open(said_.output, diagnostics_);
+    if (consent != Consent::none && !file) return stop();
+    bool written = true;
+    const auto summary = catalogue::write_import(
+        sheet, mapping, [&](std::string_view lines) { return written = !file || file->append(lines); }, diagnostics_);
+    if (summary.rows == 0 && !diagnostics_.has_errors())
+      diagnostics_.error(mapping.header, "there are no parts below the header");
+    print(diagnostics_);
+    if (diagnostics_.has_errors() || !written) {
+      (void)save(mapping, false);
+      if (!options_.quiet) fmt::print(stderr, "Nothing was written: mend the table, or change how it is read.\n");
+      return exit_bad_input;
+    }
+    if (consent == Consent::asked_for) {
+      const std::size_t assumed = catalogue::assumed_units(mapping).size();
+      const std::string shown = text::printable(said_.output);
+      const std::string doubt = assumed == 0 ? "" : fmt::format(" ({} units are assumed)", assumed);
+      if (!ask(fmt::format("Write {} rows to {}{}?", summary.rows, shown, doubt))) consent = Consent::none;
+    }
+    if (!save(mapping, consent != Consent::none)) return exit_bad_input;
+    if (consent == Consent::none) {
+      fmt::print(stderr,
+                 "Nothing was written{}.\n",
+                 said_.output.empty() ? ": say --output FILE.csv, and --yes if it is read as it should be"
+                                      : ": not confirmed; say --yes if it is read as it should be");
+      return exit_failed;
+    }
+    text::Diagnostics failures;
+    if (!file->commit()) return stop();
+    if (!options_.quiet)
+      show(fmt::format("{}: {} rows written{}.\n",
+                       text::printable(said_.output),
+                       summary.rows,
+                       summary.left_out == 0 ? "" : fmt::format(", {} lines left out", summary.left_out)));
+    return exit_done;
+  }
+
+  const Options& options_;
+  const ImportOptions& said_;
+  text::Diagnostics diagnostics_;
+  ImportRequest request_;
+};
+
+}  // namespace
+
+int run_import(const Options& options) { return Import(options).run(); }
+
+}  // namespace millwright::app

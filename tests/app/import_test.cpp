@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+// `catalogue import` as a user meets it: what is written, and what never is.
+#include <unistd.h>
+
+#include "app/program.h"
+#include "catch.h"
+
+namespace millwright::app {
+namespace {
+
+constexpr const char* table =
+    "Brand,Part No,Step angle (deg),Torque (N.cm),Current,Weight (kg),Price (EUR),Stock\n"
+    "ACME,007,1.8,126,2.8 A,1.0,24.33,12\n"
+    "ACME,008,1.8,44,1.7 A,0.28,12.50,3\n";
+constexpr const char* without_unit =
+    "Brand,Part No,Step angle (deg),Torque,Current (A),Price (EUR)\nACME,007,1.8,1.26,2.8,24.33\n";
+
+std::vector<std::string> import(const std::vector<std::string>& more) {
+  std::vector<std::string> words{"catalogue", "import", "prices.csv"};
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+TEST_CASE("An import shows what it would do, and writes when it is told to") {
+  const Workshop shop;
+  shop.write("prices.csv", table);
+  const Outcome shown = shop.run(import({"--family", "steppers", "--output", "steppers.csv"}));
+  CHECK(shown.exit_code == 1);  // nobody confirmed
+  CHECK(shown.prints("holding_torque"));
+  CHECK(shown.prints("Stock: kept as x_stock"));
+  CHECK(shown.says("Nothing was written"));
+  CHECK_FALSE(shop.has("steppers.csv"));
+  const Outcome written = shop.run(import({"--family", "steppers", "--output", "steppers.csv", "--yes"}));
+  CHECK(written.exit_code == 0);
+  CHECK(written.prints("steppers.csv: 2 rows written."));
+  CHECK(shop.entries() == 2);
+  const std::string text = shop.read("steppers.csv");
+  CHECK(text.find("ACME,007,24.33,EUR,") != std::string::npos);
+  CHECK(shop.run({"catalogue", "lint", "steppers.csv"}).exit_code == 0);
+  CHECK(shop.run({"catalogue", "show", "007", "--catalogue", "steppers.csv"}).prints("1.26"));
+}
+
+TEST_CASE("A mapping is saved, edited and replayed for the next price list") {
+  const Workshop shop;
+  shop.write("prices.csv", without_unit);
+  const Outcome assumed =
+      shop.run(import({"--family", "steppers", "--output", "steppers.csv", "--yes", "--save-mapping", "m.toml"}));
+  CHECK(assumed.exit_code == 2);
+  CHECK(assumed.says("prices.csv:1:32: error: nothing says the unit of holding_torque"));
+  CHECK(assumed.says("say --unit holding_torque=N.m, if that is its unit"));
+  CHECK_FALSE(shop.has("steppers.csv"));
+  CHECK(shop.read("m.toml").find("# unit = \"N.m\"? nothing says it") != std::string::npos);
+  const Outcome open = shop.run(import({"--mapping", "m.toml", "--output", "steppers.csv"}));
+  CHECK(open.exit_code == 2);
+  CHECK(open.says("m.toml:"));
+  CHECK(
+      shop.run(import({"--mapping", "m.toml", "--unit", "holding_torque=N.m", "--output", "steppers.csv"})).exit_code ==
+      0);
+  CHECK(shop.run(import({"--family",
+                         "steppers",
+                         "--unit",
+                         "holding_torque=N.m",
+                         "--save-mapping",
+                         "m.toml",
+                         "--force",
+                         "--yes",
+                         "--output",
+                         "steppers.csv"}))
+            .exit_code == 0);
+  shop.write("prices.csv", "Price (EUR),Brand,Part No,Step angle (deg),Torque,Current (A)\n26,ACME,007,1.8,1.26,2.8\n");
+  CHECK(shop.run(import({"--mapping", "m.toml", "--output", "steppers.csv", "--force"})).exit_code == 0);
+  CHECK(shop.read("steppers.csv").find("ACME,007,26,EUR") != std::string::npos);
+}
+
+TEST_CASE("Nothing is overwritten without force, and nothing is written through a link") {
+  const Workshop shop;
+  shop.write("prices.csv", table);
+  shop.write("mine.csv", "mine");
+  const std::vector<std::string> words{"--family", "steppers", "--yes", "--output"};
+  const auto to = [&](const std::string& file, bool force) {
+    std::vector<std::string> all = words;
+    all.push_back(file);
+    if (force) all.emplace_back("--force");
+    return shop.run(import(all));
+  };
+  const Outcome there = to("mine.csv", false);
+  CHECK(there.exit_code == 2);
+  CHECK(there.says("mine.csv: there is such a file already"));
+  REQUIRE(symlink("mine.csv", shop.path("link.csv").c_str()) == 0);
+  for (const bool force : {false, true}) {
+    const Outcome link = to("link.csv", force);
+    CHECK(link.exit_code == 2);
+    CHECK(link.says("link.csv: is a symbolic link and is not written through"));
+  }
+  CHECK(to("prices.csv", true).says("prices.csv: cannot be written: it is read too"));
+  CHECK(to("nowhere/a.csv", false).says("there is no folder 'nowhere'"));
+  CHECK(shop.read("mine.csv") == "mine");
+  CHECK(shop.read("prices.csv") == table);
+  CHECK(shop.entries() == 3);
+  CHECK(to("mine.csv", true).exit_code == 0);
+  CHECK(shop.read("mine.csv").rfind("# Imported from prices.csv.", 0) == 0);
+}
+
+TEST_CASE("An error of lint leaves the file as it was") {
+  const Workshop shop;
+  shop.write("prices.csv", std::string(table) + "ACME,009,1.8,126000,2.8 A,1,20,1\n");
+  shop.write("mine.csv", "mine");
+  const Outcome wrong = shop.run(import({"--family", "steppers", "--yes", "--force", "--output", "mine.csv"}));
+  CHECK(wrong.exit_code == 2);
+  CHECK(wrong.says("prices.csv:4:14: error: 009: holding_torque 1260 N.m"));
+  CHECK(shop.read("mine.csv") == "mine");
+  CHECK(shop.entries() == 2);
+}
+
+TEST_CASE("Options of an import that make no sense are pointed at") {
+  const Workshop shop;
+  shop.write("prices.csv", table);
+  CHECK(shop.run(import({})).says("which parts are these?"));
+  CHECK(shop.run(import({"--family", "steper"})).says("command line:1:10: error: there is no part family 'steper'"));
+  CHECK(shop.run(import({"--family", "steppers", "--unit", "mass=mm"})).says("command line:1:8: error: mass: 'mm'"));
+  CHECK(shop.run(import({"--family", "steppers", "--constant", "masse=1 kg"})).says("did you mean 'mass'?"));
+  CHECK(shop.run(import({"--family", "steppers", "--constant", "mass"})).says("a column, '=' and a value are wanted"));
+  CHECK(shop.run({"catalogue", "import", "nothing.csv", "--family", "steppers"}).says("cannot be opened"));
+  CHECK(shop.run({"catalogue", "import", ".", "--family", "steppers"}).exit_code == 2);
+}
+
+}  // namespace
+}  // namespace millwright::app

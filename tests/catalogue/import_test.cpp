@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tables as makers and shops write them. Figures in SI were converted by hand: 1 ozf.in = 0.4448221615 N / 1.6 x 25.4
+// mm = 0.00706155181 N.m, 1 lbf.in = 4.448221615 N x 25.4 mm = 0.112984829 N.m.
+#include "catalogue/import_table.h"
+#include "catch.h"
+
+namespace millwright::catalogue {
+namespace {
+
+constexpr const char* english =
+    "ACME motors - price list 2026,,,,,,,,\n"
+    ",,,,,,,,\n"
+    "Brand,Model,Frame Size,Step Angle (deg),Holding Torque [oz.in],Rated Current (A),Weight (kg),Unit Price "
+    "(USD),Lead wires\n"
+    "ACME,007-1E5,NEMA 23,1.8,178,2.8,1.0,24.33,4\n"
+    "NEMA 17 series,,,,,,,,\n"
+    "ACME,007-2E5,NEMA 17,1.8,62,1.68,0.28,12.50,\"4, twisted\"\n";
+
+TEST_CASE("A maker's table: header below titles, units in the header, part numbers stay text") {
+  const Imported result = import_csv(english);
+  INFO(result.complaints);
+  REQUIRE(result.good);
+  CHECK(result.meaning("Brand") == "manufacturer");
+  CHECK(result.meaning("Model") == "part_number");
+  CHECK(result.meaning("Holding Torque [oz.in]") == "holding_torque");
+  CHECK(result.meaning("Weight (kg)") == "mass");
+  CHECK(result.meaning("Lead wires") == "x_lead_wires");
+  CHECK(result.column("Holding Torque [oz.in]").confidence > 0.9);
+  CHECK(result.summary.rows == 2);
+  CHECK(result.summary.left_out == 1);
+  const Table table = result.table(Family::steppers);
+  REQUIRE(table.rows() == 2);
+  CHECK(table.part_number(0) == "007-1E5");
+  CHECK(table.text("frame", 0) == "NEMA23");
+  CHECK(table.number("holding_torque", 0) == Approx(178 * 0.00706155181).epsilon(1e-8));
+  CHECK(table.number("step_angle", 0) == Approx(3.14159265 / 100));
+  CHECK(table.price(0).piece == 24.33);
+  CHECK(table.price(0).currency == "USD");
+  CHECK(result.text.find("# ACME motors - price list 2026") != std::string::npos);
+  CHECK(result.text.find("\"4, twisted\"") != std::string::npos);  // kept as it is
+  CHECK(table.text("source", 0).find("table.csv") != std::string_view::npos);
+}
+
+TEST_CASE("Semicolons, decimal commas and a row of units") {
+  const Imported result = import_csv(
+      "Artikelnummer;Haltemoment;Nennstrom;Schrittwinkel;Rotortr\xC3\xA4gheitsmoment;Gewicht;Preis\n"
+      ";Ncm;A;\xC2\xB0;g\xC2\xB7"
+      "cm\xC2\xB2;kg;\xE2\x82\xAC\n"
+      "ST5918;126,5;2,8;1,8;480;1,05;1.049,90\n"
+      "ST4118;44;1,8;1,8;57;0,28;49,90\n",
+      asking({{"manufacturer", "Nanotec"}}));
+  INFO(result.complaints);
+  REQUIRE(result.good);
+  const Table table = result.table(Family::steppers);
+  REQUIRE(table.rows() == 2);
+  CHECK(table.manufacturer(0) == "Nanotec");
+  CHECK(table.number("holding_torque", 0) == Approx(1.265));
+  CHECK(table.number("rated_current", 0) == 2.8);
+  CHECK(table.number("rotor_inertia", 0) == Approx(480e-7));
+  CHECK(table.number("mass", 0) == 1.05);
+  CHECK(table.price(0).piece == 1049.9);
+  CHECK(table.price(0).currency == "EUR");
+  CHECK(result.column("Haltemoment").unit_origin == UnitOrigin::units_row);
+}
+
+TEST_CASE("Units in the cells: of one kind they stay, of several they are converted") {
+  const Imported result = import_csv(
+      "Brand,Part No,Step angle,Holding torque,Current,Inertia,Price\n"
+      "A,1,1.8\xC2\xB0,1.26 N.m,2.8A,480 g.cm2,$ 24.33\n"
+      "A,2,1.8\xC2\xB0,178 oz.in,2800 mA,0.48 kg.cm2,$ 20.10\n"
+      "A,3,1.8\xC2\xB0,12 lb.in,3 A,-,19.00\n",
+      asking({{"currency", "USD"}}));
+  INFO(result.complaints);
+  REQUIRE(result.good);
+  const Table table = result.table(Family::steppers);
+  CHECK(table.number("holding_torque", 0) == 1.26);
+  CHECK(table.number("holding_torque", 1) == Approx(1.25695622).epsilon(1e-8));
+  CHECK(table.number("holding_torque", 2) == Approx(1.35581795).epsilon(1e-8));
+  CHECK(table.number("rated_current", 1) == 2.8);
+  CHECK(table.number("rotor_inertia", 1) == Approx(480e-7));
+  CHECK(std::isnan(table.number("rotor_inertia", 2)));
+  CHECK(table.price(2).piece == 19.0);
+}
+
+TEST_CASE("A figure without a unit is not guessed") {
+  const std::string table = "Brand,Part No,Step angle (deg),Torque (N.m),Current,Price (EUR)\nA,1,1.8,1.26,2.8,20\n";
+  const Imported assumed = import_csv(table);
+  REQUIRE(assumed.mapping);
+  REQUIRE(assumed_units(*assumed.mapping).size() == 1);
+  CHECK(assumed_units(*assumed.mapping)[0]->header == "Current");
+  CHECK(assumed.column("Current").confidence < 0.5);
+  const Imported said = import_csv(table, asking({{"unit:rated_current", "mA"}}));
+  CHECK(assumed_units(*said.mapping).empty());
+  CHECK(said.text.find("rated_current [mA]") != std::string::npos);
+  CHECK_FALSE(said.good);  // 2.8 mA is no motor: lint
+  const Imported some = import_csv(
+      "Brand,Part No,Step angle (deg),Torque,Current (A),Price (EUR)\nA,1,1.8,1.26 N.m,2.8,20\nA,2,1.8,1.3,2.8,20\n");
+  CHECK(some.says("table.csv:3:9: error: holding_torque: a figure without a unit"));
+}
+
+TEST_CASE("What a comma means is decided by the column, by the others, or not at all") {
+  const auto table = [](const char* a, const char* b, const char* mass) {
+    return std::string("Brand;Part No;Step angle (deg);Torque (N.cm);Current (A);Weight (g);Price (EUR)\n") + "A;1;1;" +
+           a + ";2;" + mass + ";20\nA;2;1;" + b + ";2;" + mass + ";20\n";
+  };
+  const Imported by_column = import_csv(table("1,234", "98,5", "900"));
+  CHECK(by_column.text.find("1.234") != std::string::npos);
+  const Imported by_others = import_csv(table("126", "127", "1.050,5"));
+  CHECK(by_others.text.find(",1050.5\n") != std::string::npos);
+  const Imported other_column = import_csv(table("126", "12,5", "1,050"));
+  CHECK(other_column.text.find(",1.050\n") != std::string::npos);
+  const Imported open = import_csv(table("126", "127", "1,050"));
+  CHECK_FALSE(open.good);
+  CHECK(open.says(":2:13: error: mass: '1,050' may have a decimal mark or separate thousands"));
+  ImportRequest request = asking();
+  request.choices.mark = DecimalMark::point;
+  CHECK(import_csv(table("126", "127", "1,050"), request).text.find(",1050\n") != std::string::npos);
+  const Imported both = import_csv(table("12.5", "12,5", "900"));
+  CHECK(both.says("holding_torque: decimal commas and decimal points in one column"));
+}
+
+TEST_CASE("A price per metre is no price of a piece, and a torque in mm is none") {
+  const Imported screws = import_csv(
+      "Model\td0 (mm)\tLead (mm)\tDyn. load C (kN)\tStat. load C0 (kN)\tRoot dia (mm)\tPrice EUR/m\tNut price (EUR)\n"
+      "SFU1605\t16\t5\t7.65\t13.24\t12.9\t25.50\t18.90\n",
+      asking({{"manufacturer", "TBI"}}, Family::ball_screws));
+  INFO(screws.complaints);
+  REQUIRE(screws.good);
+  CHECK(screws.meaning("Price EUR/m") == "price_per_length");
+  CHECK(screws.meaning("Nut price (EUR)") == "price");
+  const Table table = screws.table(Family::ball_screws);
+  CHECK(table.price(0).piece == 18.9);
+  CHECK(table.price(0).length == 25.5);
+  CHECK(table.number("dynamic_load_rating", 0) == Approx(7650.0));
+  const Imported other = import_csv("Brand,Part No,Torque (mm),Current (A),Price (EUR)\nA,1,1.2,2,20\n");
+  CHECK(other.meaning("Torque (mm)") == "x_torque_mm");
+}
+
+TEST_CASE("Required columns that come from nowhere are named") {
+  const Imported result = import_csv("Part No,Torque (N.m),Weight (kg)\nA1,1.2,1\n");
+  CHECK_FALSE(result.good);
+  for (const char* name : {"manufacturer", "step_angle", "rated_current", "price", "currency"})
+    CHECK(result.says(std::string("nothing in the table gives ") + name));
+}
+
+TEST_CASE("Findings of lint stand at the cells of the table that was read") {
+  const Imported result = import_csv(
+      "Part No,Brand,Step angle (deg),Torque (N.m),Current (A),Price "
+      "(EUR)\nP1,A,1.8,1.2,2.8,20\nP2,A,1.8,1260,2.8,20\nP1,A,1.8,1.2,2.8,20\n");
+  INFO(result.complaints);
+  CHECK_FALSE(result.good);
+  CHECK(result.says("table.csv:3:10: error: P2: holding_torque 1260 N.m is outside"));
+  CHECK(result.says("table.csv:4:1: error: duplicate part 'P1'"));
+}
+
+TEST_CASE("A mapping is saved and read back, for the next price list too") {
+  const TemporaryFolder folder;
+  const Imported first = import_csv(english);
+  ImportRequest request = asking();
+  const std::string saved = mapping_text(*first.mapping, request, true);
+  INFO(saved);
+  ImportRequest replay;
+  text::Diagnostics diagnostics;
+  read_mapping(folder.write("m.toml", saved).string(), replay, diagnostics);
+  CHECK(text::format(diagnostics).empty());
+  REQUIRE(replay.family == Family::steppers);
+  // Another order, another column, other prices.
+  const Imported next = import_csv(
+      "Unit Price (USD),Brand,Model,Frame Size,Step Angle (deg),Colour,Holding Torque [oz.in],Rated Current (A),Weight "
+      "(kg)\n"
+      "26.00,ACME,007-1E5,NEMA 23,1.8,black,178,2.8,1.0\n",
+      replay);
+  INFO(next.complaints);
+  REQUIRE(next.good);
+  CHECK(next.meaning("Colour") == "x_colour");
+  CHECK(next.table(Family::steppers).price(0).piece == 26.0);
+  const Imported other = import_csv("Brand,Model,Torque\nACME,1,2\n", replay);
+  CHECK(other.says("m.toml:"));
+  CHECK(other.says("error: the table has no column 'Holding Torque [oz.in]'"));
+}
+
+TEST_CASE("Mistakes of a mapping file are reported at their places") {
+  const TemporaryFolder folder;
+  ImportRequest request;
+  text::Diagnostics diagnostics;
+  read_mapping(
+      folder
+          .write("m.toml",
+                 "family = \"steppers\"\ncolour = 1\n[constants]\nmaker = \"A\"\nmass = \"3 mm\"\n[columns]\n"
+                 "holding_torque = { from = \"T\", unit = \"kg\", decimal = \"dot\" }\nprice = { unit = \"EUR\" }\n")
+          .string(),
+      request,
+      diagnostics);
+  const std::string complaints = text::format(diagnostics);
+  INFO(complaints);
+  for (const char* place : {"m.toml:2:1: error",
+                            "m.toml:4:1: error",
+                            "m.toml:5:8: error",
+                            "m.toml:7:39: error",
+                            "m.toml:7:55: error",
+                            "m.toml:8:"})
+    CHECK(complaints.find(place) != std::string::npos);
+}
+
+TEST_CASE("Other encodings are read when they are said or certain") {
+  const std::string latin =
+      "Brand;Part No;Step angle (\xB0);Torque (N.m);Current (A);Price (\x80)\nA;\xD6l;1,8;1,2;2,8;20\n";
+  const Imported unknown = import_csv(latin);
+  CHECK(unknown.says("is not UTF-8"));
+  CHECK(unknown.says("--encoding windows-1252"));
+  ImportRequest request = asking();
+  request.format.encoding = "windows-1252";
+  const Imported said = import_csv(latin, request);
+  INFO(said.complaints);
+  REQUIRE(said.good);
+  CHECK(said.table(Family::steppers).part_number(0) == "\xC3\x96l");
+  CHECK(said.table(Family::steppers).price(0).currency == "EUR");
+  std::string wide = "\xFF\xFE";
+  for (const char c : std::string(
+           "Brand\tPart No\tStep angle (deg)\tTorque (N.m)\tCurrent (A)\tPrice (EUR)\nA\tX1\t1.8\t1.2\t2.8\t20\n")) {
+    wide += c;
+    wide += '\0';
+  }
+  const Imported utf_16 = import_csv(wide);
+  INFO(utf_16.complaints);
+  REQUIRE(utf_16.good);
+  CHECK(utf_16.table(Family::steppers).part_number(0) == "X1");
+}
+
+TEST_CASE("Columns whose name begins with x_ are nobody's business") {
+  text::Diagnostics diagnostics;
+  const Imported result = import_csv(english);
+  read_table(text::SourceText::from_string("a.csv", result.text), Family::steppers, 0, diagnostics);
+  CHECK(text::format(diagnostics).find("is ignored") == std::string::npos);
+}
+
+}  // namespace
+}  // namespace millwright::catalogue
