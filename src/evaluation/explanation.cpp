@@ -8,6 +8,7 @@
 
 #include "evaluation/condition_trials.h"
 #include "evaluation/machine_stages.h"
+#include "evaluation/rates.h"
 #include "evaluation/slot_choices.h"
 
 namespace millwright::evaluation {
@@ -247,6 +248,7 @@ Explanation explain(const Asked& asked,
     result.design = trials.best("the machine as it is asked for", {});
     if (result.design) {
       result.status = solver::Status::optimal;
+      find_rates(trials, result);
       find_choices(trials, result);
       Prices(trials, result).find();
     } else {
