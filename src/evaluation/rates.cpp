@@ -8,6 +8,7 @@
 #include <set>
 
 #include "evaluation/machine_stages.h"
+#include "evaluation/same_parts.h"
 #include "solver/multipliers.h"
 
 namespace millwright::evaluation {
@@ -42,21 +43,6 @@ catalogue::Catalogue parts_of(const Design& design, const catalogue::Catalogue& 
   catalogue::Catalogue result = all;
   result.drop(others);
   return result;
-}
-
-bool same_parts(const Candidate& a, const Candidate& b) {
-  return std::equal(a.parts.begin(),
-                    a.parts.end(),
-                    b.parts.begin(),
-                    b.parts.end(),
-                    [](const PartUse& x, const PartUse& y) {
-                      return x.slot == y.slot && x.family == y.family && x.row == y.row && x.stated == y.stated;
-                    }) &&
-         std::equal(a.settings.begin(),
-                    a.settings.end(),
-                    b.settings.begin(),
-                    b.settings.end(),
-                    [](const Setting& x, const Setting& y) { return x.name == y.name && x.value == y.value; });
 }
 
 class Rates {
@@ -119,22 +105,6 @@ class Rates {
     return sum;
   }
 
-  /// The rows of the same parts in another model; nothing where it has them no more.
-  [[nodiscard]] std::optional<solver::Build> translated(const MachineModel& model) const {
-    if (model.entries().size() != base_->entries().size() || !model.empty_slots().empty()) return std::nullopt;
-    solver::Build build = build_;
-    for (std::size_t stage = 0; stage < build.stages.size(); ++stage)
-      for (std::size_t slot = 0; slot < build.stages[stage].rows.size(); ++slot) {
-        const Candidate& wanted = base_->candidate(stage, slot, build_.stages[stage].rows[slot]);
-        const solver::Row count = model.problem().stages[stage]->slots()[slot].rows;
-        solver::Row row = 0;
-        while (row < count && !same_parts(model.candidate(stage, slot, row), wanted)) ++row;
-        if (row == count) return std::nullopt;
-        build.stages[stage].rows[slot] = row;
-      }
-    return build;
-  }
-
   /// To a value, everything else as asked.
   std::unique_ptr<MachineModel> with(const Condition& condition, double value) const {
     Asked asked = trials_.asked();
@@ -150,7 +120,7 @@ class Rates {
     const auto slope = [&](double step) {
       const double value = condition.eased(1.0 + step);
       const auto model = with(condition, value);
-      const auto there = translated(*model);
+      const auto there = same_parts_in(*model, *base_, build_);
       if (!there) return none;
       return (multipliers.lagrangian(model->problem(), options, *there) - here) / (value - condition.value);
     };
@@ -165,7 +135,7 @@ class Rates {
     const Condition& condition = trials_.conditions()[index];
     const double value = condition.eased(1.0 + trial_step);
     const auto model = with(condition, value);
-    const auto there = translated(*model);
+    const auto there = same_parts_in(*model, *base_, build_);
     const double said = slope * (value - condition.value);
     const bool borne_out =
         there && std::abs(total(solver::settled(model->problem(), how(*model, {}), *there)) - least_ - said) <=
