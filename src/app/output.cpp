@@ -36,7 +36,10 @@ report::Style output_style(const Options& options) {
   const char* terminal = std::getenv("TERM");
   const bool wanted =
       (no_colour == nullptr || *no_colour == '\0') && (terminal != nullptr && std::string_view(terminal) != "dumb");
-  return report::Style{.colour = wanted && isatty(STDOUT_FILENO) != 0, .width = output_width(), .brief = options.quiet};
+  return report::Style{.colour = wanted && isatty(STDOUT_FILENO) != 0,
+                       .width = output_width(),
+                       .brief = options.quiet,
+                       .full = options.full};
 }
 
 void print(const text::Diagnostics& diagnostics) {

@@ -142,6 +142,17 @@ std::string end_text(const MachineResult& result,
          parts_text(result, design, style) + governing_text(result, design, style);
 }
 
+/// What the page leaves out.
+std::string more_text(const Design& design) {
+  const std::string outside = design.outside_validity.empty()
+                                  ? std::string()
+                                  : fmt::format("{} formula{} outside the range that {} stated for, ",
+                                                design.outside_validity.size(),
+                                                design.outside_validity.size() == 1 ? " is used" : "s are used",
+                                                design.outside_validity.size() == 1 ? "it is" : "they are");
+  return fmt::format("--full: {}all {} checks, requirements and assumptions\n", outside, design.checks.size());
+}
+
 }  // namespace
 
 std::string title_text(const MachineResult& result, const Style& style) {
@@ -232,6 +243,8 @@ std::string solve_text(const MachineResult& result, const Style& style) {
     out += "  Moves state their times, so every build takes as long: this is the cheapest.\n\n";
   out += parts_text(result, design, style) + dimensions_text(design, style) + alternatives_text(result, style);
   if (style.brief) return out;
+  if (!style.full)
+    return out + closest_checks_text(result, design, style) + certificate_text(result, style) + more_text(design);
   return out + governing_text(result, design, style) + checks_text(result, design, style) +
          outside_validity_text(design, style) + requirements_text(result, style) + assumptions_text(design, style) +
          certificate_text(result, style);
