@@ -36,6 +36,16 @@ std::string command_lines(std::string line) {
 
 }  // namespace
 
+/// What stands for the value, and "..." where several may be given. Validators and what is required are left out: the
+/// one is said in words, the other by the line of usage.
+std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {
+  std::string type = option->get_type_name();
+  type = type.substr(0, type.find(':'));
+  if (type == "TEXT" || option->get_type_size() == 0) type.clear();
+  if (!type.empty()) type = " " + type;
+  return type + (option->get_expected_max() > 1 ? " ..." : "");
+}
+
 std::string HelpFormatter::make_option_desc(const CLI::Option* option) const {
   return report::wrapped(Formatter::make_option_desc(option), width - get_column_width(), 0);
 }

@@ -205,6 +205,7 @@ class CommandLine {
     solve.add_option("--bom", options_.bom, "write the build as a bill of materials, which 'check' reads")
         ->type_name("FILE.csv");
     add_order_option(solve, options_);
+    solve.add_flag("--full", options_.full, "print every check, all requirements and assumptions too");
     solve.add_option("--csv", options_.csv, "with --set over a range: write the table")->type_name("FILE.csv");
     solve
         .add_option(

@@ -56,6 +56,7 @@ struct Options {
   std::string report;           ///< page to write, empty for none
   std::string language = "en";  ///< of the page
   bool quiet = false;
+  bool full = false;                    ///< of solve: every check, requirement and assumption
   std::vector<std::string> catalogues;  ///< overlay folders
   // machines
   std::string problem;

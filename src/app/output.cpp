@@ -19,14 +19,14 @@ namespace millwright::app {
 
 namespace {
 
-/// Columns of the terminal that standard output is; 80 where it is none, so that what is written does not hang on who
+/// Columns of the terminal that an output is; 80 where it is none, so that what is written does not hang on who
 /// writes it.
-std::size_t output_width() {
+std::size_t output_width(int output = STDOUT_FILENO) {
   constexpr std::size_t usual = 80;
   constexpr std::size_t least = 60;  // tables of numbers do not go below
   constexpr std::size_t most = 160;  // lines that are longer are hard to read
   winsize size{};
-  if (isatty(STDOUT_FILENO) == 0 || ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return usual;
+  if (isatty(output) == 0 || ioctl(output, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return usual;
   return std::clamp<std::size_t>(size.ws_col, least, most);
 }
 
@@ -37,11 +37,16 @@ report::Style output_style(const Options& options) {
   const char* terminal = std::getenv("TERM");
   const bool wanted =
       (no_colour == nullptr || *no_colour == '\0') && (terminal != nullptr && std::string_view(terminal) != "dumb");
-  return report::Style{.colour = wanted && isatty(STDOUT_FILENO) != 0, .width = output_width(), .brief = options.quiet};
+  return report::Style{.colour = wanted && isatty(STDOUT_FILENO) != 0,
+                       .width = output_width(),
+                       .brief = options.quiet,
+                       .full = options.full};
 }
 
 void print(const text::Diagnostics& diagnostics) {
-  const std::string text = text::format(diagnostics);
+  std::string text = text::format(diagnostics);
+  // Whoever reads a file or a pipe expects one line a message.
+  if (isatty(STDERR_FILENO) != 0) text = text::folded(text, output_width(STDERR_FILENO));
   std::fwrite(text.data(), 1, text.size(), stderr);
 }
 

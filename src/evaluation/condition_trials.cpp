@@ -5,6 +5,8 @@
 #include <chrono>
 #include <numeric>
 
+#include "solver/crew.h"
+
 namespace millwright::evaluation {
 
 namespace {
@@ -40,6 +42,7 @@ const catalogue::Catalogue& ConditionTrials::catalogue_for(const machine::Asked&
     key += part.manufacturer + '\n' + part.part_number + '\n';
     dropped.insert(dropped.end(), part.rows.begin(), part.rows.end());
   }
+  const std::lock_guard lock(mutex_);
   std::unique_ptr<catalogue::Catalogue>& known = catalogues_[key];
   if (!known) {
     known = std::make_unique<catalogue::Catalogue>(whole_);
@@ -53,9 +56,13 @@ void ConditionTrials::check_time() const {
 }
 
 SearchOptions ConditionTrials::begin(const std::string& what, bool patiently) {
-  if (progress_) progress_(solves_, what);
-  ++solves_;
+  {
+    const std::lock_guard lock(mutex_);
+    if (progress_) progress_(solves_, what);
+    ++solves_;
+  }
   SearchOptions options = options_;
+  if (at_once_) options.threads = 1;
   check_time();
   options.time_limit_seconds = patiently ? left() : std::min(left(), patience_);
   return options;
@@ -105,6 +112,22 @@ bool ConditionTrials::possible(const ConditionSet& imposed) {
   const bool answer = possible("what contradicts what", [&](machine::Asked& asked) { lift_others(imposed, asked); });
   known_.emplace(imposed, answer);
   return answer;
+}
+
+void ConditionTrials::at_once(std::size_t count, const std::function<void(std::size_t)>& ask) {
+  if (count < 2) {
+    for (std::size_t i = 0; i < count; ++i) ask(i);
+    return;
+  }
+  at_once_ = true;
+  solver::Crew crew(static_cast<unsigned>(std::min<std::size_t>(std::max(1U, options_.threads), count)));
+  try {
+    crew.run(count, [&](std::size_t item, unsigned) { ask(item); });
+  } catch (...) {
+    at_once_ = false;
+    throw;
+  }
+  at_once_ = false;
 }
 
 void ConditionTrials::lift_others(const ConditionSet& imposed, machine::Asked& asked) const {

@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,6 +44,10 @@ class ConditionTrials {
   /// Whether all conditions of a set can be met together, the others lifted. Asked once for each set.
   bool possible(const ConditionSet& imposed);
 
+  /// Independent questions at the same time: ask(i) for every i < count, each then solved by a single thread. Throws
+  /// what one of them threw, after all of them.
+  void at_once(std::size_t count, const std::function<void(std::size_t)>& ask);
+
   /// Lifts all that are not in the (ascending) set.
   void lift_others(const ConditionSet& imposed, machine::Asked& asked) const;
   [[nodiscard]] ConditionSet all() const;
@@ -70,6 +75,8 @@ class ConditionTrials {
   double patience_;
   double started_ = 0.0;
   std::size_t solves_ = 0;
+  bool at_once_ = false;
+  std::mutex mutex_;  ///< of what follows, and of the progress
   std::map<ConditionSet, bool> known_;
   std::map<std::string, std::unique_ptr<catalogue::Catalogue>> catalogues_;  ///< by what is left out
 };

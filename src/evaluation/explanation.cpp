@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "evaluation/condition_prices.h"
 #include "evaluation/condition_trials.h"
 #include "evaluation/machine_stages.h"
+#include "evaluation/rates.h"
 #include "evaluation/slot_choices.h"
 
 namespace millwright::evaluation {
@@ -151,86 +153,6 @@ class Contradictions {
   Explanation& result_;
 };
 
-/// What each condition costs on its own.
-class Prices {
- public:
-  Prices(ConditionTrials& trials, Explanation& result)
-      : trials_(trials), result_(result), objective_(machine::objective_named(result.objective)) {
-    base_ = result.design->total(objective_);
-  }
-
-  void find() {
-    // What is not settled for many is asked in parts.
-    const ConditionSet dear = those_that_matter(trials_.all(), [&](const ConditionSet& set) {
-      try {
-        return matters(saving(
-            [&](Asked& asked) {
-              for (const std::size_t i : set) conditions()[i].lift(asked);
-            },
-            "what conditions cost"));
-      } catch (const Unsettled&) {
-        return true;
-      }
-    });
-    result_.costless = trials_.all().size() - dear.size();
-    for (const std::size_t i : dear) {
-      try {
-        result_.prices.push_back(price(i));
-      } catch (const Unsettled&) {
-        result_.unsettled.push_back(i);
-      }
-    }
-    std::stable_sort(result_.prices.begin(), result_.prices.end(), [](const Price& a, const Price& b) {
-      return a.at_most > b.at_most;
-    });
-  }
-
- private:
-  [[nodiscard]] const std::vector<Condition>& conditions() const { return trials_.conditions(); }
-  [[nodiscard]] bool matters(double saving) const { return saving > 1e-5 * std::abs(base_); }
-
-  double saving(const ConditionTrials::Change& change, const std::string& what) {
-    const auto design = trials_.best_soon(what, change);
-    return design ? base_ - design->total(objective_) : 0.0;
-  }
-
-  Price price(std::size_t index) {
-    const Condition& condition = conditions()[index];
-    const std::string what = "what it costs, " + title_of(condition);
-    Price result;
-    result.condition = index;
-    result.at_most = saving([&](Asked& asked) { condition.lift(asked); }, what);
-    if (condition.kind != ConditionKind::number) {
-      result.saving = result.at_most;
-      return result;
-    }
-    // By a fifth; where that saves nothing yet, by as much as it takes.
-    double factor = std::min(1.2, condition.furthest), refused = 1.0;
-    const auto eased = [&](double by) {
-      return saving([&](Asked& asked) { condition.set(asked, rounded_looser(condition, condition.eased(by))); }, what);
-    };
-    result.saving = eased(factor);
-    while (!matters(result.saving) && factor < condition.furthest) {
-      refused = factor;
-      factor = std::min(factor * factor, condition.furthest);
-      result.saving = eased(factor);
-    }
-    while (refused > 1.0 && factor / refused > precision) {
-      const double middle = std::sqrt(factor * refused);
-      const double there = eased(middle);
-      if (matters(there)) result.saving = there;
-      (matters(there) ? factor : refused) = middle;
-    }
-    result.to = rounded_looser(condition, condition.eased(factor));
-    return result;
-  }
-
-  ConditionTrials& trials_;
-  Explanation& result_;
-  machine::Objective objective_;
-  double base_ = 0.0;
-};
-
 }  // namespace
 
 Explanation explain(const Asked& asked,
@@ -247,8 +169,10 @@ Explanation explain(const Asked& asked,
     result.design = trials.best("the machine as it is asked for", {});
     if (result.design) {
       result.status = solver::Status::optimal;
-      find_choices(trials, result);
-      Prices(trials, result).find();
+      find_rates(trials, result);
+      const BestBuild best = find_best(trials, result.objective);
+      find_choices(trials, best, result);
+      find_prices(trials, best, result);
     } else {
       Contradictions(trials, result).find();
     }

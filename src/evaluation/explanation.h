@@ -49,6 +49,12 @@ struct Price {
   double at_most = 0.0;      ///< of the objective, without the condition
 };
 
+/// What a little of a condition is worth where continuous dimensions move the objective.
+struct Rate {
+  std::size_t condition = 0;
+  double slope = 0.0;  ///< d objective / d value of the condition (SI), to the looser side, with the same parts
+};
+
 struct Explanation {
   solver::Status status = solver::Status::infeasible;  ///< limit: time was up, what is said holds but is not all
   std::vector<machine::Condition> conditions;
@@ -65,6 +71,12 @@ struct Explanation {
   std::vector<Price> prices;  ///< the largest saving first
   ConditionSet unsettled;     ///< conditions of which what they cost took too long to find out
   std::size_t costless = 0;   ///< conditions that cost nothing on their own
+  // where continuous dimensions move the objective (rates.h)
+  std::vector<DimensionLine> moving;  ///< those dimensions
+  std::vector<Check> holding;         ///< checks at their limit that hold them
+  std::vector<Rate> rates;            ///< what 1 % is worth most first; the others are 0
+  ConditionSet rough;                 ///< conditions where no derivative was borne out by solving: steps, kinks
+  bool rates_undetermined = false;    ///< what holds the dimensions is no regular optimum
   std::size_t solves = 0;
   double seconds = 0.0;
 };

@@ -37,16 +37,30 @@ ConditionSet minimal_conflict(const ConditionSet& conditions, Possible&& possibl
   return search(search, {}, false, conditions);
 }
 
-/// Members of `candidates` that matter on their own: matters({i}). Where matters(set) is false no member of the set
-/// does, so most are never asked alone.
-template <class Matters>
-ConditionSet those_that_matter(const ConditionSet& candidates, Matters&& matters) {
-  if (candidates.empty() || !matters(candidates)) return {};
-  if (candidates.size() == 1) return candidates;
-  const auto middle = candidates.begin() + static_cast<std::ptrdiff_t>(candidates.size() / 2);
-  ConditionSet result = those_that_matter(ConditionSet(candidates.begin(), middle), matters);
-  const ConditionSet rest = those_that_matter(ConditionSet(middle, candidates.end()), matters);
-  result.insert(result.end(), rest.begin(), rest.end());
+/// Members of `candidates` that matter on their own: matter({{i}})[0]. Where a set does not matter no member of it
+/// does, so most are never asked alone. `matter(sets)` answers for each of several sets, which may be looked at
+/// together.
+template <class Matter>
+ConditionSet those_that_matter(const ConditionSet& candidates, Matter&& matter) {
+  ConditionSet result;
+  std::vector<ConditionSet> open;
+  if (!candidates.empty()) open.push_back(candidates);
+  while (!open.empty()) {
+    const std::vector<bool> answers = matter(open);
+    std::vector<ConditionSet> next;
+    for (std::size_t k = 0; k < open.size(); ++k) {
+      if (!answers[k]) continue;
+      if (open[k].size() == 1) {
+        result.push_back(open[k].front());
+        continue;
+      }
+      const auto middle = open[k].begin() + static_cast<std::ptrdiff_t>(open[k].size() / 2);
+      next.emplace_back(open[k].begin(), middle);
+      next.emplace_back(middle, open[k].end());
+    }
+    open = std::move(next);
+  }
+  std::sort(result.begin(), result.end());
   return result;
 }
 

@@ -54,45 +54,63 @@ void thin(const MachineModel& model, solver::Restriction& left) {
 
 class Choices {
  public:
-  Choices(ConditionTrials& trials, Explanation& result)
+  Choices(ConditionTrials& trials, const BestBuild& best, Explanation& result)
       : trials_(trials),
+        best_(best.build),
+        model_(*best.model),
         result_(result),
-        objective_(machine::objective_named(result.objective)),
-        problem_(trials.asked().problem) {
-    problem_.counted = machine::counted_quantities({result.objective});
-    model_.emplace(
-        problem_, trials.catalogue_for(trials.asked()), GivenSlots{}, ModelOptions{.fixed = trials.asked().fixed});
-  }
+        objective_(machine::objective_named(result.objective)) {}
 
   void find() {
-    const SearchOptions options = trials_.begin("which choices are free");
-    const solver::Summary summary = solver::solve(model_->problem(), solver_options(*model_, options));
-    if (summary.status != solver::Status::optimal) throw TimeIsUp{};
-    const solver::Build& best = summary.builds.front();
-    design_ = model_->design(best);
-    for (std::size_t stage = 0; stage < model_->entries().size(); ++stage)
-      for (std::size_t slot = 0; slot < model_->entries()[stage].tables().size(); ++slot)
+    design_ = model_.design(best_);
+    for (std::size_t stage = 0; stage < model_.entries().size(); ++stage)
+      for (std::size_t slot = 0; slot < model_.entries()[stage].tables().size(); ++slot)
         // A row of a table may be several parts: a motor with its driver.
-        for (const PartUse& part : model_->candidate(stage, slot, best.stages[stage].rows[slot]).parts)
+        for (const PartUse& part : model_.candidate(stage, slot, best_.stages[stage].rows[slot]).parts)
           look_at(stage, slot, part);
-    look_at_voltage(best);
+    look_at_voltage();
+    // What was found stays when time is up meanwhile.
+    std::vector<char> found(questions_.size(), 0);
+    const auto keep = [&] {
+      for (std::size_t i = 0; i < questions_.size(); ++i)
+        if (found[i] != 0) result_.choices.push_back(std::move(questions_[i].choice));
+    };
+    try {
+      trials_.at_once(questions_.size(), [&](std::size_t i) {
+        if (!questions_[i].choice.only) judge(questions_[i]);
+        found[i] = 1;
+      });
+    } catch (...) {
+      keep();
+      throw;
+    }
+    keep();
   }
 
  private:
   /// With the drivers too that the model leaves out because another one is never worse: without that one they count.
   const MachineModel& model_of_drivers() {
     if (!with_covered_)
-      with_covered_.emplace(problem_,
+      with_covered_.emplace(model_.machine(),
                             trials_.catalogue_for(trials_.asked()),
                             GivenSlots{},
                             ModelOptions{.fixed = trials_.asked().fixed, .every_candidate = true});
     return *with_covered_;
   }
 
-  /// Finds out what the best build of what is left is.
-  void judge(SlotChoice& choice, const MachineModel& model, const solver::Restriction& left, const std::string& what) {
-    const SearchOptions options = trials_.begin(what, false);
-    const solver::RestrictedProblem restricted(model.problem(), left);
+  /// What the best build is of what is left without a choice.
+  struct Question {
+    SlotChoice choice;
+    const MachineModel* model = nullptr;
+    solver::Restriction left;
+    std::string what;
+  };
+
+  void judge(Question& question) {
+    SlotChoice& choice = question.choice;
+    const MachineModel& model = *question.model;
+    const SearchOptions options = trials_.begin(question.what, false);
+    const solver::RestrictedProblem restricted(model.problem(), question.left);
     const solver::Summary summary = solver::solve(restricted.problem(), solver_options(model, options));
     const double base = design_.total(objective_);
     const bool settled = summary.status != solver::Status::limit;
@@ -109,45 +127,61 @@ class Choices {
 
   void look_at(std::size_t stage, std::size_t slot, const PartUse& part) {
     SlotChoice choice;
-    choice.axis = model_->entries()[stage].axis;
+    choice.axis = model_.entries()[stage].axis;
     choice.slot = part.slot;
     choice.part = name_of(design_, choice.axis, choice.slot);
     if (choice.part.empty() || !part.is_named()) return;  // the only one, as the problem states it
     const bool driver = part.slot == "driver";
-    const MachineModel& model = driver ? model_of_drivers() : *model_;
+    const MachineModel& model = driver ? model_of_drivers() : model_;
     solver::Restriction left = solver::unrestricted(model.problem());
     std::vector<Row>& allowed = left.stages[stage].allowed[slot];
     std::erase_if(allowed, [&](Row row) { return has(model.candidate(stage, slot, row), part); });
     choice.only = allowed.empty();
     if (driver) thin(model, left);
-    if (!choice.only) judge(choice, model, left, fmt::format("another {}.{}", choice.axis, choice.slot));
-    result_.choices.push_back(std::move(choice));
+    const std::string what = fmt::format("another {}.{}", choice.axis, choice.slot);
+    questions_.push_back({std::move(choice), &model, std::move(left), what});
   }
 
   static std::string volts(double value) { return scalar::format(value, scalar::Unit::of("V")); }
 
-  void look_at_voltage(const solver::Build& best) {
-    if (model_->machine().supply_voltages.size() < 2) return;
-    solver::Restriction left = solver::unrestricted(model_->problem());
-    std::erase(left.shared.front(), best.shared.front());
+  void look_at_voltage() {
+    if (model_.machine().supply_voltages.size() < 2) return;
+    solver::Restriction left = solver::unrestricted(model_.problem());
+    std::erase(left.shared.front(), best_.shared.front());
     SlotChoice choice;
     choice.axis = "machine";
     choice.slot = "supply_voltage";
     choice.part = volts(design_.supply_voltage);
-    judge(choice, *model_, left, "another supply voltage");
-    result_.choices.push_back(std::move(choice));
+    questions_.push_back({std::move(choice), &model_, std::move(left), "another supply voltage"});
   }
 
   ConditionTrials& trials_;
+  const solver::Build& best_;
+  const MachineModel& model_;
   Explanation& result_;
   machine::Objective objective_;
-  machine::Problem problem_;
-  std::optional<MachineModel> model_, with_covered_;
+  std::optional<MachineModel> with_covered_;
+  std::vector<Question> questions_;
   Design design_;
 };
 
 }  // namespace
 
-void find_choices(ConditionTrials& trials, Explanation& result) { Choices(trials, result).find(); }
+BestBuild find_best(ConditionTrials& trials, const std::string& objective) {
+  BestBuild best;
+  machine::Problem problem = trials.asked().problem;
+  problem.counted = machine::counted_quantities({objective});
+  best.model = std::make_unique<MachineModel>(
+      problem, trials.catalogue_for(trials.asked()), GivenSlots{}, ModelOptions{.fixed = trials.asked().fixed});
+  const SearchOptions options = trials.begin("which choices are free");
+  solver::Summary summary = solver::solve(best.model->problem(), solver_options(*best.model, options));
+  if (summary.status != solver::Status::optimal) throw TimeIsUp{};
+  best.build = std::move(summary.builds.front());
+  return best;
+}
+
+void find_choices(ConditionTrials& trials, const BestBuild& best, Explanation& result) {
+  Choices(trials, best, result).find();
+}
 
 }  // namespace millwright::evaluation

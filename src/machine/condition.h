@@ -60,6 +60,13 @@ std::vector<Condition> conditions_of(const Asked& asked,
 /// to `digits` significant digits.
 std::string shown(const Condition& condition, double value, const std::string& currency, int digits = 4);
 
+/// The unit in which shown() gives a condition's values.
+struct ShownUnit {
+  std::string name;    ///< "1" of a plain number
+  double in_si = 1.0;  ///< how much of the SI unit one of it is
+};
+ShownUnit shown_unit(const Condition& condition, const std::string& currency);
+
 /// The next value on the looser side that has at most three significant digits in the unit in which it is shown.
 double rounded_looser(const Condition& condition, double value);
 

@@ -27,6 +27,14 @@ std::string shown(const Condition& condition, double value, const std::string& c
   return scalar::format(value, display_unit(condition), digits);
 }
 
+ShownUnit shown_unit(const Condition& condition, const std::string& currency) {
+  if (condition.unit.empty()) return {currency, 1.0};
+  const scalar::Unit unit = display_unit(condition);
+  const std::string text = scalar::format(1.0, unit);
+  const std::size_t blank = text.find(' ');
+  return {blank == std::string::npos ? "1" : text.substr(blank + 1), unit.to_si(1.0) - unit.to_si(0.0)};
+}
+
 double rounded_looser(const Condition& condition, double value) {
   const bool money = condition.unit.empty();
   const double number = money ? value : display_unit(condition).from_si(value);

@@ -101,6 +101,14 @@ void check_currency(const Axis& axis, const Problem& problem, Diagnostics& diagn
 
 std::optional<Problem> problem_of(const text::Document& document, Diagnostics& diagnostics) {
   const std::size_t errors = diagnostics.error_count();
+  if (document.root().is_table() && document.root().entries().empty()) {
+    diagnostics.error(
+        document.root().span(),
+        "the problem is empty",
+        "'millwright new --template mill FILE' writes one to begin with; 'millwright reference' has every "
+        "key");
+    return std::nullopt;
+  }
   Problem problem;
   problem.file = document.text()->path();
   TableReader table(document.root(), "problem", diagnostics);

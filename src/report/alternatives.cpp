@@ -60,21 +60,14 @@ std::string alternatives_text(const MachineResult& result, const Style& style) {
   return out + "\n";
 }
 
-std::string alternatives_certificate(const MachineResult& result) {
+std::string alternatives_certificate(const MachineResult& result, const Texts& t) {
   if (!asked(result)) return {};
-  if (result.status != Status::limit)
-    return result.designs.size() < result.builds_asked
-               ? fmt::format("  Proved: there {} only {} compliant build{}, each set of parts counted once.\n",
-                             result.designs.size() == 1 ? "is" : "are",
-                             result.designs.size(),
-                             result.designs.size() == 1 ? "" : "s")
-               : fmt::format("  Proved: these are the {} {} builds, each set of parts counted once.\n",
-                             result.designs.size(),
-                             best_word(result));
-  return fmt::format("  Of {} builds asked for {} {} proved before the limit.\n",
-                     result.builds_asked,
-                     result.proved,
-                     result.proved == 1 ? "was" : "were");
+  const std::size_t found = result.designs.size();
+  if (result.status == Status::limit)
+    return fmt::format(fmt::runtime(t("certificate.some")), result.builds_asked, result.proved);
+  if (found >= result.builds_asked)
+    return fmt::format(fmt::runtime(t(fmt::format("certificate.{}", best_word(result)))), found);
+  return found == 1 ? t("certificate.one_build") : fmt::format(fmt::runtime(t("certificate.few_builds")), found);
 }
 
 void add_alternatives(const MachineResult& result, Json& json) {

@@ -91,7 +91,7 @@ std::string checks_table(const Design& design, const std::string& axis, const Te
                   {t("check.id"), t("check"), t("check.value"), t("check.limit"), t("check.unit"), t("check.used"), ""},
                   "checks verdicts");
   for (const Check* check : checks_of(design, axis)) {
-    std::string title = escaped(check->title);
+    std::string title = escaped(t.said(check->title));
     if (!worst_text(*check).empty()) title += "<small>" + escaped(worst_text(*check)) + "</small>";
     if (!check->note.empty()) title += "<small class=\"note\">" + escaped(check->note) + "</small>";
     const auto number = [](double value) {

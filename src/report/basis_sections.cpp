@@ -216,7 +216,7 @@ std::string catalogues_section(const MachineResult& result, const Texts& t) {
 }
 
 std::string certificate_section(const MachineResult& result, const Texts& t) {
-  const std::string text = certificate_text(result, Style{});
+  const std::string text = certificate_text(result, Style{}, t);
   const std::size_t line = text.find('\n');
   return section("certificate", t("certificate"), "<pre>" + escaped(text.substr(line + 1)) + "</pre>\n");
 }

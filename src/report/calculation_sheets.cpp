@@ -49,7 +49,7 @@ std::string check_html(const Check& check, const MathPrinter& printer, std::size
       fmt::format("<article class=\"calculation\" id=\"{}\">\n<h6><b>{}</b> {}</h6>\n<div class=\"lines\">\n",
                   calculation_id(check),
                   escaped(check.id),
-                  escaped(check.title));
+                  escaped(t.said(check.title)));
   out += side_html(printer, 2 * index, symbol_mathml(check.symbol));
   out += side_html(printer, 2 * index + 1, "<mtext>" + escaped(t("sheet.limit")) + "</mtext>");
   out += "</div>\n<p class=\"verdict\">" + utilisation_bar(check) + " " +

@@ -239,6 +239,39 @@ std::string checks_text(const MachineResult& result, const Design& design, const
   return soft || open || !notes.empty() ? out + "\n" : out;
 }
 
+std::string closest_checks_text(const MachineResult& result, const Design& design, const Style& style) {
+  constexpr std::size_t most = 10;
+  constexpr double close = 0.5;
+  TextTable table({{""}, {""}, {"", Align::left, 46}, {"", Align::right}, {""}});
+  std::vector<std::string> over;
+  for (const std::string& axis : checked_axes(result)) {
+    std::size_t count = 0;
+    const Check* governing = design.governing(axis);
+    for (const Check* check : checks_of(design, axis)) {
+      const bool violated = check->verdict == Verdict::violated;
+      if (check->kind == ConstraintKind::soft) {
+        if (violated) over.push_back(axis + " " + check->id);
+        continue;
+      }
+      // Fits are met or not: that they are met is no news, however close.
+      const bool is_fit = check->id.rfind("F-", 0) == 0;
+      const bool counts = check == governing || (!is_fit && check->utilisation >= close && count < most);
+      if (!violated && !counts) continue;
+      table.add({count++ == 0 ? axis : "",
+                 check->id,
+                 check->title,
+                 utilisation_text(*check),
+                 violated ? verdict_text(*check, style) : ""});
+    }
+  }
+  std::string out = style.heading("Checks next to their limits, those that govern first") + "\n" + table.str(2, style);
+  if (!over.empty())
+    out += "  " +
+           wrapped(fmt::format("Reported, not enforced, and over: {}", fmt::join(over, ", ")), style.width - 2, 4) +
+           "\n";
+  return table.empty() && over.empty() ? std::string() : out + "\n";
+}
+
 std::string outside_validity_text(const Design& design, const Style& style) {
   TextTable table({{"axis"}, {"of"}, {"check"}, {"formula"}, {"limit", Align::left, 44}});
   for (const evaluation::OutsideValidity& line : design.outside_validity)

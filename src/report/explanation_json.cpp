@@ -93,6 +93,16 @@ void add_feasible(const MachineResult& result, const Explanation& explanation, J
   json["unsettled"] = Json::array();
   for (const std::size_t i : explanation.unsettled)
     json["unsettled"].push_back(condition_of(explanation.conditions[i], result.currency));
+  json["rates"] = Json::array();
+  for (const evaluation::Rate& rate : explanation.rates) {
+    Json line = condition_of(explanation.conditions[rate.condition], result.currency);
+    line["slope"] = number(rate.slope);
+    json["rates"].push_back(std::move(line));
+  }
+  json["rates_hold_for"] = Json::array();
+  for (const evaluation::DimensionLine& each : explanation.moving)
+    json["rates_hold_for"].push_back(
+        {{"axis", each.axis}, {"name", each.name}, {"value", number(each.value)}, {"unit", each.unit}});
   json["costless"] = explanation.costless;
 }
 

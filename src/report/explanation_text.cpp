@@ -40,6 +40,13 @@ std::string heading_unit(const Explanation& explanation, const std::string& curr
   return unit.empty() ? explanation.objective : unit;
 }
 
+/// A value of the objective, or a difference, in the unit of the heading.
+double objective_value(const std::string& objective, double value) {
+  const auto quantity = machine::objective_named(objective).single();
+  if (!quantity || *quantity == machine::Quantity::cost) return value;
+  return scalar::Unit::of(machine::declaration(*quantity).unit).from_si(value);
+}
+
 /// Where a build shows what a lifted choice was replaced by.
 std::string taken(const Condition& condition, const Design& design) {
   if (condition.slot == "supply_voltage") return scalar::format(design.supply_voltage, scalar::Unit::of("V"));
@@ -275,6 +282,62 @@ std::string prices_text(const Explanation& explanation, const std::string& curre
   return out + "\n";
 }
 
+/// "-2.31 USD per mm", "0.012 kg per 1": a slope in the units that people read.
+std::string slope_text(const Explanation& explanation, const evaluation::Rate& rate, const std::string& currency) {
+  const Condition& condition = explanation.conditions[rate.condition];
+  const machine::ShownUnit unit = machine::shown_unit(condition, currency);
+  const double objective = objective_value(explanation.objective, rate.slope * unit.in_si);
+  return fmt::format("{:+.4g} per {}", objective, unit.name);
+}
+
+/// What a little of each condition is worth; nothing where all that can be chosen is discrete.
+std::string rates_text(const Explanation& explanation, const std::string& currency, const Style& style) {
+  if (explanation.rates_undetermined)
+    return "The free dimensions are held by more than they need, or at a kink: no derivatives.\n\n";
+  if (explanation.moving.empty()) return {};
+  const std::string unit = heading_unit(explanation, currency);
+  std::string out = style.heading("What a little of each is worth, with these parts: derivatives") + "\n";
+  TextTable table({{"axis"},
+                   {"asked", Align::left, 24},
+                   {"at", Align::left, 8},
+                   {"now", Align::right, 10},
+                   {unit, Align::right},
+                   {"1 % looser", Align::right}});
+  for (const evaluation::Rate& rate : explanation.rates) {
+    const Condition& condition = explanation.conditions[rate.condition];
+    const double one_percent = rate.slope * (condition.eased(1.01) - condition.value);
+    table.add({condition.axis,
+               condition.name,
+               short_place(condition),
+               shown(condition, condition.value, currency),
+               slope_text(explanation, rate, currency),
+               fmt::format("{:+.4f}", objective_value(explanation.objective, one_percent))});
+  }
+  out += table.str(2, style);
+  std::string words = explanation.rates.empty() ? "Nothing that is asked moves it smoothly. " : "";
+  words += "For the same parts, whose free dimensions follow:";
+  for (std::size_t i = 0; i < explanation.moving.size(); ++i) {
+    const evaluation::DimensionLine& line = explanation.moving[i];
+    const scalar::Unit readable = scalar::readable_unit(scalar::Unit::of(line.unit).dimension(), line.value);
+    words += fmt::format("{} {} {} {}", i == 0 ? "" : ",", line.axis, line.name, scalar::format(line.value, readable));
+  }
+  if (!explanation.holding.empty()) words += "; held by";
+  for (std::size_t i = 0; i < explanation.holding.size(); ++i)
+    words += fmt::format("{} {} {} {}",
+                         i == 0 ? "" : ",",
+                         explanation.holding[i].axis,
+                         explanation.holding[i].element,
+                         explanation.holding[i].id);
+  words += ". Each was tried by settling the same parts with a thousandth more.";
+  if (!explanation.rough.empty()) words += " It has steps or kinks in";
+  for (std::size_t i = 0; i < explanation.rough.size(); ++i) {
+    const Condition& condition = explanation.conditions[explanation.rough[i]];
+    words += fmt::format("{} {}: {}", i == 0 ? "" : ",", condition.axis, condition.name);
+  }
+  if (!explanation.rough.empty()) words += ".";
+  return out + "  " + wrapped(words, width - 2, 2) + "\n\n";
+}
+
 }  // namespace
 
 std::string place_text(const Condition& condition) {
@@ -296,6 +359,7 @@ std::string explanation_text(const MachineResult& result, const Explanation& exp
                                      totals_text(design, quantity.value_or(machine::Quantity::cost)))) +
            "\n\n";
     out += governing_text(result, design, style) + choices_text(explanation, result.currency, style);
+    out += rates_text(explanation, result.currency, style);
     if (!limited || !explanation.prices.empty()) out += prices_text(explanation, result.currency, style);
   } else if (!limited || !explanation.conflicts.empty() || !explanation.unmet.empty() ||
              !explanation.empty_slots.empty()) {

@@ -59,7 +59,7 @@ Json part_record(const PartLine& part) {
 Json check_record(const Check& check, const Texts& t) {
   return {check.axis,
           check.id,
-          check.title,
+          t.said(check.title),
           shown_quantity(check.value, check.unit),
           shown_quantity(check.limit, check.unit),
           number(check.utilisation),

@@ -34,9 +34,10 @@ std::string in_sentence(std::string word) {
 }
 
 /// "is cheaper"
-std::string better_words(const std::string& objective) {
+std::string better_words(const std::string& objective, const Texts& t) {
   const auto quantity = machine::objective_named(objective).single();
-  return quantity ? std::string(machine::declaration(*quantity).better) : "has less " + objective;
+  return quantity ? t("certificate.better." + std::string(machine::declaration(*quantity).name))
+                  : fmt::format(fmt::runtime(t("certificate.better.sum")), objective);
 }
 
 /// All totals, that of the objective first; of a weighted sum "435.17 = 360.11 USD + 25 * 3.002 kg" before them.
@@ -135,6 +136,17 @@ std::string end_text(const MachineResult& result,
          parts_text(result, design, style) + governing_text(result, design, style);
 }
 
+/// What the page leaves out.
+std::string more_text(const Design& design) {
+  const std::string outside = design.outside_validity.empty()
+                                  ? std::string()
+                                  : fmt::format("{} formula{} outside the range that {} stated for, ",
+                                                design.outside_validity.size(),
+                                                design.outside_validity.size() == 1 ? " is used" : "s are used",
+                                                design.outside_validity.size() == 1 ? "it is" : "they are");
+  return fmt::format("--full: {}all {} checks, requirements and assumptions\n", outside, design.checks.size());
+}
+
 }  // namespace
 
 std::string title_text(const MachineResult& result, const Style& style) {
@@ -160,38 +172,39 @@ std::string nothing_text(const MachineResult& result, const Style& style) {
                                : unmet_text(result, style) + ways_out_text(result));
 }
 
-std::string certificate_text(const MachineResult& result, const Style& style) {
+std::string certificate_text(const MachineResult& result, const Style& style, const Texts& t) {
   const Certificate& certificate = result.certificate;
-  std::string out = style.heading("Certificate") + "\n";
+  std::string out = style.heading(t("certificate")) + "\n";
+  const auto fill = [&](const char* key, auto&&... values) { return fmt::format(fmt::runtime(t(key)), values...); };
+  const auto line = [&](const std::string& text) { out += "  " + wrapped(text, style.width - 2, 2) + "\n"; };
   const Design* design = result.designs.empty() ? nullptr : &result.designs.front();
   if (result.status == Status::infeasible) {
-    out += "  Proved: no combination is compliant.\n";
+    line(t("certificate.none"));
   } else if (result.objectives.size() == 1 && design != nullptr) {
     const std::string& objective = result.objectives.front();
-    out += best_is_proved(result) ? fmt::format("  Proved: no compliant build of these catalogues{} {}.\n",
-                                                as_asked(result),
-                                                better_words(objective))
-                                  : fmt::format("  Not proved: a build of {} or more may still exist (gap {:.2f} %).\n",
-                                                objective_text(objective, result.lower_bound, design->currency),
-                                                100.0 * result.gap);
-    out += alternatives_certificate(result);
+    line(best_is_proved(result)
+             ? fill(result.steering.empty() ? "certificate.best" : "certificate.best_asked", better_words(objective, t))
+             : fill("certificate.open",
+                    objective_text(objective, result.lower_bound, design->currency),
+                    fmt::format("{:.2f}", 100.0 * result.gap)));
+    if (const std::string others = alternatives_certificate(result, t); !others.empty()) line(others);
   } else if (result.objectives.size() > 1) {
     const double tolerance = certificate.front_tolerance;
-    out += result.status == Status::optimal
-               ? tolerance > 0.0
-                     ? fmt::format("  Proved: the front is covered to {:.3g} %, as said below.\n", 100.0 * tolerance)
-                     : "  Proved: the front is complete and exact.\n"
-               : "  Not proved: the limit was reached, points may be missing.\n";
+    line(result.status != Status::optimal ? t("certificate.front_open")
+         : tolerance > 0.0                ? fill("certificate.front_within", fmt::format("{:.3g}", 100.0 * tolerance))
+                                          : t("certificate.front"));
   }
-  out += fmt::format("  {} combinations of parts.\n", scalar::format_number(certificate.combinations, 3));
-  if (!certificate.method.empty()) out += "  " + wrapped(certificate.method, style.width - 2, 2) + "\n";
-  if (design != nullptr) out += "  Every figure above was computed again from scratch for the build shown.\n";
+  line(fill("certificate.combinations", scalar::format_number(certificate.combinations, 3)));
+  if (!certificate.method.empty()) line(t.clauses(certificate.method));
+  if (design != nullptr) line(t("certificate.again"));
   // Lines of effort begin with "time": they differ from run to run.
-  return out + fmt::format("time: {:.2f} s reading, {:.2f} s solving, {} nodes, {} evaluations\n",
-                           result.timing.read,
-                           result.timing.solve,
-                           certificate.nodes,
-                           certificate.evaluations);
+  return out +
+         fill("certificate.effort",
+              fmt::format("{:.2f}", result.timing.read),
+              fmt::format("{:.2f}", result.timing.solve),
+              certificate.nodes,
+              certificate.evaluations) +
+         "\n";
 }
 
 std::string objective_text(const std::string& objective, double value, const std::string& currency) {
@@ -224,6 +237,8 @@ std::string solve_text(const MachineResult& result, const Style& style) {
     out += "  Moves state their times, so every build takes as long: this is the cheapest.\n\n";
   out += parts_text(result, design, style) + dimensions_text(design, style) + alternatives_text(result, style);
   if (style.brief) return out;
+  if (!style.full)
+    return out + closest_checks_text(result, design, style) + certificate_text(result, style) + more_text(design);
   return out + governing_text(result, design, style) + checks_text(result, design, style) +
          outside_validity_text(design, style) + requirements_text(result, style) + assumptions_text(design, style) +
          certificate_text(result, style);

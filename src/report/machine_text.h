@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "report/page_texts.h"
 #include "report/result.h"
 #include "report/text_table.h"
 
@@ -26,7 +27,9 @@ std::string title_text(const MachineResult& result, const Style& style);
 std::string nothing_text(const MachineResult& result, const Style& style);
 
 /// What is proved, and how the answer was found.
-std::string certificate_text(const MachineResult& result, const Style& style);
+std::string certificate_text(const MachineResult& result,
+                             const Style& style,
+                             const Texts& t = Texts(Language::english));
 
 /// "612.34 USD", "41.200 kg", "12.500 s": a value of an objective; of a weighted sum only its number.
 std::string objective_text(const std::string& objective, double value, const std::string& currency);

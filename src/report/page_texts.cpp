@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
 #include <stdexcept>
 
 namespace millwright::report {
@@ -21,6 +22,64 @@ std::string Texts::operator()(std::string_view key) const {
   for (const PageText& text : page_texts())
     if (text.key == key) return std::string(language_ == Language::indonesian ? text.indonesian : text.english);
   throw std::logic_error(fmt::format("the page has no text '{}'", key));
+}
+
+namespace {
+
+/// Numbers as gaps, and what stood there.
+std::string with_gaps(std::string_view text, std::vector<std::string>& numbers) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size();) {
+    const bool begins = std::isdigit(static_cast<unsigned char>(text[i])) != 0 && (i == 0 || text[i - 1] == ' ');
+    std::size_t end = i;
+    while (begins && end < text.size() &&
+           (std::isalnum(static_cast<unsigned char>(text[end])) != 0 || text[end] == '.' || text[end] == '+' ||
+            text[end] == '-'))
+      ++end;
+    if (!begins) {
+      out += text[i++];
+      continue;
+    }
+    numbers.emplace_back(text.substr(i, end - i));
+    out += "{}";
+    i = end;
+  }
+  return out;
+}
+
+std::string filled(std::string_view text, const std::vector<std::string>& numbers) {
+  std::string out;
+  std::size_t next = 0;
+  for (std::size_t gap = text.find("{}"); gap != std::string_view::npos && next < numbers.size();
+       gap = text.find("{}")) {
+    out += std::string(text.substr(0, gap)) + numbers[next++];
+    text.remove_prefix(gap + 2);
+  }
+  return out + std::string(text);
+}
+
+}  // namespace
+
+std::string Texts::said(std::string_view english) const {
+  if (language_ == Language::english) return std::string(english);
+  std::vector<std::string> numbers;
+  const std::string form = with_gaps(english, numbers);
+  for (const Saying& saying : sayings()) {
+    if (saying.english == english) return std::string(saying.indonesian);
+    if (saying.english == form) return filled(saying.indonesian, numbers);
+  }
+  return std::string(english);
+}
+
+std::string Texts::clauses(std::string_view english) const {
+  std::string out;
+  while (true) {
+    const std::size_t end = english.find("; ");
+    out += said(english.substr(0, end));
+    if (end == std::string_view::npos) return out;
+    out += "; ";
+    english.remove_prefix(end + 2);
+  }
 }
 
 const std::vector<PageText>& page_texts() {
@@ -203,6 +262,55 @@ const std::vector<PageText>& page_texts() {
       {"catalogues.file", "File", "Berkas"},
       {"catalogues.files", "Files", "Berkas"},
       {"catalogues.rows", "Rows", "Baris"},
+      {"certificate.none",
+       "Proved: no combination is compliant.",
+       "Terbukti: tidak ada kombinasi yang memenuhi syarat."},
+      {"certificate.best",
+       "Proved: no compliant build of these catalogues {}.",
+       "Terbukti: tidak ada rancangan yang memenuhi syarat dari katalog ini yang {}."},
+      {"certificate.best_asked",
+       "Proved: no compliant build of these catalogues, with what was asked for above, {}.",
+       "Terbukti: tidak ada rancangan yang memenuhi syarat dari katalog ini, dengan permintaan di atas, yang {}."},
+      {"certificate.better.cost", "is cheaper", "lebih murah"},
+      {"certificate.better.mass", "is lighter", "lebih ringan"},
+      {"certificate.better.cycle_time", "is faster", "lebih cepat"},
+      {"certificate.better.energy",
+       "takes less energy, as it is estimated",
+       "memakai energi lebih sedikit menurut perkiraan"},
+      {"certificate.better.position_error", "is more exact", "lebih teliti"},
+      {"certificate.better.sum", "has less {}", "memiliki {} lebih kecil"},
+      {"certificate.open",
+       "Not proved: a build of {} or more may still exist (gap {} %).",
+       "Belum terbukti: rancangan dengan {} atau lebih mungkin masih ada (celah {} %)."},
+      {"certificate.one_build",
+       "Proved: there is only 1 compliant build, each set of parts counted once.",
+       "Terbukti: hanya ada 1 rancangan yang memenuhi syarat, tiap set komponen dihitung sekali."},
+      {"certificate.few_builds",
+       "Proved: there are only {} compliant builds, each set of parts counted once.",
+       "Terbukti: hanya ada {} rancangan yang memenuhi syarat, tiap set komponen dihitung sekali."},
+      {"certificate.cheapest",
+       "Proved: these are the {} cheapest builds, each set of parts counted once.",
+       "Terbukti: inilah {} rancangan termurah, tiap set komponen dihitung sekali."},
+      {"certificate.lightest",
+       "Proved: these are the {} lightest builds, each set of parts counted once.",
+       "Terbukti: inilah {} rancangan teringan, tiap set komponen dihitung sekali."},
+      {"certificate.some",
+       "Of {} builds asked for, proved before the limit: {}.",
+       "Dari {} rancangan yang diminta, terbukti sebelum batas: {}."},
+      {"certificate.front_within",
+       "Proved: the front is covered to {} %, as said below.",
+       "Terbukti: garis depan tercakup sampai {} %, seperti diterangkan di bawah."},
+      {"certificate.front", "Proved: the front is complete and exact.", "Terbukti: garis depan lengkap dan tepat."},
+      {"certificate.front_open",
+       "Not proved: the limit was reached, points may be missing.",
+       "Belum terbukti: batas tercapai, mungkin ada titik yang belum ditemukan."},
+      {"certificate.combinations", "{} combinations of parts.", "{} kombinasi komponen."},
+      {"certificate.again",
+       "Every figure above was computed again from scratch for the build shown.",
+       "Setiap angka di atas dihitung ulang dari awal untuk rancangan yang ditampilkan."},
+      {"certificate.effort",
+       "time: {} s reading, {} s solving, {} nodes, {} evaluations",
+       "waktu: {} s membaca, {} s mencari, {} simpul, {} evaluasi"},
 
       {"sweep", "The best build at each value", "Rancangan terbaik pada tiap nilai"},
       {"sweep.speed", "Against the cycle time", "Terhadap waktu siklus"},

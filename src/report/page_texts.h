@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every word of the report page that is ours, in each language it is written in: one table, page_texts.cpp. What
-// constraints, requirements and catalogues say of themselves stays in English.
+// Every word of the report page that is ours, in each language it is written in: one table, page_texts.cpp with
+// page_texts_engineering.cpp. What requirements and catalogues say of themselves stays in English.
 #pragma once
 
 #include <optional>
@@ -22,12 +22,22 @@ struct PageText {
 };
 const std::vector<PageText>& page_texts();
 
+/// What other rooms say in English: titles of constraints, clauses of a proof's method. `{}`: a number.
+struct Saying {
+  std::string_view english, indonesian;
+};
+const std::vector<Saying>& sayings();
+
 /// The texts of one language.
 class Texts {
  public:
   explicit Texts(Language language) : language_(language) {}
   /// Throws std::logic_error for a key that is not in the table.
   [[nodiscard]] std::string operator()(std::string_view key) const;
+  /// A saying in this language; what is not in the table stays as it is.
+  [[nodiscard]] std::string said(std::string_view english) const;
+  /// Sayings with "; " between them.
+  [[nodiscard]] std::string clauses(std::string_view english) const;
   [[nodiscard]] Language language() const { return language_; }
 
  private:

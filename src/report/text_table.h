@@ -14,6 +14,7 @@ struct Style {
   bool colour = false;
   std::size_t width = 80;  ///< columns that a line may take
   bool brief = false;      ///< the essentials only
+  bool full = false;       ///< all there is, where the usual is a page
   std::string heading(std::string_view text) const { return wrap("\x1B[1m", text); }
   std::string good(std::string_view text) const { return wrap("\x1B[32m", text); }
   std::string bad(std::string_view text) const { return wrap("\x1B[1;31m", text); }

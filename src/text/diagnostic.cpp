@@ -152,6 +152,52 @@ std::string format(const Diagnostics& diagnostics) {
   return result;
 }
 
+namespace {
+
+/// Where a line is broken: the last blank from `from` on that leaves at most `room` characters before it, else the next
+/// one; npos if there is none.
+std::size_t break_of(std::string_view line, std::size_t from, std::size_t room) {
+  std::size_t found = std::string_view::npos;
+  for (std::size_t i = line.find(' ', from); i != std::string_view::npos; i = line.find(' ', i + 1)) {
+    const bool fits = count_characters(line.substr(0, i)) <= room;
+    if (fits || found == std::string_view::npos) found = i;
+    if (!fits) break;
+  }
+  return found;
+}
+
+}  // namespace
+
+std::string folded(std::string_view formatted, std::size_t width) {
+  constexpr std::size_t margin = 8;       // "   12 | "
+  constexpr std::size_t least_room = 30;  // for words beside what they hang under
+  std::string out;
+  while (!formatted.empty()) {
+    const std::size_t end = std::min(formatted.find('\n'), formatted.size());
+    std::string_view line = formatted.substr(0, end);
+    formatted.remove_prefix(std::min(end + 1, formatted.size()));
+    const bool of_source = line.size() >= margin && line.substr(margin - 3, 3) == " | " &&
+                           line.substr(0, margin - 3).find_first_not_of(" 0123456789") == std::string_view::npos;
+    const bool of_caret = line.find_first_not_of(' ') == margin - 2;  // blanks, and the bar or a hint without a line
+    const std::size_t hint = of_caret ? line.find("hint: ") : std::string_view::npos;
+    std::size_t hang = 4;
+    if (hint != std::string_view::npos) hang = hint + least_room < width ? hint : margin;
+    // Nothing is broken before the words begin; of the source nothing at all.
+    std::size_t from = hint != std::string_view::npos ? hint + 6 : of_source ? line.size() : 0;
+    std::size_t room = width;
+    while (count_characters(line) > room) {
+      const std::size_t at = break_of(line, from, room);
+      if (at == std::string_view::npos) break;
+      out += std::string(line.substr(0, at)) + "\n" + std::string(hang, ' ');
+      line.remove_prefix(at + 1);
+      from = 0;
+      room = width > hang + least_room ? width - hang : least_room;
+    }
+    out += std::string(line) + "\n";
+  }
+  return out;
+}
+
 std::string printable(std::string_view text, std::size_t limit) {
   std::string result;
   std::size_t offset = 0;

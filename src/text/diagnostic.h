@@ -91,6 +91,10 @@ std::string format(const Diagnostic& diagnostic);
 /// All of them, and a last line such as "2 errors, 1 warning". Empty if there is nothing to say.
 std::string format(const Diagnostics& diagnostics);
 
+/// What format() says in lines of at most `width` columns where there are blanks to break at: messages go on under
+/// themselves, a hint under its first word. Lines of the source stay as they are.
+std::string folded(std::string_view formatted, std::size_t width);
+
 /// `text` safe to print in one line: control characters and bytes that are not UTF-8 become \x1B, and what is longer
 /// than `limit` characters is cut with "...".
 std::string printable(std::string_view text, std::size_t limit = 200);

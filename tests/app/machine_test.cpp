@@ -262,7 +262,7 @@ TEST_CASE("Energy is called an estimate") {
   const Json json = Json::parse(shop.run({"solve", "m.toml", "--json", "-"}).out);
   CHECK(json.at("totals").at("energy").at("estimate") == true);
   CHECK(json.at("totals").at("energy").at("unit") == "J");
-  CHECK(shop.run({"solve", "m.toml"}).prints("Energy is an estimate"));
+  CHECK(shop.run({"solve", "m.toml", "--full"}).prints("Energy is an estimate"));
 }
 
 TEST_CASE("An audit reports wrong figures and is done") {
@@ -303,6 +303,44 @@ TEST_CASE("The catalogue: families, parts, one part, lint") {
   CHECK(lint.exit_code == 2);
   CHECK(lint.prints("steppers/bad.csv:1:26: error: "));
   CHECK(shop.run({"catalogue", "lint", MILLWRIGHT_SOURCE_DIR "/catalogues"}).exit_code == 0);
+}
+
+TEST_CASE("solve answers with a page, and with everything if that is asked for") {
+  const Workshop shop;
+  shop.write("m.toml", one_slide);
+  const Outcome page = shop.run({"solve", "m.toml"});
+  const Outcome full = shop.run({"solve", "m.toml", "--full"});
+  const auto json = Json::parse(shop.run({"solve", "m.toml", "--json", "-"}).out);
+  CAPTURE(page.out);
+  CHECK(std::count(page.out.begin(), page.out.end(), '\n') < 60);
+  CHECK(page.prints("Checks next to their limits"));
+  CHECK(page.prints("Certificate"));
+  CHECK(page.prints("--full: "));
+  CHECK_FALSE(page.prints("Requirements behind the checks"));
+  CHECK(full.prints("Requirements behind the checks"));
+  CHECK(full.prints("Assumptions"));
+  std::size_t close = 0;
+  for (const Json& check : json.at("checks")) {
+    const std::string id = check.at("id").get<std::string>();
+    CAPTURE(id);
+    CHECK(full.prints(id));
+    if (check.at("kind") != "hard" || id.rfind("F-", 0) == 0 || check.at("utilisation").get<double>() < 0.51) continue;
+    ++close;
+    CHECK(page.prints(id));
+  }
+  CHECK(close > 0);
+}
+
+TEST_CASE("An empty problem says where to begin") {
+  const Workshop shop;
+  for (const char* text : {"", "# nothing yet\n"}) {
+    shop.write("m.toml", text);
+    const Outcome outcome = shop.run({"solve", "m.toml"});
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.says("m.toml:1:1: error: the problem is empty"));
+    CHECK(outcome.says("millwright new --template"));
+    CHECK(outcome.says("1 error"));
+  }
 }
 
 }  // namespace

@@ -164,5 +164,17 @@ TEST_CASE("A terminal that is wider or narrower is made use of") {
   CHECK(longer_than(70, on_terminal(70, check, false)).empty());
 }
 
+TEST_CASE("Help names what is given, without the parser's own words") {
+  const Workshop shop;
+  for (const char* verb : {"solve", "pareto", "check", "explain", "compare", "audit", "new"}) {
+    const Outcome help = shop.run({verb, "--help"});
+    CAPTURE(verb, help.out);
+    for (const char* word : {"REQUIRED", " TEXT", "UINT", "FLOAT", "{en"}) {
+      CAPTURE(word);
+      CHECK_FALSE(help.prints(word));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace millwright::app

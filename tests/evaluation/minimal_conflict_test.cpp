@@ -73,8 +73,11 @@ TEST_CASE("Members that matter alone are found in a crowd") {
     ConditionSet expected;
     for (std::size_t i = 0; i < count; ++i)
       if (weights[i] > 0) expected.push_back(i);
-    CHECK(evaluation::those_that_matter(first(count), [&](const ConditionSet& set) {
-            return std::any_of(set.begin(), set.end(), [&](std::size_t i) { return weights[i] > 0; });
+    CHECK(evaluation::those_that_matter(first(count), [&](const std::vector<ConditionSet>& sets) {
+            std::vector<bool> answers;
+            for (const ConditionSet& set : sets)
+              answers.push_back(std::any_of(set.begin(), set.end(), [&](std::size_t i) { return weights[i] > 0; }));
+            return answers;
           }) == expected);
   }
 }

@@ -138,8 +138,9 @@ TEST_CASE("A file without axes, supply or moves says what to add") {
       found = found || (said.message.find(message) != std::string::npos && said.hint.find(hint) != std::string::npos);
     CHECK(found);
   };
-  only("", "problem needs the key 'axis'", "[[axis]]");
-  only("", "problem needs the key 'supply'", "[supply]");
+  only("", "the problem is empty", "millwright new --template");
+  only("title = \"later\"", "problem needs the key 'axis'", "[[axis]]");
+  only("title = \"later\"", "problem needs the key 'supply'", "[supply]");
   only("axis = []", "axis: a machine needs at least one", "[[axis]]");
   only("axis = 3", "'axis' must be a list", "brackets");
   only("axis = [3]", "axis must be a table", "[header]");

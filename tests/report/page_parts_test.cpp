@@ -4,6 +4,7 @@
 #include <set>
 
 #include "catch.h"
+#include "evaluation/declared_constraints.h"
 #include "report/html.h"
 #include "report/mathml.h"
 #include "report/page_texts.h"
@@ -157,6 +158,35 @@ TEST_CASE("Every text is there in each language, once, with the same gaps to fil
   for (const std::string& each : language_codes()) CHECK(code(*language_of(each)) == each);
   CHECK_FALSE(language_of("xx"));
   CHECK_THROWS_AS(Texts(Language::english)("no such text"), std::logic_error);
+}
+
+TEST_CASE("Every title of a constraint is there in Indonesian, and every saying once") {
+  std::set<std::string_view> known;
+  for (const Saying& saying : sayings()) {
+    INFO(saying.english);
+    CHECK(known.insert(saying.english).second);
+    CHECK_FALSE(saying.indonesian.empty());
+    CHECK(saying.indonesian != saying.english);
+    const auto gaps = [](std::string_view words) { return std::count(words.begin(), words.end(), '{'); };
+    CHECK(gaps(saying.english) == gaps(saying.indonesian));
+  }
+  for (const DeclaringElement& element : declaring_elements())
+    for (const machine::Declaration& declaration : element.constraints) {
+      CAPTURE(element.name, declaration.id, declaration.title);
+      CHECK(known.count(declaration.title) == 1);
+    }
+}
+
+TEST_CASE("Sayings keep their numbers, and clauses their order") {
+  const Texts id(Language::indonesian), en(Language::english);
+  const std::string method =
+      "stage by stage, with the designs of a stage found once for all labels; started from the "
+      "objective found, 153.651433, Ipopt ends at 153.6 and NLopt SLSQP ends at 1.5e+02; unheard";
+  CHECK(en.clauses(method) == method);
+  CHECK(id.clauses(method) ==
+        "tahap demi tahap, dengan rancangan tiap tahap dicari sekali untuk semua label; dimulai dari tujuan yang "
+        "ditemukan, 153.651433, Ipopt berakhir pada 153.6 dan NLopt SLSQP berakhir pada 1.5e+02; unheard");
+  CHECK(id.said("Load torque, 80 % rule") == "Torsi beban, aturan 80 %");
 }
 
 }  // namespace

@@ -45,6 +45,30 @@ TEST_CASE("the caret stands under its character after tabs and wide letters") {
         std::vector<std::string>{"f:2:2: note: m", "    2 | 日本x", "      |   ^~~"});
 }
 
+TEST_CASE("messages and hints are folded to a width, lines of the source are not") {
+  const std::string source =
+      "   12 | voltage = [ \"24 V\", \"36 V\", \"48 V\" ] # of what is in the drawer now, and more";
+  const std::string text =
+      "problem.toml:12:1: error: the voltage of the supply is not one that the catalogue sells\n" + source + "\n" +
+      "      | ^~~~~~~ hint: state voltages of power supplies that are in the catalogue, or add one\n"
+      "1 error\n";
+  CHECK(folded(text, 200) == text);
+  CHECK(folded(text, 60) ==
+        "problem.toml:12:1: error: the voltage of the supply is not\n"
+        "    one that the catalogue sells\n" +
+            source +
+            "\n"
+            "      | ^~~~~~~ hint: state voltages of power supplies that\n"
+            "                are in the catalogue, or add one\n"
+            "1 error\n");
+  // Far to the right a hint goes on at the margin; a word that is too long stays whole.
+  const std::string far =
+      "      |" + std::string(40, ' ') + "^ hint: add an_uncommonly_long_name_of_a_key that is known\n";
+  CHECK(folded(far, 60) ==
+        "      |" + std::string(40, ' ') + "^ hint: add\n        an_uncommonly_long_name_of_a_key that is known\n");
+  CHECK(folded("", 60).empty());
+}
+
 TEST_CASE("a related place becomes a note") {
   const auto text = SourceText::from_string("f", "a = 1\na = 2\n");
   Diagnostic diagnostic = make(Severity::error, {text, 2, 1, 1}, "duplicate key 'a'");

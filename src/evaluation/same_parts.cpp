@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "evaluation/same_parts.h"
+
+#include <algorithm>
+
+#include "evaluation/machine_stages.h"
+
+namespace millwright::evaluation {
+
+namespace {
+
+bool same_candidate(const Candidate& a, const Candidate& b) {
+  return std::equal(a.parts.begin(),
+                    a.parts.end(),
+                    b.parts.begin(),
+                    b.parts.end(),
+                    [](const PartUse& x, const PartUse& y) {
+                      return x.slot == y.slot && x.family == y.family && x.row == y.row && x.stated == y.stated;
+                    }) &&
+         std::equal(a.settings.begin(),
+                    a.settings.end(),
+                    b.settings.begin(),
+                    b.settings.end(),
+                    [](const Setting& x, const Setting& y) { return x.name == y.name && x.value == y.value; });
+}
+
+}  // namespace
+
+std::optional<solver::Build> same_parts_in(const MachineModel& to,
+                                           const MachineModel& from,
+                                           const solver::Build& build) {
+  if (to.entries().size() != from.entries().size() || !to.problems().empty() || !to.empty_slots().empty())
+    return std::nullopt;
+  solver::Build result = build;
+  const double voltage = from.machine().supply_voltages[build.shared.front()];
+  const auto& voltages = to.machine().supply_voltages;
+  const auto found = std::find(voltages.begin(), voltages.end(), voltage);
+  if (found == voltages.end()) return std::nullopt;
+  result.shared.front() = static_cast<solver::Row>(found - voltages.begin());
+  for (std::size_t stage = 0; stage < build.stages.size(); ++stage) {
+    const solver::Stage& there = *to.problem().stages[stage];
+    for (std::size_t slot = 0; slot < build.stages[stage].rows.size(); ++slot) {
+      const Candidate& wanted = from.candidate(stage, slot, build.stages[stage].rows[slot]);
+      const solver::Row count = there.slots()[slot].rows;
+      solver::Row row = 0;
+      while (row < count && !same_candidate(to.candidate(stage, slot, row), wanted)) ++row;
+      if (row == count) return std::nullopt;
+      result.stages[stage].rows[slot] = row;
+    }
+    const auto variables = there.variables();
+    if (variables.size() != build.stages[stage].variables.size()) return std::nullopt;
+    for (std::size_t v = 0; v < variables.size(); ++v)
+      result.stages[stage].variables[v] =
+          std::clamp(build.stages[stage].variables[v], variables[v].lower, variables[v].upper);
+  }
+  return result;
+}
+
+}  // namespace millwright::evaluation
