@@ -134,6 +134,10 @@ std::vector<report::LockedInput> locked_inputs(const MachineInput& input, const 
     if (const auto text =
             text::SourceText::load((std::filesystem::path(problem).parent_path() / name).string(), unused))
       inputs.push_back(locked("profile", name, *text));
+  for (const std::filesystem::path& place : input.catalogue.layers())
+    if (const auto stock = catalogue::stock_file(place))
+      if (const auto text = text::SourceText::load(stock->string(), unused))
+        inputs.push_back(locked("stock", stock->string(), *text));
   for (const auto& bom : boms) inputs.push_back(locked("bill of materials", bom->path(), *bom));
   return inputs;
 }

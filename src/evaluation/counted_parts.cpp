@@ -79,4 +79,20 @@ CountedPartsLedger::Share CountedPartsLedger::take(const PartUse& use) {
   return {std::min(left, use.quantity), found->purchase(taken).price - before};
 }
 
+std::vector<Purchase> CountedPartsLedger::purchases(const catalogue::Catalogue& catalogue) const {
+  std::vector<Purchase> result;
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    if (!(taken_[i] > 0.0)) continue;
+    const catalogue::Table& table = catalogue.table(parts_[i].family);
+    const auto bought = parts_[i].purchase(taken_[i]);
+    result.push_back({std::string(table.manufacturer(parts_[i].row)),
+                      std::string(table.part_number(parts_[i].row)),
+                      taken_[i],
+                      std::min(taken_[i], parts_[i].owned),
+                      bought.pieces,
+                      bought.price});
+  }
+  return result;
+}
+
 }  // namespace millwright::evaluation

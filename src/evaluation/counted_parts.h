@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "catalogue/catalogue.h"
+#include "evaluation/ledger.h"
 #include "evaluation/price_book.h"
 #include "evaluation/slot_table.h"
 
@@ -130,8 +131,8 @@ class CountedPartsLedger {
   };
   /// By how much the order grows with this line; of a part that is not counted its own price.
   Share take(const PartUse& use);
-  /// Of each part so far.
-  [[nodiscard]] std::span<const double> taken() const { return taken_; }
+  /// What has to be bought of the counted parts that were taken.
+  [[nodiscard]] std::vector<Purchase> purchases(const catalogue::Catalogue& catalogue) const;
 
  private:
   std::span<const CountedPart> parts_;

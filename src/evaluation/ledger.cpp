@@ -389,19 +389,7 @@ Design MachineModel::design(const solver::Build& found, bool with_worksheet) con
     for (CountedTotal& each : design.counted) each.value += answer.resources[resource(each.quantity)];
     state = answer.handed_on;
   }
-  for (std::size_t i = 0; i < counted_parts_.size(); ++i) {
-    const CountedPart& part = counted_parts_[i];
-    const double taken = counted.taken()[i];
-    if (!(taken > 0.0)) continue;
-    const catalogue::Table& table = catalogue_.table(part.family);
-    const auto bought = part.purchase(taken);
-    design.purchases.push_back({std::string(table.manufacturer(part.row)),
-                                std::string(table.part_number(part.row)),
-                                taken,
-                                std::min(taken, part.owned),
-                                bought.pieces,
-                                bought.price});
-  }
+  design.purchases = counted.purchases(catalogue_);
   outside.write(design);
   design.worksheet = worksheet;
   return design;

@@ -157,6 +157,8 @@ const std::vector<Saying>& sayings() {
        "label antartahap dengan dominasi hanya pada arah yang terbukti, setiap pilihan bersama dicoba"},
       {"stage by stage, with the designs of a stage found once for all labels",
        "tahap demi tahap, dengan rancangan tiap tahap dicari sekali untuk semua label"},
+      {"allowances that stages share at prices (Lagrangian bounds)",
+       "kelonggaran yang dipakai bersama antartahap diberi harga (batas Lagrange)"},
       {"where continuous variables move the objectives the front is covered to its tolerance: what beats it by more "
        "holds only for being lighter by no more than that",
        "bila variabel kontinu menggerakkan tujuan, garis depan tercakup sampai toleransinya: yang mengalahkannya lebih "

@@ -78,4 +78,22 @@ TEST_CASE("A stock file that names an unknown part stops the run at its place") 
   CHECK(outcome.says("17HS19-2004S1"));
 }
 
+TEST_CASE("A lock notices that the stock changed, came or went") {
+  const Workshop shop;
+  const std::string stock = "part_number,owned\n17HS19-2004S1,1\n";
+  shop.write("mine/stock.csv", stock);
+  REQUIRE(shop.run({"solve", lifter, "--catalogue", "mine", "--write-lock", "lock.toml"}).exit_code == 0);
+  const std::vector<std::string> locked{"solve", lifter, "--catalogue", "mine", "--locked", "lock.toml"};
+  CHECK(shop.run(locked).exit_code == 0);
+  shop.write("mine/stock.csv", "part_number,owned\n17HS19-2004S1,2\n");
+  const Outcome changed = shop.run(locked);
+  CHECK(changed.exit_code == 2);
+  CHECK(changed.says("stock.csv changed"));
+  shop.write("mine/stock.csv", stock);
+  shop.write("more/stock.csv", stock);
+  std::vector<std::string> more = locked;
+  more.insert(more.end(), {"--catalogue", "more"});
+  CHECK(shop.run(more).exit_code == 2);
+}
+
 }  // namespace millwright::app
