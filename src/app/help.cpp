@@ -112,10 +112,10 @@ constexpr std::pair<std::string_view, std::string_view> texts[] = {
      "has examined. Columns that are not ours are kept as x_NAME. Exit code 1 if it was not confirmed, 2 if something "
      "is wrong.\n"
      "Examples:\n"
-     "  millwright catalogue import prices.xlsx --family steppers\n"
-     "  millwright catalogue import prices.xlsx --family steppers --constant manufacturer=ACT --unit mass=kg \\\n"
+     "  millwright catalogue import prices.csv --family steppers --constant manufacturer=ACT\n"
+     "  millwright catalogue import prices.csv --family steppers --constant manufacturer=ACT --unit mass=kg \\\n"
      "    --output my-parts/steppers/act.csv --save-mapping act.toml --yes\n"
-     "  millwright catalogue import prices-2027.xlsx --mapping act.toml --output my-parts/steppers/act.csv --force"},
+     "  millwright catalogue import prices-2027.csv --mapping act.toml --output my-parts/steppers/act.csv --force"},
     {"list",
      "Examples:\n"
      "  millwright catalogue list\n"

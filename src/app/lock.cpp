@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <map>
 
@@ -85,8 +86,9 @@ class PartList {
     part.part_number = report::lock_text(table.part_number(row));
     part.title = report::lock_text(title);
     const std::string& place = catalogue_.layers()[static_cast<std::size_t>(table.layer(row))].string();
-    part.file = report::lock_text((table.layer(row) == 0 ? std::string("catalogues") : place) + "/" +
-                                  catalogue::name_in_place(table.files()[table.file(row)].text->path(), place));
+    part.file =
+        report::lock_text(file_in_place(table.layer(row) == 0 ? std::string("catalogues") : place,
+                                        catalogue::name_in_place(table.files()[table.file(row)].text->path(), place)));
     const auto rows = catalogue::rows_of_part(table, table.manufacturer(row), table.part_number(row), title);
     for (const catalogue::NamedFigure& figure : catalogue::figures_of(table, rows))
       part.figures.push_back({figure.name, report::lock_text(figure.value)});
@@ -104,6 +106,11 @@ catalogue::Inventory inventory_of(const MachineInput& input) {
   catalogue::Inventory inventory = catalogue::inventory(whole(input));
   if (!inventory.layers.empty()) inventory.layers.front().place = "catalogues";
   return inventory;
+}
+
+std::string file_in_place(const std::string& place, const std::string& name) {
+  // Within a folder a name begins with that of its family's folder.
+  return std::filesystem::path(place).filename() == name ? place : place + "/" + name;
 }
 
 bool wants_inventory(const Options& options) { return !options.json.empty() || !options.report.empty(); }

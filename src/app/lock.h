@@ -29,6 +29,9 @@ report::LockedQuestion question_of(const Options& options);
 /// The problem, the measured motions that it names, and the bills of materials.
 std::vector<report::LockedInput> locked_inputs(const MachineInput& input, const BomTexts& boms);
 
+/// How a file of a catalogue is told: "mine/steppers/x.csv", or the place alone where that is the file.
+std::string file_in_place(const std::string& place, const std::string& name);
+
 /// The parts of the designs, each once, with their figures; also the torque curves of their motors.
 std::vector<report::LockedPart> locked_parts(const MachineInput& input,
                                              const std::vector<const evaluation::Design*>& designs);

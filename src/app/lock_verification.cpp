@@ -123,7 +123,8 @@ void verify_files(const Lock& lock, const catalogue::Inventory& inventory, bool 
   for (const catalogue::FileRecord& file : inventory.files)
     unseen.emplace(FileKey{file.layer, report::lock_text(file.name), catalogue::declaration(file.family).name}, &file);
   for (const LockedFile& file : lock.files) {
-    const std::string name = text::printable(lock.places[static_cast<std::size_t>(file.layer)] + "/" + file.name);
+    const std::string name =
+        text::printable(file_in_place(lock.places[static_cast<std::size_t>(file.layer)], file.name));
     const auto found = unseen.find(FileKey{file.layer, file.name, file.family});
     if (found == unseen.end()) {
       const bool whole_layer = static_cast<std::size_t>(file.layer) >= inventory.layers.size();
@@ -142,9 +143,9 @@ void verify_files(const Lock& lock, const catalogue::Inventory& inventory, bool 
   }
   for (const auto& [key, file] : unseen)
     diagnostics.error(text::whole(lock.source),
-                      fmt::format("{}/{} is new: the lock does not know it",
-                                  text::printable(inventory.layers[static_cast<std::size_t>(file->layer)].place),
-                                  text::printable(file->name)),
+                      fmt::format("{} is new: the lock does not know it",
+                                  text::printable(file_in_place(
+                                      inventory.layers[static_cast<std::size_t>(file->layer)].place, file->name))),
                       how_to_accept);
 }
 

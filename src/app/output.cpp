@@ -140,6 +140,26 @@ void check_target(const std::string& target, const std::vector<std::string>& sou
 
 }  // namespace
 
+namespace {
+
+/// A catalogue's files, which a result must not be written over.
+void add_files_of(const std::string& place, std::vector<std::string>& files) {
+  namespace fs = std::filesystem;
+  constexpr int deepest = 1;  // a folder a family
+  std::error_code problem;
+  if (!fs::is_directory(place, problem)) {
+    files.push_back(place);
+    return;
+  }
+  fs::recursive_directory_iterator each(place, fs::directory_options::skip_permission_denied, problem);
+  for (const fs::recursive_directory_iterator end; !problem && each != end; each.increment(problem)) {
+    if (each.depth() >= deepest) each.disable_recursion_pending();
+    if (each->path().extension() == ".csv") files.push_back(each->path().string());
+  }
+}
+
+}  // namespace
+
 bool outputs_are_writable(const Options& options, text::Diagnostics& diagnostics) {
   namespace fs = std::filesystem;
   std::vector<std::string> targets;
@@ -164,6 +184,9 @@ bool outputs_are_writable(const Options& options, text::Diagnostics& diagnostics
                         "name another file for one of them");
   std::vector<std::string> sources{options.problem, options.locked};
   if (options.verb == Verb::check) sources.push_back(options.bom);
+  if (options.verb == Verb::compare || options.verb == Verb::catalogue_diff)
+    sources.insert(sources.end(), {options.first, options.second});
+  for (const std::string& place : options.catalogues) add_files_of(place, sources);
   for (const std::string& target : targets) check_target(target, sources, diagnostics);
   return diagnostics.error_count() == errors;
 }

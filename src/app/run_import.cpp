@@ -100,6 +100,17 @@ void check_target(const std::string& file, const Options& options, text::Diagnos
     diagnostics.error(shown + ": there is no folder " + text::quoted(parent.string()), "make the folder first");
 }
 
+/// Whether two names, neither empty, are one file, which need not be there yet.
+bool is_same_file(const std::string& one, const std::string& other) {
+  if (one.empty() || other.empty()) return false;
+  std::error_code failure;
+  if (fs::equivalent(one, other, failure)) return true;
+  const fs::path first = fs::weakly_canonical(fs::absolute(one, failure), failure);
+  if (failure) return one == other;
+  const fs::path second = fs::weakly_canonical(fs::absolute(other, failure), failure);
+  return failure ? one == other : first == second;
+}
+
 bool ask(const std::string& question) {
   fmt::print("{} [y/N] ", question);
   std::fflush(stdout);
@@ -133,7 +144,7 @@ class Import {
     request_ = request_of(options_, diagnostics_);
     check_target(said_.output, options_, diagnostics_);
     check_target(said_.save_mapping, options_, diagnostics_);
-    if (!said_.output.empty() && said_.output == said_.save_mapping)
+    if (is_same_file(said_.output, said_.save_mapping))
       diagnostics_.error("--output and --save-mapping cannot be one file");
     if (diagnostics_.has_errors()) return stop();
     const auto sheet = catalogue::load_sheet(said_.file, request_.format, diagnostics_);

@@ -179,8 +179,9 @@ class PartComparison {
   /// What changed alike at every point that both have is said once.
   static void gather(std::size_t pairs, std::vector<CellChange>& cells) {
     std::vector<CellChange> everywhere, rest;
-    std::vector<std::size_t> order(cells.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::vector<std::size_t> order;  // a point that only one has is said as such
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      if (cells[i].a_where.text && cells[i].b_where.text) order.push_back(i);
     const auto key = [&](std::size_t i) { return std::tie(cells[i].column.index, cells[i].a, cells[i].b); };
     std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return key(i) < key(j); });
     std::vector<bool> gathered(cells.size(), false);

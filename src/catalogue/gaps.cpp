@@ -150,6 +150,11 @@ double shown(const Table& table, std::string_view name, int row) {
   return display_unit(of).from_si(table.number(of, row));
 }
 
+/// The holding torque as a search takes it: with one phase on it is less than with both.
+double torque_of_both_phases(const Table& motors, int row) {
+  return shown(motors, "holding_torque", row) * (motors.number("phases_on", row) == 1.0 ? std::sqrt(2.0) : 1.0);
+}
+
 bool equal(double a, double b) { return std::abs(a - b) <= 0.01 * b; }
 
 std::string list_of(const std::vector<std::string>& sizes) { return fmt::format("{}", fmt::join(sizes, ", ")); }
@@ -184,9 +189,8 @@ class Search {
   }
 
   static bool any(const Table& table, const std::function<bool(int)>& holds) {
-    for (int row = 0; row < table.rows(); ++row) {
+    for (int row = 0; row < table.rows(); ++row)
       if (holds(row)) return true;
-    }
     return false;
   }
 
@@ -229,13 +233,12 @@ class Search {
   void nuts() {
     const Table& screws = table(Family::lead_screws);
     const Table& rows = table(Family::lead_nuts);
+    std::set<std::string_view> served;
+    for (int row = 0; row < rows.rows(); ++row) served.insert(rows.text("for_screw", row));
     std::vector<std::string> sizes;
     for (int screw = 0; screw < screws.rows(); ++screw) {
-      const bool there = any(rows, [&](int row) {
-        const std::string_view runs_on = rows.text("for_screw", row);
-        return runs_on == screws.part_number(screw) || runs_on == screws.text("designation", screw);
-      });
-      if (!there) sizes.emplace_back(screws.part_number(screw));
+      if (!served.contains(screws.part_number(screw)) && !served.contains(screws.text("designation", screw)))
+        sizes.emplace_back(screws.part_number(screw));
     }
     add(Family::lead_nuts, "nuts for", std::move(sizes), "lead screws of the catalogue that no nut runs on");
   }
@@ -282,7 +285,7 @@ class Search {
       double torque = 0.0;
       for (int row = 0; row < motors.rows(); ++row) {
         if (equal(shown(motors, "shaft_diameter", row), shaft))
-          torque = std::max(torque, shown(motors, "holding_torque", row));
+          torque = std::max(torque, torque_of_both_phases(motors, row));
       }
       for (const double end : ends) {
         if (end > 2.5 * shaft || shaft > 2.5 * end) continue;  // nobody joins these
@@ -330,18 +333,16 @@ class Search {
   void curves() {
     const Table& motors = table(Family::steppers);
     const Table& rows = table(Family::stepper_curves);
+    std::set<std::pair<std::string_view, std::string_view>> known;
+    for (int row = 0; row < rows.rows(); ++row) known.emplace(rows.manufacturer(row), rows.part_number(row));
     std::set<std::string> with, without;
     for (int motor = 0; motor < motors.rows(); ++motor) {
-      const bool there = any(rows, [&](int row) {
-        return rows.part_number(row) == motors.part_number(motor) &&
-               rows.manufacturer(row) == motors.manufacturer(motor);
-      });
-      (there ? with : without).insert(std::string(motors.text("frame", motor)));
+      (known.contains({motors.manufacturer(motor), motors.part_number(motor)}) ? with : without)
+          .insert(std::string(motors.text("frame", motor)));
     }
     std::vector<std::string> missing;
-    for (const std::string& frame : without) {
+    for (const std::string& frame : without)
       if (!with.contains(frame)) missing.push_back(frame);
-    }
     add(Family::stepper_curves,
         "torque curves of",
         std::move(missing),

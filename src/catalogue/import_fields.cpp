@@ -185,12 +185,13 @@ void ImportFields::append_number(const SheetRows& row, const ImportField& field,
   const bool money = field.kind == ImportField::Kind::money;
   if (cell.empty()) return;
   const DecimalMark mark = row.is_number(source) ? DecimalMark::point : column.mark;
-  const bool bare_is_known = money ||
+  const bool price_of_piece = money && declaration(*column.target).unit.empty();
+  const bool bare_is_known = price_of_piece ||
                              (column.unit_origin != UnitOrigin::none && column.unit_origin != UnitOrigin::cells) ||
                              declaration(*column.target).unit == "1";
   if (mark == DecimalMark::point && !column.converts && bare_is_known && is_plain(cell)) {
     line += cell;
-    if (money && row_currency_.empty()) row_currency_ = column.currency;
+    if (money) take_currency(row, field, column.currency);
     return;
   }
   if (says_unknown(cell)) return;
@@ -213,15 +214,20 @@ void ImportFields::append_number(const SheetRows& row, const ImportField& field,
                     source,
                     "a figure without a unit; others of its column have one",
                     fmt::format("say --unit {}=UNIT for those that have none", declaration(*column.target).name));
-    if (money && row_currency_.empty()) row_currency_ = column.currency;
+    if (money) take_currency(row, field, column.currency);
     if (!column.converts) {
       line += plain;
       return;
     }
-    words = column.unit;
-    if (money) words.clear();
+    if (!money) words = column.unit;
   }
   scalar::Unit meaning;
+  if (words.empty() && !column.unit.empty()) {  // of a price: 1/m, which shop_unit() takes only with a currency
+    std::string reason;
+    const auto own = scalar::Unit::parse(column.unit, reason);
+    if (!own) return refuse(row, source, reason);
+    meaning = *own;
+  }
   if (!words.empty()) {
     const KnownUnit& known = unit_of(words, source);
     if (!known.unit) return refuse(row, source, fmt::format("{}: {}", text::quoted(words), known.reason));
@@ -271,6 +277,7 @@ void ImportFields::append_frame(std::string_view cell, std::string& line) {
 }
 
 void ImportFields::take_currency(const SheetRows& row, const ImportField& field, const std::string& currency) {
+  if (currency.empty()) return;
   if (row_currency_.empty() || row_currency_ == "?") row_currency_ = currency;
   if (currency != "?" && row_currency_ != currency)
     refuse(row, *field.source, fmt::format("{}, but the row's other price is in {}", currency, row_currency_));

@@ -16,6 +16,7 @@ constexpr std::size_t rows_looked_at = 40;
 constexpr std::size_t rows_sampled = 200;
 constexpr std::size_t samples_kept = 50;
 constexpr std::size_t longest_header_cell = 500;
+constexpr std::size_t longest_name = 80;  ///< of a column, when a header is looked for
 
 bool names_a_column(std::string_view cell, Family family) {
   for (const HeaderReading& reading : header_readings(cell)) {
@@ -39,7 +40,7 @@ std::size_t names_in(const SheetRows& row, const ImportChoices& choices) {
               choices.columns.begin(), choices.columns.end(), [&](const auto& given) { return given.from == cell; })
               ? 1
               : 0;
-    else if (cut_cell(cell).number.size() < cell.size())
+    else if (cell.size() <= longest_name && cut_cell(cell).number.size() < cell.size())
       count += names_a_column(cell, choices.family) ? 1 : 0;
   }
   return count;

@@ -90,6 +90,7 @@ class Proposal {
     take_given();
     if (!choices_.complete) take_best(candidates());
     name_kept();
+    if (!choices_.complete) remark_on_quantities();
     return std::move(mapping_);
   }
 
@@ -168,6 +169,7 @@ class Proposal {
 
   Candidate judge(std::size_t source, Column target) const {
     Candidate candidate{source, target, 0.0, {}, {}, UnitOrigin::none, {}};
+    if (declaration(target).kind == Kind::money && has_quantity(head_.cells[source])) return candidate;
     double name = 0.0;
     std::string_view read;
     for (const HeaderReading& reading : header_readings(head_.cells[source])) {
@@ -252,7 +254,8 @@ class Proposal {
   std::vector<Candidate> candidates() const {
     std::vector<Candidate> all;
     for (std::size_t source = 0; source < mapping_.columns.size(); ++source) {
-      if (mapping_.columns[source].target || mapping_.columns[source].header.empty()) continue;
+      const std::string& header = mapping_.columns[source].header;
+      if (mapping_.columns[source].target || header.empty() || is_price_of_many(header)) continue;
       for (std::size_t index = 0; index < column_count(choices_.family); ++index) {
         const Column target{choices_.family, static_cast<std::uint8_t>(index)};
         if (is_taken(target) || is_constant(target)) continue;
@@ -294,6 +297,33 @@ class Proposal {
     column.unit_origin = candidate.origin;
     if (candidate.origin == UnitOrigin::assumed)
       column.confidence = std::min(column.confidence, confidence_without_unit);
+  }
+
+  /// Whether the header names a price, rather than anything else, of a number of pieces.
+  bool is_price_of_many(const std::string& header) const {
+    if (!has_quantity(header)) return false;
+    double price = 0.0;
+    double other = 0.0;
+    for (const HeaderReading& reading : header_readings(header)) {
+      const std::vector<std::string> words = words_of(reading.name);
+      for (std::size_t index = 0; index < column_count(choices_.family); ++index) {
+        const Column target{choices_.family, static_cast<std::uint8_t>(index)};
+        double& best = declaration(target).kind == Kind::money ? price : other;
+        best = std::max(best, name_match(words, target));
+      }
+    }
+    return price >= least_confidence && price >= other;
+  }
+
+  /// Says of each such column why it is no price.
+  void remark_on_quantities() {
+    for (const SourceColumn& column : mapping_.columns)
+      if (!column.target && is_price_of_many(column.header))
+        mapping_.remarks.push_back(fmt::format(
+            "{} has a number in its header and may be the price of so many: kept as {}, not taken as price; "
+            "a mapping file can name it",
+            text::quoted(column.header, 80),
+            column.kept_name));
   }
 
   void name_kept() {

@@ -72,7 +72,10 @@ std::optional<DecimalMark> mark_of(const std::optional<std::string>& word) {
 class MappingFile {
  public:
   MappingFile(const text::Node& root, ImportRequest& request, text::Diagnostics& diagnostics)
-      : top_(root, "the mapping", diagnostics), request_(request), diagnostics_(diagnostics) {}
+      : top_(root, "the mapping", diagnostics),
+        request_(request),
+        diagnostics_(diagnostics),
+        typed_constants_(request.choices.constants) {}
 
   void read() {
     if (const auto name = top_.string({"family", "part family of the table"})) {
@@ -112,7 +115,12 @@ class MappingFile {
   void read_constants(const text::Node& table) {
     for (const text::TableEntry& entry : table.entries()) {
       const auto column = column_named(*request_.family, entry.key, entry.key_span, diagnostics_);
-      if (!column || is_said(*column)) continue;
+      if (!column || names(typed_constants_, *column)) continue;
+      for (const GivenColumn& typed : request_.choices.columns)
+        if (typed.target == *column)
+          diagnostics_.error(typed.where,
+                             fmt::format("the mapping file has {} as a constant, which has its own unit", entry.key),
+                             fmt::format("say --constant {}='VALUE UNIT' instead, or mend the file", entry.key));
       std::optional<std::string> value = entry.value.as_string();
       if (!value && entry.value.as_date()) value = entry.value.as_date();
       if (!value && entry.value.as_number()) value = fmt::format("{}", *entry.value.as_number());
@@ -125,8 +133,7 @@ class MappingFile {
     }
   }
 
-  bool is_said(Column column) const {
-    const auto& constants = request_.choices.constants;
+  static bool names(const std::vector<std::pair<Column, std::string>>& constants, Column column) {
     return std::any_of(constants.begin(), constants.end(), [&](const auto& each) { return each.first == column; });
   }
 
@@ -156,8 +163,20 @@ class MappingFile {
       given.unit = unit;
       given.occurrence = static_cast<int>(occurrence.value_or(1));
       given.mark = mark.value_or(DecimalMark::unknown);
+      if (names(typed_constants_, *column)) continue;  // the command line goes before
+      if (names(request_.choices.constants, *column)) {
+        diagnostics_.error(entry.key_span,
+                           fmt::format("{} is among the constants and among the columns", entry.key),
+                           "leave it out of one of them");
+        continue;
+      }
       merge(std::move(given));
     }
+    for (const GivenColumn& typed : request_.choices.columns)
+      if (typed.from.empty() && !names(request_.choices.constants, typed.target))
+        diagnostics_.error(typed.where,
+                           fmt::format("the mapping file has no column {}", declaration(typed.target).name),
+                           "a unit is said of figures that the file names");
   }
 
   /// A unit from the command line goes before that of the file.
@@ -174,7 +193,27 @@ class MappingFile {
   text::TableReader top_;
   ImportRequest& request_;
   text::Diagnostics& diagnostics_;
+  const std::vector<std::pair<Column, std::string>> typed_constants_;  ///< on the command line
 };
+
+/// A column that the command line speaks of for the second time; reports it.
+bool is_said_twice(const ImportRequest& request,
+                   Column column,
+                   const text::SourceSpan& where,
+                   text::Diagnostics& diagnostics) {
+  const auto& choices = request.choices;
+  const bool constant = std::any_of(
+      choices.constants.begin(), choices.constants.end(), [&](const auto& each) { return each.first == column; });
+  const bool unit = std::any_of(
+      choices.columns.begin(), choices.columns.end(), [&](const auto& each) { return each.target == column; });
+  if (constant || unit)
+    diagnostics.error(
+        where,
+        fmt::format(
+            "{} is named twice: its {} is said already", declaration(column).name, constant ? "constant" : "unit"),
+        "say it once; a constant has its own unit: --constant mass='3 kg'");
+  return constant || unit;
+}
 
 /// A TOML basic string.
 std::string toml_string(std::string_view text) {
@@ -224,7 +263,7 @@ void add_constant(ImportRequest& request,
                   const text::SourceSpan& where,
                   text::Diagnostics& diagnostics) {
   const auto column = column_named(*request.family, name, where, diagnostics);
-  if (!column) return;
+  if (!column || is_said_twice(request, *column, where, diagnostics)) return;
   if (const auto constant = constant_of(*column, value, where, diagnostics))
     request.choices.constants.emplace_back(*column, *constant);
 }
@@ -236,6 +275,7 @@ void add_unit(ImportRequest& request,
               text::Diagnostics& diagnostics) {
   const auto column = column_named(*request.family, name, where, diagnostics);
   if (!column || !check_unit(*column, unit, where, diagnostics)) return;
+  if (is_said_twice(request, *column, where, diagnostics)) return;
   GivenColumn given;
   given.target = *column;
   given.unit = std::string(unit);

@@ -137,13 +137,30 @@ bool is_filler(const std::string& word) {
   return word == "of" || word == "the" || word == "in" || word == "approx" || word == "ca." || word == "nominal";
 }
 
-std::vector<std::vector<std::string>> phrases_of(std::string_view column) {
-  std::vector<std::vector<std::string>> phrases{words_of(column)};
+std::string joined(const std::vector<std::string>& words) {
+  std::string all;
+  for (const std::string& word : words) all += word;
+  return all;
+}
+
+struct Phrase {
+  std::vector<std::string> words;
+  std::string joined;
+};
+
+std::vector<Phrase> phrases_of(std::string_view column) {
+  std::vector<Phrase> phrases;
+  const auto add = [&](std::string_view text) {
+    Phrase phrase{words_of(text), {}};
+    phrase.joined = joined(phrase.words);
+    phrases.push_back(std::move(phrase));
+  };
+  add(column);
   for (const Synonyms& each : synonyms) {
     if (each.column != column) continue;
     for (std::size_t begin = 0; begin <= each.phrases.size();) {
       const std::size_t end = std::min(each.phrases.find('|', begin), each.phrases.size());
-      phrases.push_back(words_of(each.phrases.substr(begin, end - begin)));
+      add(each.phrases.substr(begin, end - begin));
       begin = end + 1;
     }
   }
@@ -155,25 +172,22 @@ bool all_in(const std::vector<std::string>& some, const std::vector<std::string>
       some.begin(), some.end(), [&](const auto& word) { return std::find(all.begin(), all.end(), word) != all.end(); });
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string all;
-  for (const std::string& word : words) all += word;
-  return all;
-}
-
-double phrase_match(const std::vector<std::string>& words, const std::vector<std::string>& phrase, bool own) {
-  if (words.empty() || phrase.empty()) return 0.0;
-  if (words == phrase || joined(words) == joined(phrase)) return own ? 1.0 : 0.95;
-  const auto more = static_cast<double>(words.size()) - static_cast<double>(phrase.size());
-  if (all_in(phrase, words)) {
-    const std::size_t length = joined(phrase).size();
+/// `said`: the words of a header, joined.
+double phrase_match(const std::vector<std::string>& words, const std::string& said, const Phrase& phrase, bool own) {
+  if (words.empty() || phrase.words.empty()) return 0.0;
+  if (said == phrase.joined) return own ? 1.0 : 0.95;
+  const std::size_t length = phrase.joined.size();
+  const auto more = static_cast<double>(words.size()) - static_cast<double>(phrase.words.size());
+  // With five words too many it is no likeness worth looking for.
+  if (more < 5.0 && all_in(phrase.words, words)) {
     if (more <= 0.0) return 0.9;
     // A short word among others says little: "part" in "moving part", "type" in "cable type".
-    return std::max(0.0, (phrase.size() > 1 || length > 5 ? 0.85 : 0.7) - 0.08 * more);
+    return std::max(0.0, (phrase.words.size() > 1 || length > 5 ? 0.85 : 0.7) - 0.08 * more);
   }
-  if (all_in(words, phrase) && joined(words).size() > 3) return std::max(0.0, 0.7 + 0.08 * more);
-  if (own && joined(words).size() > 5 && text::edit_distance(joined(words), joined(phrase)) <= joined(words).size() / 5)
-    return 0.75;
+  if (more < 5.0 && said.size() > 3 && all_in(words, phrase.words)) return std::max(0.0, 0.7 + 0.08 * more);
+  const std::size_t allowed = said.size() / 5;
+  const std::size_t apart = said.size() > length ? said.size() - length : length - said.size();
+  if (own && said.size() > 5 && apart <= allowed && text::edit_distance(said, phrase.joined) <= allowed) return 0.75;
   return 0.0;
 }
 
@@ -197,6 +211,17 @@ std::vector<std::string> words_of(std::string_view name) {
   }
   finish();
   return words;
+}
+
+bool has_quantity(std::string_view header) {
+  for (std::size_t begin = 0; begin < header.size(); ++begin) {
+    if (!is_digit(header[begin])) continue;
+    std::size_t end = begin;
+    while (end < header.size() && is_digit(header[end])) ++end;
+    if (header.substr(begin, end - begin) != "1") return true;
+    begin = end;
+  }
+  return false;
 }
 
 std::vector<HeaderReading> header_readings(std::string_view header) {
@@ -226,18 +251,19 @@ std::vector<HeaderReading> header_readings(std::string_view header) {
 
 double name_match(const std::vector<std::string>& words, Column column) {
   static const auto all = [] {
-    std::map<std::string_view, std::vector<std::vector<std::string>>> phrases;
+    std::map<std::string_view, std::vector<Phrase>> phrases;
     for (const FamilyDeclaration& family : families)
       for (std::size_t index = 0; index < column_count(family.family); ++index) {
         const std::string_view name = declaration(Column{family.family, static_cast<std::uint8_t>(index)}).name;
-        phrases.try_emplace(name, phrases_of(name));
+        if (phrases.find(name) == phrases.end()) phrases.emplace(name, phrases_of(name));
       }
     return phrases;
   }();
   double best = 0.0;
   bool own = true;
-  for (const std::vector<std::string>& phrase : all.at(declaration(column).name)) {
-    best = std::max(best, phrase_match(words, phrase, own));
+  const std::string said = joined(words);
+  for (const Phrase& phrase : all.at(declaration(column).name)) {
+    best = std::max(best, phrase_match(words, said, phrase, own));
     own = false;
   }
   return best;

@@ -33,6 +33,15 @@ std::size_t sign_length(std::string_view text) {
   return text.starts_with("\xE2\x88\x92") ? 3 : 0;
 }
 
+/// Whether a mark behind this text may belong to the number behind it: not that of an abbreviation, as in kr.500.
+bool may_lead(std::string_view before) {
+  if (before.empty() || before.ends_with('-') || before.ends_with('+') || before.ends_with('\t')) return true;
+  if (before.ends_with("\xE2\x88\x92")) return true;
+  return std::any_of(group_marks.begin(), group_marks.end(), [&](std::string_view mark) {
+    return mark != "'" && mark != "\xE2\x80\x99" && before.ends_with(mark);
+  });
+}
+
 /// Bytes of an exponent: e, a sign, digits, and no letter behind them.
 std::size_t exponent_length(std::string_view text) {
   if (!text.starts_with('e') && !text.starts_with('E')) return 0;
@@ -54,7 +63,8 @@ CellParts cut_cell(std::string_view cell) {
     return parts;
   }
   std::size_t begin = first;
-  if (begin > 0 && (cell[begin - 1] == '.' || cell[begin - 1] == ',')) --begin;  // .5
+  if (begin > 0 && (cell[begin - 1] == '.' || cell[begin - 1] == ',') && may_lead(cell.substr(0, begin - 1)))
+    --begin;  // .5
   if (begin > 0 && sign_length(cell.substr(begin - 1)) == 1)
     --begin;
   else if (begin > 2 && sign_length(cell.substr(begin - 3)) == 3)

@@ -265,6 +265,10 @@ std::optional<ShopUnit> price_unit(std::string_view words, const scalar::Unit& e
 
 std::string currency_of(std::string_view words) {
   words = without_brackets(words);
+  // The point of an abbreviation: kr., Rp.
+  if (words.size() > 1 && words.ends_with('.') && lower(words.substr(words.size() - 2, 1)) >= "a" &&
+      lower(words.substr(words.size() - 2, 1)) <= "z")
+    words.remove_suffix(1);
   const std::string word = lower(words);
   for (const auto& [sign, code] : currency_signs)
     if (word == sign) return std::string(code);

@@ -15,9 +15,9 @@ namespace {
 /// Two figures given in different units are equal up to this.
 constexpr double rounding = 1e-9;
 
-std::string shown(double value, const ColumnDeclaration& declared) {
+std::string shown(double value, const ColumnDeclaration& declared, int digits = 5) {
   const bool bare = declared.unit.empty() || declared.unit == "1";
-  return scalar::format_number(value, 5) + (bare ? "" : " " + std::string(declared.unit));
+  return scalar::format_number(value, digits) + (bare ? "" : " " + std::string(declared.unit));
 }
 
 /// The power of ten that brings `factor` (value / what it should be) near 1, in words; empty if there is none.
@@ -166,7 +166,7 @@ void LintRow::tell(const Suspicion& suspicion, text::Diagnostics& diagnostics) c
                                     shown(suspicion.value, declared),
                                     times(suspicion.factor),
                                     scalar::format_number(suspicion.expected_low, 3),
-                                    shown(std::stod(scalar::format_number(suspicion.expected_high, 3)), declared));
+                                    shown(suspicion.expected_high, declared, 3));
   std::string hint;
   if (suspicion.swapped) {
     hint = fmt::format("swapped with {}? ", declaration(*suspicion.swapped).name);

@@ -41,9 +41,15 @@ std::optional<std::vector<PriceBreak>> parse_price_breaks(std::string_view text)
   return breaks;
 }
 
-double PiecePrice::least() const {
+bool PiecePrice::is_plain_up_to(double pieces) const {
+  for (double n = 1.0; n <= pieces; n += 1.0)
+    if (purchase(n).price != n * single) return false;
+  return true;
+}
+
+double PiecePrice::least(double most) const {
   double least = single;
-  for (const PriceBreak& each : breaks) least = std::min(least, each.price);
+  for (double n = 1.0; n <= most; n += 1.0) least = std::min(least, purchase(n).price / n);
   return least;
 }
 

@@ -25,8 +25,10 @@ struct PiecePrice {
   double pack = 1.0;               ///< pieces in a pack: only whole packs are sold
 
   [[nodiscard]] bool is_plain() const { return breaks.empty() && pack <= 1.0; }
-  /// Of a piece, however many are bought.
-  [[nodiscard]] double least() const;
+  /// Whether each of up to so many pieces costs the same.
+  [[nodiscard]] bool is_plain_up_to(double pieces) const;
+  /// Of a piece, if at most so many are needed.
+  [[nodiscard]] double least(double most) const;
 
   struct Purchase {
     double pieces = 0.0;

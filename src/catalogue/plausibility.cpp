@@ -7,11 +7,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
-#include <unordered_map>
 #include <utility>
 
-#include "catalogue/column_unit.h"
+#include "scalar/unit.h"
 
 namespace millwright::catalogue {
 namespace {
@@ -31,12 +29,6 @@ constexpr double swapped_neighbours = 3e-3, swapped_alike = 5e-4, swapped_any = 
 /// Beyond the declared limits of a relation, whatever the odds.
 constexpr double certainty_of_impossible = 0.95;
 
-/// Rows that show a maker's habit.
-constexpr std::size_t habit_needs = 5;
-
-/// Rows looked at to learn what is usual; more would not make it surer.
-constexpr std::size_t sample = 4096;
-
 /// Rows of which no figure promises to explain more than this, and no relation is farther off than so many spreads,
 /// are not looked into: e^-3.3 is less than what all hypotheses together would need.
 constexpr double promise_needed = 3.3;
@@ -50,28 +42,19 @@ double surprise(double residual, double spread) {
   return power * std::log(1.0 + scaled * scaled / freedom);
 }
 
-double element(std::vector<double>& values, std::size_t at) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(at), values.end());
-  return values[at];
-}
-
-/// Every n-th of `rows`, so that at most `sample` remain.
-std::vector<int> thinned(const std::vector<int>& rows) {
-  if (rows.size() <= sample) return rows;
-  std::vector<int> few;
-  const double step = static_cast<double>(rows.size()) / static_cast<double>(sample);
-  for (std::size_t i = 0; i < sample; ++i) few.push_back(rows[static_cast<std::size_t>(static_cast<double>(i) * step)]);
-  return few;
-}
-
 }  // namespace
 
 struct Plausibility::Evidence {
-  int row = 0;
   std::array<double, most> logs;
   std::array<double, most> residuals;
   std::array<double, most> surprises;  ///< of the relations as they are
   std::array<double, most> promise;    ///< of the columns: about the most that a change of it could explain
+  std::size_t torque = most;           ///< the column whose logarithm is not that of the figure as it is written
+  double more_torque = 0.0;            ///< but by so much larger
+
+  double added(std::size_t a) const { return a == torque ? more_torque : 0.0; }
+  /// The logarithm of the figure as it is written.
+  double written(std::size_t a) const { return logs[a] - added(a); }
 
   /// How much better the relations are explained if column `a` is off by `by` (logarithm).
   double gain(const Kind& kind, const Group& group, std::size_t a, double by) const {
@@ -86,7 +69,7 @@ struct Plausibility::Evidence {
 
   /// The same if `a` and `b` stand in each other's place.
   double gain_of_swap(const Kind& kind, const Group& group, std::size_t a, std::size_t b) const {
-    const double by = logs[a] - logs[b];
+    const double by = written(a) - written(b);
     double sum = gain(kind, group, a, by) + gain(kind, group, b, -by);
     for (const Part& one : kind.of_column[a]) {  // relations that both stand in were counted twice, and wrongly
       for (const Part& other : kind.of_column[b]) {
@@ -100,126 +83,13 @@ struct Plausibility::Evidence {
   }
 };
 
-Plausibility::Kind Plausibility::make_kind(std::string_view name) const {
-  Kind kind;
-  for (const Relation& relation : relations(table_.family())) {
-    if (!applies(relation, name)) continue;
-    Active active{&relation, {}};
-    for (const Term& term : relation.used()) {
-      const Column wanted = column(table_.family(), term.column);
-      auto at = std::find(kind.columns.begin(), kind.columns.end(), wanted);
-      if (at == kind.columns.end()) at = kind.columns.insert(at, wanted);
-      active.parts.push_back({static_cast<std::uint8_t>(at - kind.columns.begin()), term.exponent});
-    }
-    kind.relations.push_back(std::move(active));
-  }
-  if (kind.relations.size() > most || kind.columns.size() > most)
-    throw std::logic_error("too many relations in a part family");
-  kind.of_column.resize(kind.columns.size());
-  for (std::size_t i = 0; i < kind.relations.size(); ++i) {
-    for (const Part& part : kind.relations[i].parts)
-      kind.of_column[part.slot].push_back({static_cast<std::uint8_t>(i), part.exponent});
-  }
-  for (const Column each : kind.columns) {
-    kind.numbers.push_back(table_.numbers(each));
-    kind.offsets.push_back(std::log(display_unit(each).from_si(1.0)));
-  }
-  return kind;
-}
-
-void Plausibility::logarithms(const Kind& kind, int row, double* logs) const {
-  for (std::size_t slot = 0; slot < kind.columns.size(); ++slot) {
-    const double value = kind.numbers[slot][static_cast<std::size_t>(row)];
-    logs[slot] = value > 0.0 ? std::log(value) + kind.offsets[slot] : not_known;
-  }
-}
-
-std::vector<Plausibility::Reference> Plausibility::learn(const Kind& kind,
-                                                         const std::vector<int>& rows,
-                                                         const std::vector<Reference>& otherwise) const {
-  std::vector<Reference> learnt = otherwise;
-  if (rows.size() < habit_needs) return learnt;
-  std::vector<std::vector<double>> seen(kind.relations.size());
-  std::array<double, most> logs;
-  for (const int row : thinned(rows)) {
-    logarithms(kind, row, logs.data());
-    for (std::size_t i = 0; i < kind.relations.size(); ++i) {
-      double sum = 0.0;
-      for (const Part& part : kind.relations[i].parts) sum += part.exponent * logs[part.slot];
-      if (!std::isnan(sum)) seen[i].push_back(sum);
-    }
-  }
-  for (std::size_t i = 0; i < kind.relations.size(); ++i) {
-    std::vector<double>& values = seen[i];
-    const Relation& relation = *kind.relations[i].relation;
-    if (values.size() < (relation.habit ? habit_needs : peers_needed)) continue;
-    const double centre = element(values, values.size() / 2);
-    if (std::abs(centre - std::log(relation.typical)) > 2.5 * relation.spread) continue;
-    for (double& value : values) value = std::abs(value - centre);
-    // The middle deviation, or that of 85 % where most rows agree to the digit; of a normal scatter both are the same.
-    const double middle = 1.4826 * element(values, values.size() / 2);
-    const double wide = element(values, static_cast<std::size_t>(0.85 * static_cast<double>(values.size() - 1))) / 1.44;
-    const double few = 1.0 + 2.0 / static_cast<double>(values.size());
-    // Few parts do not make a law of what only happens to be usual; a single figure has no law at all.
-    const double least = (relation.habit ? 0.2 : relation.used().size() == 1 ? 0.7 : 0.33) * relation.spread;
-    const double shift = learnt[i].centre - centre;
-    learnt[i] = {centre,
-                 std::max({few * middle, few * wide, least, 0.02}),
-                 rows.size(),
-                 learnt[i].least + shift,
-                 learnt[i].greatest + shift};
-  }
-  return learnt;
-}
-
-Plausibility::Plausibility(const Table& table) : table_(table) {
-  const std::string_view kind_name = kind_column(table.family());
-  const std::optional<Column> kind_of =
-      kind_name.empty() ? std::nullopt : std::optional(column(table.family(), kind_name));
-  std::unordered_map<std::string_view, std::uint32_t> kinds;
-  std::vector<std::unordered_map<std::string_view, std::uint32_t>> makers;
-  std::vector<std::vector<int>> rows_of_group;
-  group_of_row_.resize(static_cast<std::size_t>(table.rows()));
-  for (int row = 0; row < table.rows(); ++row) {
-    const std::string_view name = kind_of ? table.text(*kind_of, row) : std::string_view();
-    const auto [kind, new_kind] = kinds.try_emplace(name, static_cast<std::uint32_t>(kinds_.size()));
-    if (new_kind) {
-      kinds_.push_back(make_kind(name));
-      makers.emplace_back();
-    }
-    const auto [group, new_group] =
-        makers[kind->second].try_emplace(table.manufacturer(row), static_cast<std::uint32_t>(groups_.size()));
-    if (new_group) {
-      groups_.push_back({kind->second, {}});
-      rows_of_group.emplace_back();
-    }
-    group_of_row_[static_cast<std::size_t>(row)] = group->second;
-    rows_of_group[group->second].push_back(row);
-  }
-  for (std::uint32_t k = 0; k < kinds_.size(); ++k) {
-    const Kind& kind = kinds_[k];
-    std::vector<Reference> declared;
-    for (const Active& each : kind.relations) {
-      const double limit = std::log(each.relation->impossible);
-      declared.push_back({std::log(each.relation->typical), each.relation->spread, 0, -limit, limit});
-    }
-    std::vector<int> all;
-    for (std::uint32_t g = 0; g < groups_.size(); ++g) {
-      if (groups_[g].kind == k) all.insert(all.end(), rows_of_group[g].begin(), rows_of_group[g].end());
-    }
-    const std::vector<Reference> of_kind = learn(kind, all, declared);
-    for (std::uint32_t g = 0; g < groups_.size(); ++g) {
-      if (groups_[g].kind == k) groups_[g].references = learn(kind, rows_of_group[g], of_kind);
-    }
-  }
-}
-
 std::optional<Suspicion> Plausibility::examine(int row, const std::function<bool(std::string_view)>& excused) const {
   const Group& group = groups_[group_of_row_[static_cast<std::size_t>(row)]];
   const Kind& kind = kinds_[group.kind];
   Evidence evidence;
-  evidence.row = row;
   logarithms(kind, row, evidence.logs.data());
+  evidence.torque = kind.torque;
+  evidence.more_torque = with_all_phases(kind, kind.torque, row);
   bool strange = false;
   for (std::size_t i = 0; i < kind.relations.size(); ++i) {
     const Reference& reference = group.references[i];
@@ -248,7 +118,9 @@ std::optional<Suspicion> Plausibility::examine(int row, const std::function<bool
     if (excused(kind.relations[i].relation->id)) evidence.residuals[i] = not_known;
     const double spread = group.references[i].spread;
     evidence.surprises[i] = surprise(evidence.residuals[i], spread);
-    if (!(std::abs(evidence.residuals[i]) > far_off * spread)) continue;
+    const double residual = evidence.residuals[i];
+    const bool impossible = residual < group.references[i].least || residual > group.references[i].greatest;
+    if (!impossible && !(std::abs(residual) > far_off * spread)) continue;
     for (const Part& part : kind.relations[i].parts) evidence.promise[part.slot] = evidence.surprises[i] + 99.0;
   }
   Suspicion found = describe(kind, group, evidence);
@@ -282,10 +154,6 @@ Suspicion Plausibility::describe(const Kind& kind, const Group& group, const Evi
   std::vector<Fault> faults;
   for (std::size_t a = 0; a < slots; ++a) {
     if (std::isnan(row.logs[a]) || row.promise[a] < 0.5 * promise_needed) continue;
-    for (const Slip& slip : slips(declaration(kind.columns[a]))) {
-      const double by = std::log(slip.factor);
-      faults.push_back({a, a, by, slip.words, std::log(wrong_before * slip.weight) + row.gain(kind, group, a, by)});
-    }
     double precision = 0.0;
     Fault best{a, a, 0.0, {}, 0.0};
     for (const Part& part : kind.of_column[a]) {
@@ -297,12 +165,16 @@ Suspicion Plausibility::describe(const Kind& kind, const Group& group, const Evi
       const double gain = row.gain(kind, group, a, by);
       if (gain > best.weight) best = {a, a, by, {}, gain};
     }
-    if (precision == 0.0) continue;
+    if (precision == 0.0) continue;  // no relation that counts says anything of it
+    for (const Slip& slip : slips(declaration(kind.columns[a]))) {
+      const double by = std::log(slip.factor);
+      faults.push_back({a, a, by, slip.words, std::log(wrong_before * slip.weight) + row.gain(kind, group, a, by)});
+    }
     best.weight +=
         std::log(wrong_before * share_of_others * std::min(1.0, 2.5 / std::sqrt(precision) / width_of_others));
     faults.push_back(best);
     for (std::size_t b = 0; b < slots; ++b) {
-      const double by = row.logs[a] - row.logs[b];
+      const double by = row.written(a) - row.written(b);
       if (b == a || std::isnan(by) || std::abs(by) < 0.05) continue;
       if (b < a && row.promise[b] >= 0.5 * promise_needed) continue;  // seen from b
       const double prior = std::log(swap_prior(kind.columns[a], kind.columns[b]));
@@ -336,6 +208,7 @@ Suspicion Plausibility::describe(const Kind& kind, const Group& group, const Evi
     const bool candidate = each.a == each.b ? each.a == culprit : std::exp(each.weight - top) > of_slot[culprit];
     if (candidate && (fault == nullptr || each.weight > fault->weight)) fault = &each;
   }
+  if (fault == nullptr) return {};
   found.column = kind.columns[fault->a];
   found.cause = fault->cause;
   if (fault->a != fault->b) found.swapped = kind.columns[fault->b];
@@ -345,7 +218,7 @@ Suspicion Plausibility::describe(const Kind& kind, const Group& group, const Evi
     second = of_slot[slot];
     found.instead = kind.columns[slot];
   }
-  found.value = std::exp(row.logs[fault->a]);
+  found.value = std::exp(row.written(fault->a));
   // What the other figures say, each relation by its spread, and less the farther it is from the fault's own guess.
   const double guess = row.logs[fault->a] - fault->by;
   double sum = 0.0, weights = 0.0;
@@ -366,10 +239,11 @@ Suspicion Plausibility::describe(const Kind& kind, const Group& group, const Evi
       found.impossible |= impossible(i);
     }
   }
+  if (off.empty() || !(weights > 0.0)) return {};
   const double middle = sum / weights;
   const double margin = 2.0 * std::max(0.02, 1.0 / std::sqrt(weights));
-  found.expected_low = std::exp(middle - margin);
-  found.expected_high = std::exp(middle + margin);
+  found.expected_low = std::exp(middle - row.added(fault->a) - margin);
+  found.expected_high = std::exp(middle - row.added(fault->a) + margin);
   found.factor = std::exp(fault->cause.empty() ? row.logs[fault->a] - middle : fault->by);
   std::sort(off.begin(), off.end());
   for (const auto& [scaled, i] : off) {

@@ -12,6 +12,9 @@
 // Usual value and spread are those declared, or, where at least `peers_needed` rows of the table are of the same kind
 // and maker (or else kind), the median of those rows and their spread: as long as that median lies within 2.5 declared
 // spreads of the declared value. So a column that is wrong in every row of a file cannot vouch for itself.
+//
+// Declared prices are in US dollars or euros, which are near enough to each other. Prices in any other currency are
+// compared with none but prices in it, and not at all where the table has fewer than `peers_needed` of them.
 #pragma once
 
 #include <cstddef>
@@ -21,6 +24,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "catalogue/relation.h"
@@ -66,6 +70,7 @@ class Plausibility {
   struct Active {
     const Relation* relation;
     std::vector<Part> parts;
+    bool priced = false;  ///< it compares money with something else, so the currency counts
   };
   struct Kind {
     std::vector<Active> relations;
@@ -74,6 +79,8 @@ class Plausibility {
     std::vector<double> offsets;  ///< logarithm of SI to that of the declared unit
     /// For each column the relations it stands in, `slot` being the relation, with its power.
     std::vector<std::vector<Part>> of_column;
+    std::size_t torque = most;       ///< the column whose figure depends on how many phases are on
+    std::span<const double> phases;  ///< how many are; of that family only
   };
   struct Reference {
     double centre = 0.0;  ///< logarithms
@@ -85,14 +92,19 @@ class Plausibility {
   struct Group {
     std::uint32_t kind = 0;
     std::vector<Reference> references;
+    std::string_view currency;  ///< where that is neither USD nor EUR
   };
+  using OwnPrices = std::unordered_map<const Relation*, Reference>;
   struct Evidence;  ///< the logarithms and residuals of one row
 
   Kind make_kind(std::string_view name) const;
+  void group_rows(std::vector<std::vector<int>>& rows_of_group);
   void logarithms(const Kind& kind, int row, double* logs) const;
+  double with_all_phases(const Kind& kind, std::size_t slot, int row) const;
   std::vector<Reference> learn(const Kind& kind,
                                const std::vector<int>& rows,
                                const std::vector<Reference>& otherwise) const;
+  OwnPrices learn_prices(const std::vector<int>& rows) const;
   Suspicion describe(const Kind& kind, const Group& group, const Evidence& row) const;
 
   const Table& table_;

@@ -10,6 +10,7 @@
 
 #include "catalogue/column_unit.h"
 #include "catalogue/header.h"
+#include "catalogue/stock.h"
 #include "text/csv.h"
 #include "text/large_pages.h"
 
@@ -169,7 +170,7 @@ class TableFileReader {
   void check_prices() {
     const FamilyDeclaration& sold = declaration(family_);
     if (!sold.priced()) return;
-    check_price_breaks();
+    check_pieces();
     const Column currency = column(family_, "currency");
     const bool is_sold[] = {sold.priced_per_piece, sold.priced_per_length, sold.priced_per_mass};
     const Column prices[] = {
@@ -190,35 +191,44 @@ class TableFileReader {
     }
   }
 
-  /// Both are of what is sold by the piece alone.
-  void check_price_breaks() {
+  /// Price breaks, packs and owned pieces are of what is sold by the piece alone.
+  void check_pieces() {
     const FamilyDeclaration& sold = declaration(family_);
-    const bool by_piece = sold.priced_per_piece && !sold.priced_per_length && !sold.priced_per_mass;
-    const Column breaks = column(family_, "price_breaks");
-    const Column pack = column(family_, "pack_size");
+    const bool by_piece = can_be_owned(family_);
     const auto not_sold_so = [&](std::size_t row, Column each) {
       refuse(row,
              each,
              fmt::format("{} are not sold by the piece alone", sold.title),
              fmt::format("leave {} empty", declaration(each).name));
     };
-    for (std::size_t row = 0; row < csv_.row_count(); ++row) {
-      if (field(breaks) >= 0 && !text_of(breaks, row).empty()) {
-        if (!by_piece)
-          not_sold_so(row, breaks);
-        else if (!parse_price_breaks(text_of(breaks, row)))
-          refuse(row,
-                 breaks,
-                 fmt::format("{} are no price breaks", text::quoted(text_of(breaks, row))),
-                 "pieces and the price of one from there on, rising: 10: 4.50; 100: 3.90");
-      }
-      if (field(pack) < 0) continue;
-      const double pieces = columns_.numbers[pack.index][row];
-      if (std::isnan(pieces)) continue;
+    const Column breaks = column(family_, "price_breaks");
+    for (std::size_t row = 0; field(breaks) >= 0 && row < csv_.row_count(); ++row) {
+      if (text_of(breaks, row).empty()) continue;
       if (!by_piece)
-        not_sold_so(row, pack);
-      else if (pieces != std::floor(pieces))
-        refuse(row, pack, fmt::format("a pack of {} pieces", pieces), "write a whole number");
+        not_sold_so(row, breaks);
+      else if (!parse_price_breaks(text_of(breaks, row)))
+        refuse(row,
+               breaks,
+               fmt::format("{} are no price breaks", text::quoted(text_of(breaks, row))),
+               "pieces and the price of one from there on, rising: 10: 4.50; 100: 3.90");
+    }
+    for (const Column each : {column(family_, "pack_size"), column(family_, "owned_quantity")}) {
+      for (std::size_t row = 0; field(each) >= 0 && row < csv_.row_count(); ++row) {
+        const double pieces = columns_.numbers[each.index][row];
+        if (std::isnan(pieces)) continue;
+        if (!by_piece)
+          not_sold_so(row, each);
+        else if (pieces != std::floor(pieces))
+          refuse(row, each, fmt::format("{} is {} pieces", declaration(each).name, pieces), "write a whole number");
+      }
+    }
+    const Column availability = column(family_, "availability");
+    for (std::size_t row = 0; field(availability) >= 0 && row < csv_.row_count(); ++row) {
+      const std::string_view word = text_of(availability, row);
+      if (!word.empty() && word != unavailable && !diagnostics_.is_full(csv_.text().get()))
+        diagnostics_.warning(csv_.cell_span(row, cell_column(availability)),
+                             fmt::format("availability {} changes nothing", text::quoted(word)),
+                             "write unavailable if it cannot be had; what is owned goes into owned_quantity");
     }
   }
 

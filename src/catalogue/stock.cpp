@@ -123,6 +123,10 @@ class StockReader {
             span(row, owned_field),
             fmt::format("{} are cut to length: pieces of them cannot be owned here", declaration(part.family).title),
             "give the part a price of 0 in an overlay if what you have is long enough");
+      else if (owned && std::isnan(table.price(part.row).piece))
+        diagnostics_.error(span(row, owned_field),
+                           fmt::format("{} {} has no price for more pieces than are owned", name.first, name.second),
+                           "give it one in an overlay; without a price it is not chosen");
     }
     return found;
   }
@@ -145,12 +149,6 @@ const StockMark* Stock::find(Family family, std::string_view manufacturer, std::
 
 void Stock::set(Family family, std::string_view manufacturer, std::string_view part_number, StockMark mark) {
   marks_[Key{family, std::string(manufacturer), std::string(part_number)}] = std::move(mark);
-}
-
-bool Stock::owns_any(Family family) const {
-  return std::any_of(marks_.begin(), marks_.end(), [&](const auto& mark) {
-    return mark.first.family == family && mark.second.owned > 0.0;
-  });
 }
 
 bool is_stock_file(const std::filesystem::path& file) { return file.filename() == file_name; }

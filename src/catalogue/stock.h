@@ -6,7 +6,9 @@
 //   OMC,17HS19-2004S1,2,            two lie in the drawer: they cost nothing, more of them cost their price
 //   ,DM542T,,no                     cannot be had: is not chosen
 //
-// The maker may be left out where only one has the part. A later overlay's word on a part replaces an earlier one's.
+// A row of a catalogue may say the same of itself in its columns owned_quantity and availability; a stock file goes
+// first. The maker may be left out where only one has the part. A later overlay's word on a part replaces an earlier
+// one's.
 #pragma once
 
 #include <filesystem>
@@ -37,8 +39,6 @@ class Stock {
   [[nodiscard]] const StockMark* find(Family family, std::string_view manufacturer, std::string_view part_number) const;
   void set(Family family, std::string_view manufacturer, std::string_view part_number, StockMark mark);
   [[nodiscard]] bool empty() const { return marks_.empty(); }
-  /// Whether any piece of that family is owned.
-  [[nodiscard]] bool owns_any(Family family) const;
 
  private:
   struct Key {
@@ -55,6 +55,9 @@ constexpr bool can_be_owned(Family family) {
   const FamilyDeclaration& declared = declaration(family);
   return declared.priced_per_piece && !declared.priced_per_length && !declared.priced_per_mass;
 }
+
+/// The word in a row's `availability` that says the same as `no` in a stock file.
+inline constexpr std::string_view unavailable = "unavailable";
 
 /// The stock file of a place as given to Catalogue::load: the place itself, or in its folder.
 std::optional<std::filesystem::path> stock_file(const std::filesystem::path& place);

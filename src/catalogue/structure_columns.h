@@ -18,7 +18,6 @@ inline constexpr ColumnDeclaration every_family[] = {
     money("price_per_length", "1/m", "price per length (the shaft of a screw, the rail of a guide, belts, profiles)"),
     money("price_per_mass", "1/kg", "price per mass (materials, bar stock)"),
     text("price_breaks", optional, "prices of a piece from so many pieces on: 10: 4.50; 100: 3.90"),
-    number("pack_size", "1", optional, 1, 10000, "pieces in a pack, if only whole packs are sold"),
     text("currency", optional, "currency of the prices, ISO 4217: USD, EUR, IDR, ..."),
     text("price_basis", optional, "shop and date, or estimate with its tolerance"),
     text("evidence", optional, "found, mixed, computed or general (knowledge)"),
@@ -26,9 +25,9 @@ inline constexpr ColumnDeclaration every_family[] = {
     text("confidence", expected, "high, medium or low"),
     text("note", optional, "what a reader has to know"),
     text("supplier", optional, "who sells it at this price"),
-    text("availability", optional, "owned, preferred or unavailable; empty = can be bought"),
+    text("availability", optional, "unavailable: is not chosen; empty = can be bought"),
     number("owned_quantity", "1", optional, 0, 1e6, "pieces already owned, free of charge"),
-    number("pack_size", "1", optional, 1, 1e6, "pieces sold together"),
+    number("pack_size", "1", optional, 1, 1e6, "pieces in a pack, if only whole packs are sold"),
     text("waiver", optional, "lint rules that this row is excused from, with the reason: rule: reason"),
 };
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 #include "text/csv.h"
 #include "text/nearest.h"
@@ -55,10 +56,13 @@ void WorkbookCells::add_text(std::int64_t row, std::int64_t column, std::string_
 }
 
 void WorkbookCells::add_number(std::int64_t row, std::int64_t column, double value, std::string_view unit) {
-  // Spreadsheets show and keep 15 digits.
+  // Spreadsheets show and keep 15 digits; a whole number, a part number perhaps, is written in full.
+  constexpr double exact_limit = 9007199254740992.0;  // 2^53
+  const bool whole = std::abs(value) < exact_limit && std::trunc(value) == value;
+  const std::string figure = whole ? fmt::format("{:.0f}", value) : fmt::format("{:.15g}", value);
   const std::string text = unit == "%"    ? fmt::format("{:.14g}%", value * 100.0)
-                           : unit.empty() ? fmt::format("{:.15g}", value)
-                                          : fmt::format("{:.15g} {}", value, unit);
+                           : unit.empty() ? figure
+                                          : fmt::format("{} {}", figure, unit);
   add(row, column, text, true);
 }
 

@@ -2,6 +2,8 @@
 // OpenDocument spreadsheets (OASIS ODF 1.2). liborcus 0.17 drops repeated rows, percentages, amounts of money and the
 // results of text formulas.
 
+#include <fmt/format.h>
+
 #include "catalogue/workbook_cells.h"
 #include "text/number.h"
 #include "text/xml.h"
@@ -29,6 +31,7 @@ struct Content : text::XmlListener {
   std::int64_t columns_repeated = 1;
   std::int64_t blanks = 1;
   bool has_formula = false;
+  bool has_error = false;
   // Kept until the row, or cell, ends.
   std::int64_t row_count = 1;
   bool row_has_cells = false;
@@ -40,6 +43,7 @@ struct Content : text::XmlListener {
   void attribute(const text::XmlAttribute& attribute) override {
     if (attribute.ns == "table" && attribute.name == "name") table_name = attribute.value;
     if (attribute.name == "value-type" && attribute.ns == "office") type = attribute.value;
+    if (attribute.name == "value-type" && attribute.value == "error") has_error = true;  // calcext, of LibreOffice
     if (attribute.name == "value") value = attribute.value;
     if (attribute.name == "date-value") date = attribute.value;
     if (attribute.name == "boolean-value") boolean = attribute.value;
@@ -96,6 +100,10 @@ struct Content : text::XmlListener {
   }
 
   void add_cells() {
+    if (has_error)
+      throw WorkbookProblem{
+          fmt::format("the cell in row {}, column {} holds the error {}", row + 1, column + 1, text::quoted(text, 20)),
+          "mend its formula or clear it, and save the workbook"};
     const bool number = type == "float" || type == "percentage" || type == "currency";
     const std::optional<double> parsed = number ? text::parse_number(value) : std::nullopt;
     const std::string words = type == "date" ? date : text.empty() ? string_value : text;
@@ -126,6 +134,7 @@ struct Content : text::XmlListener {
     currency.clear();
     rows_repeated = columns_repeated = blanks = 1;
     has_formula = false;
+    has_error = false;
   }
 };
 

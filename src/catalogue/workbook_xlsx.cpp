@@ -84,7 +84,12 @@ struct SharedStrings : Listener {
   bool in_text = false;
   int phonetic = 0;  ///< how a text is pronounced is no part of it
   void start_element(const text::XmlElement& element) override {
-    if (element.name == "si") texts.emplace_back();
+    if (element.name == "si") {
+      if (texts.size() >= workbook_cell_limit)
+        throw WorkbookProblem{fmt::format("has more than {} shared texts", workbook_cell_limit),
+                              "save the sheet as CSV (UTF-8) and import that"};
+      texts.emplace_back();
+    }
     if (element.name == "rPh") ++phonetic;
     in_text = element.name == "t" && phonetic == 0;
     attributes.clear();
@@ -106,13 +111,14 @@ Look look_of(std::string_view code) {
   bool bracketed = false;
   for (std::size_t i = 0; i < code.size(); ++i) {
     const char c = code[i];
-    if (c == '\\') {
+    // These take the next character: as it is, as a blank of its width, as a filling.
+    if (!quoted && !bracketed && (c == '\\' || c == '_' || c == '*')) {
       ++i;
       continue;
     }
     if (c == '"') quoted = !quoted;
-    if (c == '[') bracketed = true;
-    if (c == ']') bracketed = false;
+    if (c == '[' && !quoted) bracketed = true;
+    if (c == ']' && !quoted) bracketed = false;
     if (quoted || bracketed) continue;
     if (c == ';') break;
     if (c == '%') return Look::percent;
@@ -234,6 +240,10 @@ struct SheetCells : Listener {
             fmt::format("the cell in row {}, column {} names a text that is not there", row + 1, column + 1), {}};
       return cells.add_text(row, column, strings.texts[static_cast<std::size_t>(index)]);
     }
+    if (type == "e")
+      throw WorkbookProblem{
+          fmt::format("the cell in row {}, column {} holds the error {}", row + 1, column + 1, text::quoted(value, 20)),
+          "mend its formula or clear it, and save the workbook"};
     if (type == "b") return cells.add_boolean(row, column, value == "1" || value == "true");
     const std::optional<double> number = type.empty() || type == "n" ? text::parse_number(value) : std::nullopt;
     if (!number) return cells.add_text(row, column, value);

@@ -64,7 +64,7 @@ std::vector<CountedPart> CountedParts::finish() && {
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     CountedPart& part = parts_[i];
     for (double pieces = 0.0; pieces < most_[i] + 1.0; pieces += 1.0)
-      part.charge.push_back(std::max(0.0, part.purchase(pieces).price - pieces * part.least));
+      part.charge.push_back(part.purchase(pieces).price - pieces * part.least);
   }
   return std::move(parts_);
 }
@@ -85,7 +85,8 @@ std::vector<Purchase> CountedPartsLedger::purchases(const catalogue::Catalogue& 
     if (!(taken_[i] > 0.0)) continue;
     const catalogue::Table& table = catalogue.table(parts_[i].family);
     const auto bought = parts_[i].purchase(taken_[i]);
-    result.push_back({std::string(table.manufacturer(parts_[i].row)),
+    result.push_back({std::string(catalogue::declaration(parts_[i].family).name),
+                      std::string(table.manufacturer(parts_[i].row)),
                       std::string(table.part_number(parts_[i].row)),
                       taken_[i],
                       std::min(taken_[i], parts_[i].owned),

@@ -7,7 +7,7 @@
 //
 //   stage: price += least * pieces, count += pieces     ...     last stage: price += charge(count)
 //
-// charge(n) = price of an order of max(0, n - owned) pieces - n * least, never negative.
+// charge(n) = price of an order of max(0, n - owned) pieces - n * least.
 #pragma once
 
 #include <cmath>

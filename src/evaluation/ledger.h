@@ -90,7 +90,7 @@ struct CountedTotal {
 
 /// What has to be bought of a part whose price depends on how many are taken; the prices of its lines add up to it.
 struct Purchase {
-  std::string manufacturer, part_number;
+  std::string family, manufacturer, part_number;
   double taken = 0.0;   ///< pieces that the machine takes
   double owned = 0.0;   ///< of them, pieces that are there already
   double bought = 0.0;  ///< pieces to buy: whole packs, and more than needed where that costs less

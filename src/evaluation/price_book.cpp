@@ -9,6 +9,7 @@ namespace millwright::evaluation {
 PriceBook::PriceBook(const machine::Problem& problem, const catalogue::Stock& stock) : stock_(stock) {
   for (const auto& [currency, rate] : problem.currencies) rates_[currency] = rate.rate;
   rates_.try_emplace(problem.currency, 1.0);
+  for (const machine::Axis& axis : problem.axes) drives_ += static_cast<double>(axis.mechanism.drives);
 }
 
 double PriceBook::rate(std::string_view currency) const {
@@ -17,18 +18,36 @@ double PriceBook::rate(std::string_view currency) const {
 }
 
 double PriceBook::owned(const catalogue::Table& table, int row) const {
-  if (stock_.empty()) return 0.0;
+  if (!catalogue::can_be_owned(table.family())) return 0.0;
   const catalogue::StockMark* mark = stock_.find(table.family(), table.manufacturer(row), table.part_number(row));
-  return mark == nullptr ? 0.0 : mark->owned;
+  if (mark != nullptr) return mark->owned;
+  const double pieces = table.number(catalogue::column(table.family(), "owned_quantity"), row);
+  return pieces > 0.0 ? pieces : 0.0;
+}
+
+double PriceBook::most_pieces(catalogue::Family family) const {
+  switch (family) {
+    case catalogue::Family::steppers:
+    case catalogue::Family::drivers:
+      return drives_;
+    case catalogue::Family::power_supplies:
+      return 1.0;
+    case catalogue::Family::screws:
+      return 1000.0;  // as many as its joints have
+    default:
+      return 2.0 * drives_;  // supports at both ends, pulleys on both sides
+  }
 }
 
 bool PriceBook::is_counted(const catalogue::Table& table, int row) const {
-  return owned(table, row) > 0.0 || !table.piece_price(row).is_plain();
+  if (owned(table, row) > 0.0) return true;
+  const catalogue::PiecePrice price = table.piece_price(row);
+  return !price.is_plain() && !price.is_plain_up_to(most_pieces(table.family()));
 }
 
 double PriceBook::least_piece(const catalogue::Table& table, int row) const {
-  const double least = owned(table, row) > 0.0 ? 0.0 : table.piece_price(row).least();
-  return least * rate(table.price(row).currency);
+  if (owned(table, row) > 0.0) return 0.0 * rate(table.price(row).currency);
+  return table.piece_price(row).least(most_pieces(table.family())) * rate(table.price(row).currency);
 }
 
 double PriceBook::line(const catalogue::Table& table, int row, double pieces, double metres) const {

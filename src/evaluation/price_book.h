@@ -19,7 +19,8 @@ class PriceBook {
   [[nodiscard]] double rate(std::string_view currency) const;
   /// Pieces of a row's part that are there already and cost nothing.
   [[nodiscard]] double owned(const catalogue::Table& table, int row) const;
-  /// Whether its price depends on how many the whole machine takes (counted_parts.h).
+  /// Whether its price depends on how many the whole machine takes (counted_parts.h): not where all that it can take
+  /// cost the same.
   [[nodiscard]] bool is_counted(const catalogue::Table& table, int row) const;
   /// The least that a piece of such a part can cost, in the problem's currency.
   [[nodiscard]] double least_piece(const catalogue::Table& table, int row) const;
@@ -29,6 +30,10 @@ class PriceBook {
 
  private:
   std::map<std::string, double, std::less<>> rates_;
+  /// How many pieces of one part of that family the machine can take.
+  [[nodiscard]] double most_pieces(catalogue::Family family) const;
+
+  double drives_ = 0.0;  ///< of all axes
   catalogue::Stock stock_;
 };
 

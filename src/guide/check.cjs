@@ -110,6 +110,12 @@ function example_workshop() {
   fs.copyFileSync(motors, path.join(folder, "motors.csv"));
   for (const name of ["my-bom.csv", "mine.csv"])
     fs.copyFileSync(path.join(source, "problems", "sander-bom.csv"), path.join(folder, name));
+  const prices =
+    "Model;Step Angle (deg);Holding Torque (N.cm);Rated Current (A);Phase Resistance (ohm);Phase Inductance (mH);" +
+    "Rotor Inertia (g.cm2);Mass;Price (USD)\n" +
+    "A17-40;1,8;40;1,7;1,5;2,8;54;0,28;9,50\n" +
+    "A23-56;1,8;126;2,8;0,9;2,5;300;0,70;19,90\n";
+  for (const name of ["prices.csv", "prices-2027.csv"]) fs.writeFileSync(path.join(folder, name), prices);
   const recorded = { "monday.json": "solve", "tuesday.json": "lightest", "sander.json": "solve" };
   for (const [name, result] of Object.entries(recorded))
     fs.copyFileSync(path.join(source, "results", "sander", result + ".json"), path.join(folder, name));

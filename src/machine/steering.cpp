@@ -200,17 +200,21 @@ std::vector<ExcludedPart> read_excluded(const std::vector<std::string>& words,
 }
 
 void exclude_unavailable(const catalogue::Catalogue& catalogue, std::vector<ExcludedPart>& without) {
-  if (catalogue.stock().empty()) return;
   for (const catalogue::FamilyDeclaration& family : catalogue::families) {
+    if (!family.priced() || family.family == catalogue::Family::materials) continue;
     const catalogue::Table& table = catalogue.table(family.family);
+    const catalogue::Column availability = catalogue::column(family.family, "availability");
     for (int row = 0; row < table.rows(); ++row) {
-      const std::string maker(table.manufacturer(row)), number(table.part_number(row));
+      const std::string_view maker = table.manufacturer(row), number = table.part_number(row);
       const catalogue::StockMark* mark = catalogue.stock().find(family.family, maker, number);
-      if (mark == nullptr || mark->available || is_excluded(without, number, maker)) continue;
-      without.push_back({maker,
-                         number,
+      const bool said_by_row = table.text(availability, row) == catalogue::unavailable;
+      if (mark != nullptr ? mark->available : !said_by_row) continue;
+      if (is_excluded(without, std::string(number), std::string(maker))) continue;
+      const text::SourceSpan where = mark != nullptr ? mark->where : table.where(row, availability);
+      without.push_back({std::string(maker),
+                         std::string(number),
                          {{family.family, row}},
-                         fmt::format("{}:{}", mark->where.text ? mark->where.text->path() : "", mark->where.line)});
+                         fmt::format("{}:{}", where.text ? where.text->path() : "", where.line)});
     }
   }
 }

@@ -64,7 +64,8 @@ LockedQuestion read_question(const Node& node, Diagnostics& diagnostics) {
 LockedInput read_input(const Node& node, Diagnostics& diagnostics) {
   TableReader table(node, "[[input]]", diagnostics);
   LockedInput input;
-  input.kind = table.word("kind", {"problem", "profile", "stock", "bill of materials"}, Presence::required).value_or("");
+  input.kind =
+      table.word("kind", {"problem", "profile", "stock", "bill of materials"}, Presence::required).value_or("");
   input.file = required(table, "file");
   input.sha256 = required_sha256(table, diagnostics);
   input.where = table.find("file") != nullptr ? table.find("file")->span() : node.span();

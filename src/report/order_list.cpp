@@ -169,7 +169,9 @@ void add_cuts(OrderList& list, const Design& design, const PartLine& part) {
 /// One line for a part whose price depends on how many are bought, with as many as it is cheapest to buy.
 void settle(OrderList& list, const evaluation::Purchase& purchase) {
   const auto is_of = [&](const OrderLine& line) {
-    return line.manufacturer == purchase.manufacturer && line.part_number == purchase.part_number &&
+    const bool is_of_family =
+        line.family < catalogue::family_count && catalogue::families[line.family].name == purchase.family;
+    return is_of_family && line.manufacturer == purchase.manufacturer && line.part_number == purchase.part_number &&
            line.supplier != in_stock;
   };
   const auto first = std::find_if(list.lines.begin(), list.lines.end(), is_of);
@@ -239,6 +241,7 @@ OrderList order_list(const Design& design, const std::string& title) {
   for (const evaluation::Purchase& purchase : design.purchases) settle(list, purchase);
   sort(list);
   for (const OrderLine& line : list.lines) {
+    if (line.supplier == in_stock) continue;
     if (list.supplier_totals.empty() || list.supplier_totals.back().supplier != line.supplier)
       list.supplier_totals.push_back({line.supplier, 0.0});
     list.supplier_totals.back().total += line.total;

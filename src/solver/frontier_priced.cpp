@@ -95,7 +95,9 @@ bool Frontier::advance_each(std::size_t stage, const Comparison& comparison) {
     const auto& answer =
         control_.desk(0).evaluate(*plan.stage, Point{plan.shared, labels_[stage][parent].state, {}, {}});
     Label label;
-    if (worst_of(answer.utilisation) <= 1.0 && evaluate(stage, parent, {}, {}, label))
+    if (parent % 1024 == 0 && control_.time_is_up()) return false;
+    if (worst_of(answer.utilisation) <= 1.0 && evaluate(stage, parent, {}, {}, label) &&
+        below_staircase(useful_[stage + 1], label.score[0], criteria_.second(label.score)))
       arrived.push_back(std::move(label));
   }
   control_.nodes += labels_[stage].size();

@@ -14,6 +14,7 @@ namespace {
 constexpr double active = 1e-5;      ///< a constraint so near to its limit holds
 constexpr double at_bound = 1e-7;    ///< of a variable's range
 constexpr double stationary = 1e-4;  ///< of the objective's gradient may be left over
+constexpr double at_rest = 1e-6;     ///< a gradient below it is that of an optimum inside its bounds
 constexpr double nothing = 1e-12;    ///< a slope below it, of what is of the order of 1
 
 /// A column of the conditions: the gradient of something that holds.
@@ -88,6 +89,9 @@ std::optional<Multipliers> Multipliers::find(const Problem& problem, const Optio
     if (x[j] < at_bound) columns.push_back({Column::Kind::lower, j});
     if (x[j] > 1.0 - at_bound) columns.push_back({Column::Kind::upper, j});
   }
+  if (columns.empty()) return slope.norm() <= at_rest ? std::optional(result) : std::nullopt;
+  // What is left over of a gradient is compared with the objective, which is of the order of 1, where it is small.
+  const double left_over = std::max(stationary * slope.norm(), at_rest);
   Eigen::MatrixXd held(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(columns.size()));
   for (std::size_t k = 0; k < columns.size(); ++k) {
     auto column = held.col(static_cast<Eigen::Index>(k));
@@ -99,12 +103,12 @@ std::optional<Multipliers> Multipliers::find(const Problem& problem, const Optio
   // Their sizes differ by what units they come from; which of them depend on each other does not hang on that.
   const Eigen::VectorXd size = held.colwise().norm();
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors(held * size.cwiseInverse().asDiagonal());
-  if (columns.empty() || factors.rank() < held.cols()) return std::nullopt;
+  if (factors.rank() < held.cols()) return std::nullopt;
   const Eigen::VectorXd worth = factors.solve(-slope).cwiseQuotient(size);
-  if ((held * worth + slope).norm() > stationary * slope.norm()) return std::nullopt;
+  if ((held * worth + slope).norm() > left_over) return std::nullopt;
   for (std::size_t k = 0; k < columns.size(); ++k) {
     const auto at = static_cast<Eigen::Index>(k);
-    if (worth[at] * size[at] < -stationary * slope.norm()) return std::nullopt;  // moving away from it would be better
+    if (worth[at] * size[at] < -left_over) return std::nullopt;  // moving away from it would be better
     const double value = std::max(0.0, worth[at]) * chain.scale();
     switch (columns[k].kind) {
       case Column::Kind::constraint:

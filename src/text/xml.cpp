@@ -21,6 +21,7 @@ struct Reading {
   XmlListener& listener;
   std::exception_ptr thrown;
   bool document_type = false;
+  std::size_t depth = 0;
 
   template <class Call>
   void guard(const Call& call) {
@@ -43,6 +44,11 @@ XmlElement split(std::string_view name) {
 void XMLCALL on_start(void* data, const XML_Char* name, const XML_Char** attributes) {
   auto& reading = *static_cast<Reading*>(data);
   reading.guard([&] {
+    if (++reading.depth > deepest_xml)
+      throw std::runtime_error(fmt::format("elements nested deeper than {} in line {}, column {} of its XML",
+                                           deepest_xml,
+                                           XML_GetCurrentLineNumber(reading.parser),
+                                           XML_GetCurrentColumnNumber(reading.parser) + 1));
     for (; attributes[0] != nullptr; attributes += 2) {
       const XmlElement parts = split(attributes[0]);
       reading.listener.attribute({parts.ns, parts.name, attributes[1]});
@@ -53,6 +59,7 @@ void XMLCALL on_start(void* data, const XML_Char* name, const XML_Char** attribu
 
 void XMLCALL on_end(void* data, const XML_Char* name) {
   auto& reading = *static_cast<Reading*>(data);
+  --reading.depth;
   reading.guard([&] { reading.listener.end_element(split(name)); });
 }
 
@@ -73,7 +80,7 @@ void read_xml(std::string_view xml, XmlListener& listener) {
   const std::unique_ptr<std::remove_pointer_t<XML_Parser>, decltype(&XML_ParserFree)> parser(XML_ParserCreate(nullptr),
                                                                                              &XML_ParserFree);
   if (!parser) throw std::bad_alloc();
-  Reading reading{parser.get(), listener, nullptr, false};
+  Reading reading{parser.get(), listener, nullptr, false, 0};
   XML_SetUserData(parser.get(), &reading);
   XML_SetElementHandler(parser.get(), on_start, on_end);
   XML_SetCharacterDataHandler(parser.get(), on_characters);

@@ -3,6 +3,7 @@
 // program (an assertion) on some damaged files.
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 
 namespace millwright::text {
@@ -33,8 +34,11 @@ class XmlListener {
   virtual void characters(std::string_view) {}
 };
 
-/// Throws std::runtime_error, with line and column, where the XML is not well-formed or declares a document type (of
-/// which harmful files are made). What the listener throws is passed on.
+/// Elements within elements; deeper ones, which cost memory and mean nothing, are refused.
+inline constexpr std::size_t deepest_xml = 256;
+
+/// Throws std::runtime_error, with line and column, where the XML is not well-formed, is nested deeper than that or
+/// declares a document type (of which harmful files are made). What the listener throws is passed on.
 void read_xml(std::string_view xml, XmlListener& listener);
 
 }  // namespace millwright::text

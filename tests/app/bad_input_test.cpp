@@ -271,4 +271,21 @@ TEST_CASE("Output that cannot be written is refused before any work") {
 }
 
 }  // namespace
+TEST_CASE("A result is not written over what is read") {
+  const Workshop shop;
+  const std::string motors =
+      "manufacturer,part_number,step_angle [deg],holding_torque [N.m],rated_current "
+      "[A],price,currency,source,confidence\n"
+      "Mine,M1,1.8,1,2,10,USD,own,high\n";
+  shop.write("mine.csv", motors);
+  shop.write("parts/steppers/mine.csv", motors);
+  const std::string problem = MILLWRIGHT_SOURCE_DIR "/problems/lifter.toml";
+  CHECK(shop.run({"solve", problem, "--catalogue", "parts", "--json", "parts/steppers/mine.csv"}).exit_code == 2);
+  CHECK(shop.read("parts/steppers/mine.csv") == motors);
+  std::filesystem::copy_file(MILLWRIGHT_SOURCE_DIR "/problems/lifter-bom.csv", shop.path("a.csv"));
+  const std::string bill = shop.read("a.csv");
+  CHECK(shop.run({"compare", "a.csv", "a.csv", "--problem", problem, "--json", "a.csv"}).exit_code == 2);
+  CHECK(shop.read("a.csv") == bill);
+}
+
 }  // namespace millwright::app

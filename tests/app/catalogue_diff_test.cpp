@@ -55,6 +55,20 @@ TEST_CASE("catalogue diff tells what changed, in 80 columns and as JSON, and its
   CHECK(cell.at("a_place") == "old/steppers/m.csv:2:20");
 }
 
+TEST_CASE("catalogue diff names the points that a curve lost") {
+  const Workshop shop;
+  const std::string header =
+      "manufacturer,part_number,drive_voltage [V],phase_current [A],driver,speed [rpm],torque [N.m],confidence\n";
+  const std::string kept = "A,M,24,2,d,300,0.4,high\nA,M,24,2,d,600,0.3,high\n";
+  shop.write("old/stepper_curves/c.csv", header + "A,M,24,2,d,60,0.5,high\nA,M,24,2,d,120,0.5,high\n" + kept);
+  shop.write("new/stepper_curves/c.csv", header + kept);
+  const auto json = nlohmann::json::parse(shop.run({"catalogue", "diff", "old", "new", "--json", "-"}).out);
+  const auto& cells = json.at("families").at(0).at("changed").at(0).at("cells");
+  REQUIRE(cells.size() == 2);
+  CHECK(cells.at(0).at("point") == "60 rpm");
+  CHECK(cells.at(1).at("point") == "120 rpm");
+}
+
 TEST_CASE("catalogue diff of one catalogue shows what it does on top of the shipped ones") {
   const Workshop shop;
   shop.write("mine/steppers/m.csv", motors + "Acme,M1,1.8,1.26,2,10,USD\n");

@@ -166,4 +166,13 @@ TEST_CASE("explain refuses bad input, and says when time is up") {
 }
 
 }  // namespace
+// Its ramps are best inside their range: nothing holds them there.
+TEST_CASE("An optimum inside its bounds is explained too") {
+  const Workshop shop;
+  const Outcome outcome = shop.run(
+      {"explain", MILLWRIGHT_SOURCE_DIR "/problems/bar-feeder.toml", "--minimise", "energy", "--time-limit", "3"});
+  INFO(outcome.err);
+  CHECK((outcome.exit_code == 0 || outcome.exit_code == 3));
+}
+
 }  // namespace millwright::app

@@ -112,6 +112,18 @@ TEST_CASE("An error of lint leaves the file as it was") {
   CHECK(shop.entries() == 2);
 }
 
+TEST_CASE("Output and mapping are not one file, however it is spelt") {
+  const Workshop shop;
+  shop.write("prices.csv", table);
+  for (const char* other : {"same.csv", "./same.csv", "../same.csv"}) {
+    INFO(other);
+    const Outcome outcome =
+        shop.run(import({"--family", "steppers", "--yes", "--output", "same.csv", "--save-mapping", other}));
+    CHECK(outcome.says("--output and --save-mapping cannot be one file") == (std::string(other) != "../same.csv"));
+    if (std::string(other) != "../same.csv") CHECK_FALSE(shop.has("same.csv"));
+  }
+}
+
 TEST_CASE("Options of an import that make no sense are pointed at") {
   const Workshop shop;
   shop.write("prices.csv", table);
@@ -120,6 +132,8 @@ TEST_CASE("Options of an import that make no sense are pointed at") {
   CHECK(shop.run(import({"--family", "steppers", "--unit", "mass=mm"})).says("command line:1:8: error: mass: 'mm'"));
   CHECK(shop.run(import({"--family", "steppers", "--constant", "masse=1 kg"})).says("did you mean 'mass'?"));
   CHECK(shop.run(import({"--family", "steppers", "--constant", "mass"})).says("a column, '=' and a value are wanted"));
+  CHECK(shop.run(import({"--family", "steppers", "--constant", "mass=1 kg", "--constant", "mass=2 kg"}))
+            .says("command line:1:12: error: mass is named twice"));
   CHECK(shop.run({"catalogue", "import", "nothing.csv", "--family", "steppers"}).says("cannot be opened"));
   CHECK(shop.run({"catalogue", "import", ".", "--family", "steppers"}).exit_code == 2);
 }

@@ -148,6 +148,20 @@ TEST_CASE("a file that changed without a changed figure, a missing and a new one
   CHECK(overlay.says("mine/couplings/x.csv is new"));
 }
 
+TEST_CASE("a catalogue that is a single file is told by its place alone") {
+  const LockedShop shop;
+  shop.write("my.csv", shop.read(shop.motor_file()));
+  CHECK(shop.locked({"--catalogue", "my.csv"}).says(" my.csv is new"));
+  const Outcome written = shop.run({"solve", "m.toml", "--catalogue", "my.csv", "--write-lock", "o.lock"});
+  INFO(written.err);
+  REQUIRE(written.exit_code == 0);
+  CHECK(shop.read("o.lock").find("file = \"my.csv\"") != std::string::npos);
+  shop.write("my.csv", "# looked at\n" + shop.read("my.csv"));
+  const Outcome changed = shop.run({"solve", "m.toml", "--catalogue", "my.csv", "--locked", "o.lock"});
+  CHECK(changed.exit_code == 2);
+  CHECK(changed.says(" my.csv changed: SHA-256"));
+}
+
 TEST_CASE("another problem stops a locked run, and what is asked for otherwise is a warning") {
   const LockedShop shop;
   const Outcome asked = shop.locked({"--set", "axis.x.stroke='220 mm'"});

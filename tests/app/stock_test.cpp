@@ -69,6 +69,26 @@ TEST_CASE("What is not available is left out as by --without, and the answer say
   CHECK(fixed.says("not available"));
 }
 
+TEST_CASE("A row of a user's own catalogue may say itself that it is owned or cannot be had") {
+  const Workshop shop;
+  const Json plain = solved(shop, {});
+  const std::string name = motor(plain).at("part_number");
+  const std::string row = motor(plain).at("row");  // "catalogues/steppers/x.csv:12"
+  const std::string file = MILLWRIGHT_SOURCE_DIR "/" + row.substr(0, row.find(':'));
+  std::ifstream shipped(file);
+  std::string text, line, header, own;
+  while (std::getline(shipped, line)) {
+    if (line.rfind("manufacturer,", 0) == 0) header = line;
+    if (line.find("," + name + ",") != std::string::npos) own = line;
+  }
+  REQUIRE_FALSE(own.empty());
+  shop.write("mine/steppers/a.csv", header + ",owned_quantity [1]\n" + own + ",1\n");
+  CHECK(cost(solved(shop, {"--catalogue", "mine"})) ==
+        Approx(cost(plain) - motor(plain).at("price").get<double>()).epsilon(1e-9));
+  shop.write("mine/steppers/a.csv", header + ",availability\n" + own + ",unavailable\n");
+  CHECK(cost(solved(shop, {"--catalogue", "mine"})) == cost(solved(shop, {"--without", name})));
+}
+
 TEST_CASE("A stock file that names an unknown part stops the run at its place") {
   const Workshop shop;
   shop.write("mine/stock.csv", "part_number,owned\n17HS19-2004S,1\n");

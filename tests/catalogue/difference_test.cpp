@@ -194,6 +194,15 @@ TEST_CASE("a torque curve is one part: its points are told, and another voltage 
   CHECK(part_title(sides.a.table(Family::stepper_curves), sides.found.removed[0]) == "A M (48 V, 2 A, d)");
 }
 
+TEST_CASE("points that went are told each, also where as many stayed") {
+  const Sides sides =
+      of_curves("A,M,24,2,d,60,0.5,high\nA,M,24,2,d,120,0.5,high\nA,M,24,2,d,300,0.4,high\nA,M,24,2,d,600,0.3,high\n",
+                "A,M,24,2,d,300,0.4,high\nA,M,24,2,d,600,0.3,high\n");
+  REQUIRE(sides.found.changed.size() == 1);
+  CHECK(told(sides.found.changed[0].cells) ==
+        std::vector<std::string>{"torque at 60 rpm: 0.5 N.m -> ", "torque at 120 rpm: 0.5 N.m -> "});
+}
+
 TEST_CASE("what changed alike at every point of a curve is told once") {
   std::string low = curve;
   for (std::size_t at = 0; (at = low.find("high")) != std::string::npos;) low.replace(at, 4, "low");

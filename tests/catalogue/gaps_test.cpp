@@ -88,6 +88,21 @@ TEST_CASE("screws without nut, support or coupling are named, and a part closes 
   CHECK(missing(gaps, Family::couplings, "strong enough couplings") == Sizes{"8 on 10 mm (2 N.m)"});
 }
 
+TEST_CASE("a coupling must bear what a motor holds with both phases on") {
+  const TemporaryFolder folder;
+  folder.write("steppers/a.csv",
+               "manufacturer,part_number,frame,frame_size [mm],shaft_diameter [mm],step_angle [deg],holding_torque "
+               "[N.m],phases_on [1],rated_current [A],price,currency,source,confidence\n"
+               "A,M23,NEMA23,57,8,1.8,2,1,3,10,USD,s,high\n");
+  folder.write(
+      "support_bearings/a.csv",
+      "manufacturer,part_number,role,bore [mm],price,currency,source,confidence\nA,F10,fixed,10,9,USD,s,high\n");
+  folder.write("couplings/a.csv",
+               "manufacturer,part_number,minimum_bore [mm],maximum_bore [mm],rated_torque "
+               "[N.m],price,currency,source,confidence\nA,K,5,12,2.5,4,USD,s,high\n");
+  CHECK(missing(gaps_of(folder), Family::couplings, "strong enough couplings") == Sizes{"8 on 10 mm (2.828 N.m)"});
+}
+
 TEST_CASE("gaps of the shipped catalogues stand in the order of the families, each with sizes and a reason") {
   text::Diagnostics diagnostics;
   const Catalogue catalogue =

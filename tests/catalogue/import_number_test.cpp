@@ -78,6 +78,12 @@ TEST_CASE("A cell is cut into number and unit") {
   CHECK(cut("1.8\xC2\xB0") == "|1.8|\xC2\xB0");
   CHECK(cut("24-48 V") == "|24|-48 V");
   CHECK(cut("none") == "||none");
+  CHECK(cut(".5 mm") == "|.5|mm");
+  CHECK(cut("EUR .50") == "EUR|.50|");
+  CHECK(cut("-,5") == "|-,5|");
+  CHECK(cut("kr.500") == "kr.|500|");  // the point of an abbreviation
+  CHECK(cut("Rp.150000") == "Rp.|150000|");
+  CHECK(cut("$.50") == "$.|50|");  // "$." is no currency: refused, not guessed
 }
 
 TEST_CASE("Units of shops, only where they fit") {
@@ -101,6 +107,9 @@ TEST_CASE("Units of shops, only where they fit") {
   CHECK(unit("EUR", "price") == "|EUR");
   CHECK(unit("\xE2\x82\xAC/pcs", "price") == "|EUR");
   CHECK(unit("$", "price") == "|?");
+  CHECK(unit("kr.", "price") == "|?");
+  CHECK(unit("Rp.", "price") == "|IDR");
+  CHECK(unit("$.", "price") == "no");
   CHECK(unit("EUR/m", "price_per_length") == "1/m|EUR");
   CHECK(unit("EUR", "price_per_length") == "no");
   CHECK(unit("mm", "price") == "no");
@@ -118,6 +127,15 @@ TEST_CASE("Headers name columns by their words") {
   CHECK(match("Detent torque", "holding_torque") < match("Detent torque", "detent_torque"));
   CHECK(match("Lead wires", "mass") == 0.0);
   CHECK(match("", "mass") == 0.0);
+}
+
+TEST_CASE("A header cell of many words is no likeness, and one that holds a quantity says so") {
+  const Column torque = column(Family::steppers, "holding_torque");
+  CHECK(name_match(words_of("holding torque holds when the motor stands still"), torque) == 0.0);
+  CHECK(name_match(words_of("holding torgue"), torque) == 0.75);  // one letter wrong
+  for (const char* header : {"Price/100", "Price per 10", "Price 10+", "Price per 100pcs", "Preis 2-9"})
+    CHECK(has_quantity(header));
+  for (const char* header : {"Price", "Price/1", "Price 1+", "Price (EUR)"}) CHECK_FALSE(has_quantity(header));
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tables as makers and shops write them. Figures in SI were converted by hand: 1 ozf.in = 0.4448221615 N / 1.6 x 25.4
 // mm = 0.00706155181 N.m, 1 lbf.in = 4.448221615 N x 25.4 mm = 0.112984829 N.m.
+#include <algorithm>
+
 #include "catalogue/import_table.h"
 #include "catch.h"
 
@@ -134,6 +136,107 @@ TEST_CASE("A price per metre is no price of a piece, and a torque in mm is none"
   CHECK(table.number("dynamic_load_rating", 0) == Approx(7650.0));
   const Imported other = import_csv("Brand,Part No,Torque (mm),Current (A),Price (EUR)\nA,1,1.2,2,20\n");
   CHECK(other.meaning("Torque (mm)") == "x_torque_mm");
+}
+
+TEST_CASE("The point of an abbreviated currency is no decimal point") {
+  const std::string top = "Brand,Part No,Step angle (deg),Torque (N.m),Current (A),Price\n";
+  const Imported result =
+      import_csv(top + "A,1,1.8,1.2,2.8,kr.500\nA,2,1.8,1.2,2.8,kr. 450\n", asking({{"currency", "SEK"}}));
+  INFO(result.complaints);
+  CHECK(result.text.find(",500,SEK") != std::string::npos);
+  CHECK(result.text.find(",450,SEK") != std::string::npos);
+}
+
+constexpr const char* screw_top = "Model,d0 (mm),Lead (mm),Dyn. load C (kN),Stat. load C0 (kN),Root dia (mm),";
+constexpr const char* screw = "16,5,7.65,13.24,12.9,";
+
+TEST_CASE("Two prices of one row in two currencies are reported") {
+  const auto import = [](const char* nut, const char* shaft) {
+    return import_csv(std::string(screw_top) + nut + "," + shaft + "\nS1," + screw + "18.9,25.5\n",
+                      asking({{"manufacturer", "TBI"}}, Family::ball_screws));
+  };
+  const Imported two = import("Price [EUR]", "Price per length [USD/m]");
+  CHECK_FALSE(two.good);
+  CHECK(two.says("the row's other price is in EUR"));
+  const Imported one = import("Price [EUR]", "Price per length [EUR/m]");
+  INFO(one.complaints);
+  CHECK_FALSE(one.says("the row's other price"));
+  CHECK(one.text.find("EUR") != std::string::npos);
+}
+
+TEST_CASE("A bare price per foot among prices per metre is one per foot") {
+  const Imported result = import_csv(std::string(screw_top) + "Price [EUR],Price per length [EUR/ft]\nS1," + screw +
+                                         "18.9,EUR 30/m\nS2," + screw + "18.9,25\n",
+                                     asking({{"manufacturer", "TBI"}}, Family::ball_screws));
+  INFO(result.complaints << result.text);
+  CHECK(result.text.find("price_per_length [1/m]") != std::string::npos);
+  CHECK(result.text.find("82.02099737") != std::string::npos);  // 25 / 0.3048
+  const Imported open = import_csv(
+      std::string(screw_top) + "Price [EUR],Price per length\nS1," + screw + "18.9,EUR 30/m\nS2," + screw + "18.9,25\n",
+      asking({{"manufacturer", "TBI"}}, Family::ball_screws));
+  CHECK(open.says("price_per_length: a figure without a unit"));
+}
+
+TEST_CASE("The price of many pieces is not taken for that of one") {
+  for (const char* header : {"Price/100", "Price per 10", "Price per 100 pcs", "Price 10+"}) {
+    INFO(header);
+    const Imported result = import_csv(std::string("Brand,Part No,Step angle (deg),Torque (N.m),Current (A),") +
+                                           header + ",Unit price (EUR)\nA,1,1.8,1.2,2.8,19,24.33\n",
+                                       asking());
+    REQUIRE(result.mapping);
+    CHECK_FALSE(result.column(header).target.has_value());
+    CHECK(result.meaning("Unit price (EUR)") == "price");
+    const auto& remarks = result.mapping->remarks;
+    CHECK(std::any_of(remarks.begin(), remarks.end(), [&](const std::string& remark) {
+      return remark.find(header) != std::string::npos && remark.find("not taken as price") != std::string::npos;
+    }));
+  }
+}
+
+TEST_CASE("The command line goes before the mapping file, and nothing is said twice") {
+  const TemporaryFolder folder;
+  const auto complaints = [&](const std::string& mapping, ImportRequest& request) {
+    text::Diagnostics diagnostics;
+    read_mapping(folder.write("m.toml", "family = \"steppers\"\n" + mapping).string(), request, diagnostics);
+    return text::format(diagnostics);
+  };
+  const auto refusal = [](const std::vector<std::pair<std::string, std::string>>& words) {
+    try {
+      (void)asking(words);
+      return std::string();
+    } catch (const std::runtime_error& problem) {
+      return std::string(problem.what());
+    }
+  };
+  ImportRequest said = asking({{"mass", "2 kg"}, {"unit:holding_torque", "N.cm"}});
+  CHECK(complaints("[columns]\nmass = { from = \"W\" }\nholding_torque = { from = \"T\", unit = \"N.m\" }\n", said)
+            .empty());
+  REQUIRE(said.choices.columns.size() == 1);  // the mass is constant
+  CHECK(said.choices.columns[0].from == "T");
+  CHECK(said.choices.columns[0].unit == "N.cm");
+  ImportRequest both;
+  CHECK(complaints("[constants]\nmass = \"2 kg\"\n[columns]\nmass = { from = \"W\" }\n", both)
+            .find("m.toml:5:1: error: mass is among the constants and among the columns") != std::string::npos);
+  ImportRequest constant = asking({{"unit:mass", "g"}});
+  CHECK(complaints("[constants]\nmass = \"2 kg\"\n[columns]\nprice = { from = \"P\" }\n", constant)
+            .find("the mapping file has mass as a constant") != std::string::npos);
+  ImportRequest nowhere = asking({{"unit:mass", "g"}});
+  CHECK(complaints("[columns]\nprice = { from = \"P\" }\n", nowhere).find("the mapping file has no column mass") !=
+        std::string::npos);
+  CHECK(refusal({{"mass", "2 kg"}, {"mass", "3 kg"}}).find("mass is named twice") != std::string::npos);
+  CHECK(refusal({{"unit:mass", "kg"}, {"unit:mass", "g"}}).find("mass is named twice") != std::string::npos);
+  CHECK(refusal({{"mass", "2 kg"}, {"unit:mass", "g"}}).find("mass is named twice") != std::string::npos);
+}
+
+TEST_CASE("Long cells above the header are no header") {
+  const std::string words = " (" + std::string(80, 'x') + ")";
+  const Imported result =
+      import_csv("Brand" + words + ",Torque" + words + ",Current" + words +
+                 "\nBrand,Part No,Step angle (deg),Torque (N.m),Current (A),Price (EUR)\nA,1,1.8,1.2,2.8,20\n");
+  INFO(result.complaints);
+  REQUIRE(result.mapping);
+  CHECK(result.mapping->header.line == 2);
+  CHECK(result.meaning("Brand") == "manufacturer");
 }
 
 TEST_CASE("Required columns that come from nowhere are named") {

@@ -178,6 +178,62 @@ TEST_CASE("Sheets that would never end are refused") {
   CHECK(shown(repeated("-5", "-5")).find("error") == std::string::npos);
 }
 
+/// The least workbook: a sheet of one row, its shared texts and the format code of style 1.
+std::string small_xlsx(const std::string& cells, const std::string& texts = {}, const std::string& code = "0") {
+  const std::string relation = "<Relationship Id=\"";
+  return stored_zip(
+      {{"xl/workbook.xml", "<workbook xmlns:r=\"r\"><sheets><sheet name=\"A\" r:id=\"a\"/></sheets></workbook>"},
+       {"xl/_rels/workbook.xml.rels",
+        "<Relationships>" + relation + "a\" Type=\"x/worksheet\" Target=\"sheet.xml\"/>" + relation +
+            "b\" Type=\"x/sharedStrings\" Target=\"texts.xml\"/>" + relation +
+            "c\" Type=\"x/styles\" Target=\"styles.xml\"/></Relationships>"},
+       {"xl/texts.xml", "<sst>" + texts + "</sst>"},
+       {"xl/styles.xml",
+        "<styleSheet><numFmts><numFmt numFmtId=\"170\" formatCode=\"" + code +
+            "\"/></numFmts><cellXfs><xf numFmtId=\"0\"/><xf numFmtId=\"170\"/></cellXfs></styleSheet>"},
+       {"xl/sheet.xml", "<worksheet><sheetData><row r=\"1\">" + cells + "</row></sheetData></worksheet>"}});
+}
+
+TEST_CASE("Errors in cells are reported where they stand, and are no texts") {
+  CHECK(shown(small_xlsx("<c r=\"A1\"><v>3</v></c><c r=\"B1\" t=\"e\"><f>X1</f><v>#REF!</v></c>"))
+            .find("the cell in row 1, column 2 holds the error '#REF!'") != std::string::npos);
+  CHECK(shown(ods("<table:table table:name=\"A\"><table:table-row>" +
+                  cell("office:value-type=\"string\" xmlns:calcext=\"c\" calcext:value-type=\"error\"", "#DIV/0!") +
+                  "</table:table-row></table:table>"))
+            .find("the cell in row 1, column 1 holds the error '#DIV/0!'") != std::string::npos);
+}
+
+TEST_CASE("Whole numbers of a workbook are written in full") {
+  const auto number = [](const std::string& value) {
+    return shown(small_xlsx("<c r=\"A1\"><v>" + value + "</v></c>"));
+  };
+  CHECK(number("1234567890123456") == "1234567890123456\n");
+  CHECK(number("-1E15") == "-1000000000000000\n");
+  CHECK(number("0.1") == "0.1\n");
+  CHECK(number("0.30000000000000004") == "0.3\n");
+  CHECK(number("1E20") == "1e+20\n");
+}
+
+TEST_CASE("What a number format takes as it is makes no date") {
+  const auto formatted = [](const char* code) {
+    return shown(small_xlsx("<c r=\"A1\" s=\"1\"><v>45000</v></c>", {}, code));
+  };
+  for (const char* code : {"0_d", "0*d", "0\\d", "0&quot;d&quot;", "0&quot;_&quot;", "0&quot;[&quot;"})
+    CHECK(formatted(code) == "45000\n");
+  CHECK(formatted("0&quot;_&quot;%") == "4500000%\n");
+  CHECK(formatted("_-d") == "2023-03-15\n");  // day 45000 of 1900: 2023-03-15
+}
+
+TEST_CASE("XML nested without end, and texts without end, are refused") {
+  std::string nested;
+  for (int i = 0; i < 300; ++i) nested += "<table:a>";
+  CHECK(shown(ods(nested)).find("elements nested deeper than 256 in line 1") != std::string::npos);
+  std::string texts;
+  texts.reserve((workbook_cell_limit + 1) * 5);
+  for (std::size_t i = 0; i <= workbook_cell_limit; ++i) texts += "<si/>";
+  CHECK(shown(small_xlsx("", texts)).find("has more than 4194304 shared texts") != std::string::npos);
+}
+
 TEST_CASE("Damaged workbooks are refused with a reason") {
   const std::string good = xlsx(false);
   text::Diagnostics unused;

@@ -322,6 +322,18 @@ TEST_CASE("a thousandfold error is named") {
   CHECK(supply.all().front().message.find("10 times too small") != std::string::npos);
 }
 
+TEST_CASE("figures at the ends of what a number can be are doubted like others") {
+  const text::Diagnostics huge = lint_row(Family::couplings,
+                                          {{"maximum_bore [mm]", "1e300"},
+                                           {"minimum_bore [mm]", "1e200"},
+                                           {"torsional_stiffness [N.m/rad]", "1e-150"},
+                                           {"mass [kg]", "1e-300"},
+                                           {"price", "1e150"}});
+  CHECK(huge.has_errors());
+  CHECK(lint_row(Family::couplings, {{"mass [kg]", "1e-310"}}).has_errors());
+  CHECK(lint_row(Family::couplings, {{"outside_diameter [mm]", "1e300"}, {"length [mm]", "1e300"}}).has_errors());
+}
+
 TEST_CASE("a waiver with a reason excuses a row from one rule") {
   CHECK(lint_row(Family::steppers, {{"step_angle [deg]", "7.5"}}, "step-angle: a tin-can motor").count() == 0);
   const text::Diagnostics other = lint_row(Family::steppers, {{"step_angle [deg]", "7.5"}}, "motor-mass: hollow");

@@ -31,13 +31,36 @@ TEST_CASE("An order takes whole packs, and more than needed where that costs les
   CHECK(price.purchase(9).price == 40.0);  // ten for 40 instead of nine for 45
   CHECK(price.purchase(9).pieces == 10.0);
   CHECK(price.purchase(12).price == 48.0);
-  CHECK(price.least() == 4.0);
+  CHECK(price.least(20) == 4.0);
+  CHECK(price.least(8) == 5.0);
+  CHECK(price.least(9) == Approx(40.0 / 9.0));
+  CHECK(price.is_plain_up_to(8));
+  CHECK_FALSE(price.is_plain_up_to(9));
   price.pack = 4.0;
   CHECK(price.purchase(1).pieces == 4.0);
   CHECK(price.purchase(1).price == 20.0);
   CHECK(price.purchase(5).pieces == 8.0);   // 40; three packs at 4 are 48
   CHECK(price.purchase(9).pieces == 12.0);  // 48
   CHECK(price.purchase(9).price == 48.0);
+}
+
+TEST_CASE("What a row says of its own stock is checked too") {
+  const TemporaryFolder folder;
+  folder.write(
+      "drivers/a.csv",
+      "manufacturer,part_number,peak_current [A],maximum_voltage [V],price,owned_quantity [1],availability,currency\n"
+      "A,D1,2,30,5,1.5,,USD\n"
+      "A,D2,2,30,5,2,unavailable,USD\n"
+      "A,D3,2,30,5,,in stock,USD\n");
+  text::Diagnostics diagnostics;
+  const Catalogue catalogue = Catalogue::load({folder.path()}, diagnostics);
+  const std::string text = text::format(diagnostics);
+  INFO(text);
+  CHECK(diagnostics.error_count() == 1);
+  CHECK(text.find("a.csv:2:") != std::string::npos);
+  CHECK(text.find("a.csv:4:") != std::string::npos);
+  CHECK(text.find("changes nothing") != std::string::npos);
+  CHECK(catalogue.table(Family::drivers).rows() == 2);
 }
 
 TEST_CASE("Price breaks and packs that make no sense are refused at their place") {
