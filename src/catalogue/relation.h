@@ -35,7 +35,7 @@ struct Relation {
   std::array<Term, 5> terms;
   std::string_view when = {};  ///< only rows of this kind (see kind_column); "rail*" = every kind that begins so
 
-  bool habit = false;          ///< a maker states it the same way in all rows, so one that differs is odd
+  bool habit = false;  ///< a maker states it the same way in all rows, so one that differs is odd
 
   /// The terms that are set.
   constexpr std::span<const Term> used() const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What usually holds for motors, screws, nuts and couplings. id, title, usual value, spread, impossible factor, origin,
-// terms, kind. Figures in declared units. "published parts": the middle and the scatter of the shipped rows, rounded up.
+// terms, kind. Figures in declared units. "published parts": the middle and the scatter of the shipped rows, rounded
+// up.
 #pragma once
 
 #include "catalogue/relation.h"

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "catalogue/catalogue.h"
-#include "evaluation/ledger.h"
 #include "evaluation/counted_parts.h"
+#include "evaluation/ledger.h"
 #include "evaluation/slot_table.h"
 #include "machine/bill_of_materials.h"
 #include "machine/problem.h"

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // How fast catalogues of steppers are read, with every check, into the tables that designs are evaluated from: rows
 // like the shipped ones (all columns, texts and notes as they are, numbers varied by up to 10 %, part numbers made
-// unique), written to two files of a temporary folder; and how fast they are linted. Prints rows and bytes per second of processor time, and how much
-// memory the whole takes against the size of the files. Usage: catalogue_benchmark [rows], 1,000,000 by default.
+// unique), written to two files of a temporary folder; and how fast they are linted. Prints rows and bytes per second
+// of processor time, and how much memory the whole takes against the size of the files. Usage: catalogue_benchmark
+// [rows], 1,000,000 by default.
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <unistd.h>
