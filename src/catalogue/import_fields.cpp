@@ -178,6 +178,40 @@ const ImportFields::KnownUnit& ImportFields::unit_of(const std::string& words, s
   return known.back();
 }
 
+/// With a decimal point; empty, and reported, if it is none.
+std::string ImportFields::read_plain(const SheetRows& row,
+                                     std::size_t source,
+                                     std::string_view number,
+                                     DecimalMark mark) {
+  if (number.empty()) {
+    const std::string_view cell = row.cell(source);
+    refuse(row, source, fmt::format("not a number: {}", text::quoted(cell)), text::number_hint(cell));
+    return {};
+  }
+  std::string plain = plain_number(number, mark);
+  if (plain.empty())
+    refuse(
+        row,
+        source,
+        fmt::format(
+            "{} is no number with a decimal {}", text::quoted(number), mark == DecimalMark::comma ? "comma" : "point"),
+        number.size() > 400 ? fmt::format("{} characters are no number", number.size()) : "");
+  return plain;
+}
+
+/// The unit of a column, of a figure that says none: of a price 1/m, which shop_unit() takes only with a currency.
+bool ImportFields::take_own_unit(const SheetRows& row, std::size_t source, scalar::Unit& meaning) {
+  const std::string& unit = mapping_.columns[source].unit;
+  if (unit.empty()) return true;
+  std::string reason;
+  const auto own = scalar::Unit::parse(unit, reason);
+  if (own)
+    meaning = *own;
+  else
+    refuse(row, source, reason);
+  return own.has_value();
+}
+
 void ImportFields::append_number(const SheetRows& row, const ImportField& field, std::string& line) {
   const std::size_t source = *field.source;
   const std::string_view cell = row.cell(source);
@@ -191,21 +225,13 @@ void ImportFields::append_number(const SheetRows& row, const ImportField& field,
                              declaration(*column.target).unit == "1";
   if (mark == DecimalMark::point && !column.converts && bare_is_known && is_plain(cell)) {
     line += cell;
-    if (money) take_currency(row, field, column.currency);
+    take_currency(row, field, column.currency);
     return;
   }
   if (says_unknown(cell)) return;
   const CellParts parts = cut_cell(cell);
-  if (parts.number.empty())
-    return refuse(row, source, fmt::format("not a number: {}", text::quoted(cell)), text::number_hint(cell));
-  const std::string plain = plain_number(parts.number, mark);
-  if (plain.empty())
-    return refuse(row,
-                  source,
-                  fmt::format("{} is no number with a decimal {}",
-                              text::quoted(parts.number),
-                              mark == DecimalMark::comma ? "comma" : "point"),
-                  parts.number.size() > 400 ? fmt::format("{} characters are no number", parts.number.size()) : "");
+  const std::string plain = read_plain(row, source, parts.number, mark);
+  if (plain.empty()) return;
   std::string words =
       std::string(is_diameter_sign(parts.before) ? std::string_view() : parts.before) + std::string(parts.after);
   if (words.empty()) {
@@ -214,7 +240,7 @@ void ImportFields::append_number(const SheetRows& row, const ImportField& field,
                     source,
                     "a figure without a unit; others of its column have one",
                     fmt::format("say --unit {}=UNIT for those that have none", declaration(*column.target).name));
-    if (money) take_currency(row, field, column.currency);
+    take_currency(row, field, column.currency);
     if (!column.converts) {
       line += plain;
       return;
@@ -222,16 +248,11 @@ void ImportFields::append_number(const SheetRows& row, const ImportField& field,
     if (!money) words = column.unit;
   }
   scalar::Unit meaning;
-  if (words.empty() && !column.unit.empty()) {  // of a price: 1/m, which shop_unit() takes only with a currency
-    std::string reason;
-    const auto own = scalar::Unit::parse(column.unit, reason);
-    if (!own) return refuse(row, source, reason);
-    meaning = *own;
-  }
+  if (words.empty() && !take_own_unit(row, source, meaning)) return;
   if (!words.empty()) {
     const KnownUnit& known = unit_of(words, source);
     if (!known.unit) return refuse(row, source, fmt::format("{}: {}", text::quoted(words), known.reason));
-    if (money) take_currency(row, field, known.unit->currency);
+    take_currency(row, field, known.unit->currency);
     if (known.unit->unit == field.out_unit || (known.unit->unit.empty() && field.out_unit == "1")) {
       line += plain;
       return;
@@ -277,7 +298,7 @@ void ImportFields::append_frame(std::string_view cell, std::string& line) {
 }
 
 void ImportFields::take_currency(const SheetRows& row, const ImportField& field, const std::string& currency) {
-  if (currency.empty()) return;
+  if (currency.empty() || field.kind != ImportField::Kind::money) return;
   if (row_currency_.empty() || row_currency_ == "?") row_currency_ = currency;
   if (currency != "?" && row_currency_ != currency)
     refuse(row, *field.source, fmt::format("{}, but the row's other price is in {}", currency, row_currency_));

@@ -43,6 +43,8 @@ class ImportFields {
   void append_number(const SheetRows& row, const ImportField& field, std::string& line);
   void append_flag(const SheetRows& row, const ImportField& field, std::string& line);
   void append_frame(std::string_view cell, std::string& line);
+  std::string read_plain(const SheetRows& row, std::size_t source, std::string_view number, DecimalMark mark);
+  bool take_own_unit(const SheetRows& row, std::size_t source, scalar::Unit& meaning);
   void take_currency(const SheetRows& row, const ImportField& field, const std::string& currency);
   std::string currency_of_row(const SheetRows& row, const ImportField& field);
   const KnownUnit& unit_of(const std::string& words, std::size_t source);

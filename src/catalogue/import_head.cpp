@@ -61,6 +61,24 @@ bool is_units_row(const SheetRows& row) {
   return units >= 2 && units > others;
 }
 
+/// Units and samples of the first `used` columns, from the rows after the header.
+void sample_rows(SheetRows& row, std::size_t used, TableHead& head) {
+  head.samples.resize(used);
+  head.data_begin = row.end();
+  for (std::size_t i = 0; i < rows_sampled && row.next(); ++i) {
+    if (i == 0 && is_units_row(row)) {
+      for (std::size_t column = 0; column < used; ++column) head.units.emplace_back(row.cell(column));
+      head.data_begin = row.end();
+      continue;
+    }
+    for (std::size_t column = 0; column < std::min(used, row.cells()); ++column) {
+      const std::string_view cell = row.cell(column);
+      if (cell.empty() || says_unknown(cell) || head.samples[column].size() >= samples_kept) continue;
+      head.samples[column].push_back({std::string(cell.substr(0, longest_header_cell)), row.is_number(column)});
+    }
+  }
+}
+
 }  // namespace
 
 std::optional<TableHead> find_head(const ImportSheet& sheet,
@@ -117,20 +135,7 @@ std::optional<TableHead> find_head(const ImportSheet& sheet,
     if (head.cells.back().size() > longest_header_cell)
       diagnostics.error(head.spans.back(), fmt::format("a header cell of {} bytes", head.cells.back().size()));
   }
-  head.samples.resize(used);
-  head.data_begin = row.end();
-  for (std::size_t i = 0; i < rows_sampled && row.next(); ++i) {
-    if (i == 0 && is_units_row(row)) {
-      for (std::size_t column = 0; column < used; ++column) head.units.emplace_back(row.cell(column));
-      head.data_begin = row.end();
-      continue;
-    }
-    for (std::size_t column = 0; column < std::min(used, row.cells()); ++column) {
-      const std::string_view cell = row.cell(column);
-      if (cell.empty() || says_unknown(cell) || head.samples[column].size() >= samples_kept) continue;
-      head.samples[column].push_back({std::string(cell.substr(0, longest_header_cell)), row.is_number(column)});
-    }
-  }
+  sample_rows(row, used, head);
   return head;
 }
 

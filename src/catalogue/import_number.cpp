@@ -71,9 +71,8 @@ CellParts cut_cell(std::string_view cell) {
     begin -= 3;
   std::size_t end = first;
   while (end < cell.size()) {
-    if (is_digit(cell[end])) {
-      ++end;
-    } else if ((cell[end] == '.' || cell[end] == ',') && end + 1 < cell.size() && is_digit(cell[end + 1])) {
+    const bool is_mark = cell[end] == '.' || cell[end] == ',';
+    if (is_digit(cell[end]) || (is_mark && end + 1 < cell.size() && is_digit(cell[end + 1]))) {
       ++end;
     } else if (const std::size_t mark = group_mark_at(cell, end); mark > 0) {
       end += mark;

@@ -32,10 +32,8 @@ std::string from_windows_1252(std::string_view bytes) {
   for (const char c : bytes) {
     const auto byte = static_cast<unsigned char>(c);
     const char32_t value = byte >= 0x80 && byte < 0xA0 ? windows_1252[byte - 0x80U] : byte;
-    if (byte < 0x80)
-      text += c;
-    else if (value == 0)
-      text += c;  // stays wrong, and is reported
+    if (byte < 0x80 || value == 0)
+      text += c;  // no character: stays wrong, and is reported
     else
       text::append_utf8(text, value);
   }

@@ -130,15 +130,6 @@ std::optional<Suspicion> Plausibility::examine(int row, const std::function<bool
 
 namespace {
 
-/// A hypothesis: figure `a` is `exp(by)` times what it should be; or it was swapped with `b`.
-struct Fault {
-  std::size_t a = 0;
-  std::size_t b = 0;  ///< = a: not swapped
-  double by = 0.0;
-  std::string_view cause;
-  double weight = 0.0;  ///< logarithm of prior times likelihood, that of "all is well" being 0
-};
-
 double swap_prior(Column a, Column b) {
   if (std::abs(static_cast<int>(a.index) - static_cast<int>(b.index)) == 1) return swapped_neighbours;
   return declaration(a).unit == declaration(b).unit ? swapped_alike : swapped_any;
@@ -146,11 +137,17 @@ double swap_prior(Column a, Column b) {
 
 }  // namespace
 
-Suspicion Plausibility::describe(const Kind& kind, const Group& group, const Evidence& row) const {
+/// A hypothesis: figure `a` is `exp(by)` times what it should be; or it was swapped with `b`.
+struct Plausibility::Fault {
+  std::size_t a = 0;
+  std::size_t b = 0;  ///< = a: not swapped
+  double by = 0.0;
+  std::string_view cause;
+  double weight = 0.0;  ///< logarithm of prior times likelihood, that of "all is well" being 0
+};
+
+std::vector<Plausibility::Fault> Plausibility::faults_of(const Kind& kind, const Group& group, const Evidence& row) {
   const std::size_t slots = kind.columns.size();
-  const auto spread_of = [&](std::size_t i, const Part& part) {
-    return group.references[i].spread / std::abs(part.exponent);
-  };
   std::vector<Fault> faults;
   for (std::size_t a = 0; a < slots; ++a) {
     if (std::isnan(row.logs[a]) || row.promise[a] < 0.5 * promise_needed) continue;
@@ -158,7 +155,7 @@ Suspicion Plausibility::describe(const Kind& kind, const Group& group, const Evi
     Fault best{a, a, 0.0, {}, 0.0};
     for (const Part& part : kind.of_column[a]) {
       if (std::isnan(row.residuals[part.slot])) continue;
-      const double spread = spread_of(part.slot, part);
+      const double spread = group.references[part.slot].spread / std::abs(part.exponent);
       precision += 1.0 / (spread * spread);
       const double by = row.residuals[part.slot] / part.exponent;
       if (std::abs(by) < least_of_others) continue;
@@ -182,6 +179,58 @@ Suspicion Plausibility::describe(const Kind& kind, const Group& group, const Evi
       faults.push_back({a, b, by, {}, prior + row.gain_of_swap(kind, group, a, b)});
     }
   }
+  return faults;
+}
+
+bool Plausibility::explain(
+    const Kind& kind, const Group& group, const Evidence& row, const Fault& fault, Suspicion& found) {
+  // What the other figures say, each relation by its spread, and less the farther it is from the fault's own guess.
+  const double guess = row.logs[fault.a] - fault.by;
+  double sum = 0.0, weights = 0.0;
+  std::vector<std::pair<double, std::size_t>> off;
+  for (std::size_t i = 0; i < kind.relations.size(); ++i) {
+    if (std::isnan(row.residuals[i])) continue;
+    const double scaled = std::abs(row.residuals[i]) / group.references[i].spread;
+    for (const Part& part : kind.relations[i].parts) {
+      if (part.slot == fault.b && fault.a != fault.b && scaled > 2.0) off.emplace_back(-scaled, i);
+      if (part.slot != fault.a) continue;
+      const double spread = group.references[i].spread / std::abs(part.exponent);
+      const double says = row.logs[fault.a] - row.residuals[i] / part.exponent;
+      const double away = (says - guess) / spread;
+      const double weight = 1.0 / (spread * spread * (1.0 + 0.25 * away * away));
+      sum += weight * says;
+      weights += weight;
+      off.emplace_back(-scaled, i);
+      found.impossible |= group.references[i].excludes(row.residuals[i]);
+    }
+  }
+  if (off.empty() || !(weights > 0.0)) return false;
+  const double middle = sum / weights;
+  const double margin = 2.0 * std::max(0.02, 1.0 / std::sqrt(weights));
+  found.expected_low = std::exp(middle - row.added(fault.a) - margin);
+  found.expected_high = std::exp(middle - row.added(fault.a) + margin);
+  found.factor = std::exp(fault.cause.empty() ? row.logs[fault.a] - middle : fault.by);
+  std::sort(off.begin(), off.end());
+  for (const auto& [scaled, i] : off) {
+    const std::string_view id = kind.relations[i].relation->id;
+    if (!found.rules.empty() && scaled > -2.0) break;
+    if (std::find(found.rules.begin(), found.rules.end(), id) == found.rules.end()) found.rules.push_back(id);
+  }
+  const std::size_t worst = off.front().second;
+  const Relation& relation = *kind.relations[worst].relation;
+  const std::size_t peers = group.references[worst].peers;
+  const double excess = std::exp(row.residuals[worst]);
+  found.evidence = fmt::format("{} is {} {} the usual ({})",
+                               relation.title,
+                               scalar::format_number(excess >= 1.0 ? excess : 1.0 / excess, 3),
+                               excess >= 1.0 ? "times" : "times below",
+                               peers > 0 ? fmt::format("of {} rows like it", peers) : std::string(relation.origin));
+  return true;
+}
+
+Suspicion Plausibility::describe(const Kind& kind, const Group& group, const Evidence& row) {
+  const std::size_t slots = kind.columns.size();
+  const std::vector<Fault> faults = faults_of(kind, group, row);
   double top = 0.0;
   for (const Fault& each : faults) top = std::max(top, each.weight);
   double wrong = 0.0;
@@ -194,10 +243,8 @@ Suspicion Plausibility::describe(const Kind& kind, const Group& group, const Evi
   Suspicion found{};
   found.certainty = wrong / (wrong + std::exp(-top));
   bool any_impossible = false;
-  const auto impossible = [&](std::size_t i) {
-    return row.residuals[i] < group.references[i].least || row.residuals[i] > group.references[i].greatest;
-  };
-  for (std::size_t i = 0; i < kind.relations.size(); ++i) any_impossible |= impossible(i);
+  for (std::size_t i = 0; i < kind.relations.size(); ++i)
+    any_impossible |= group.references[i].excludes(row.residuals[i]);
   if (any_impossible) found.certainty = std::max(found.certainty, certainty_of_impossible);
   if (found.certainty < certainty_to_report) return found;
 
@@ -219,48 +266,7 @@ Suspicion Plausibility::describe(const Kind& kind, const Group& group, const Evi
     found.instead = kind.columns[slot];
   }
   found.value = std::exp(row.written(fault->a));
-  // What the other figures say, each relation by its spread, and less the farther it is from the fault's own guess.
-  const double guess = row.logs[fault->a] - fault->by;
-  double sum = 0.0, weights = 0.0;
-  std::vector<std::pair<double, std::size_t>> off;
-  for (std::size_t i = 0; i < kind.relations.size(); ++i) {
-    if (std::isnan(row.residuals[i])) continue;
-    const double scaled = std::abs(row.residuals[i]) / group.references[i].spread;
-    for (const Part& part : kind.relations[i].parts) {
-      if (part.slot == fault->b && fault->a != fault->b && scaled > 2.0) off.emplace_back(-scaled, i);
-      if (part.slot != fault->a) continue;
-      const double spread = spread_of(i, part);
-      const double says = row.logs[fault->a] - row.residuals[i] / part.exponent;
-      const double away = (says - guess) / spread;
-      const double weight = 1.0 / (spread * spread * (1.0 + 0.25 * away * away));
-      sum += weight * says;
-      weights += weight;
-      off.emplace_back(-scaled, i);
-      found.impossible |= impossible(i);
-    }
-  }
-  if (off.empty() || !(weights > 0.0)) return {};
-  const double middle = sum / weights;
-  const double margin = 2.0 * std::max(0.02, 1.0 / std::sqrt(weights));
-  found.expected_low = std::exp(middle - row.added(fault->a) - margin);
-  found.expected_high = std::exp(middle - row.added(fault->a) + margin);
-  found.factor = std::exp(fault->cause.empty() ? row.logs[fault->a] - middle : fault->by);
-  std::sort(off.begin(), off.end());
-  for (const auto& [scaled, i] : off) {
-    const std::string_view id = kind.relations[i].relation->id;
-    if (!found.rules.empty() && scaled > -2.0) break;
-    if (std::find(found.rules.begin(), found.rules.end(), id) == found.rules.end()) found.rules.push_back(id);
-  }
-  const std::size_t worst = off.front().second;
-  const Relation& relation = *kind.relations[worst].relation;
-  const std::size_t peers = group.references[worst].peers;
-  const double excess = std::exp(row.residuals[worst]);
-  found.evidence = fmt::format("{} is {} {} the usual ({})",
-                               relation.title,
-                               scalar::format_number(excess >= 1.0 ? excess : 1.0 / excess, 3),
-                               excess >= 1.0 ? "times" : "times below",
-                               peers > 0 ? fmt::format("of {} rows like it", peers) : std::string(relation.origin));
-  return found;
+  return explain(kind, group, row, *fault, found) ? found : Suspicion{};
 }
 
 }  // namespace millwright::catalogue

@@ -88,6 +88,7 @@ class Plausibility {
     std::size_t peers = 0;  ///< rows it was learnt from, 0 = as declared
     double least = 0.0;     ///< residuals beyond these are impossible
     double greatest = 0.0;
+    [[nodiscard]] bool excludes(double residual) const { return residual < least || residual > greatest; }
   };
   struct Group {
     std::uint32_t kind = 0;
@@ -105,7 +106,11 @@ class Plausibility {
                                const std::vector<int>& rows,
                                const std::vector<Reference>& otherwise) const;
   OwnPrices learn_prices(const std::vector<int>& rows) const;
-  Suspicion describe(const Kind& kind, const Group& group, const Evidence& row) const;
+  struct Fault;
+  static std::vector<Fault> faults_of(const Kind& kind, const Group& group, const Evidence& row);
+  /// What speaks for a fault: expected range, rules, evidence. False if no relation does.
+  static bool explain(const Kind& kind, const Group& group, const Evidence& row, const Fault& fault, Suspicion& found);
+  static Suspicion describe(const Kind& kind, const Group& group, const Evidence& row);
 
   const Table& table_;
   std::vector<Kind> kinds_;

@@ -17,6 +17,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
 #include "catalogue/family.h"
@@ -41,11 +42,7 @@ class Stock {
   [[nodiscard]] bool empty() const { return marks_.empty(); }
 
  private:
-  struct Key {
-    Family family;
-    std::string manufacturer, part_number;
-    friend auto operator<=>(const Key&, const Key&) = default;
-  };
+  using Key = std::tuple<Family, std::string, std::string>;  ///< family, manufacturer, part number
   std::map<Key, StockMark> marks_;
 };
 

@@ -324,6 +324,13 @@ void add_worksheet(const Stage& stage,
 
 std::string unit_of_variable(const std::string& name) { return name == "acceleration_time" ? "s" : "m"; }
 
+void add_dimensions(const StageEntry& entry, const solver::StageChoice& choice, Design& design) {
+  const std::string prefix = entry.element == "drive" ? "" : entry.element + ".";
+  std::size_t v = 0;
+  for (const solver::Variable& each : entry.as_stage().variables())
+    design.dimensions.push_back({entry.axis, prefix + each.name, choice.variables[v++], unit_of_variable(each.name)});
+}
+
 }  // namespace
 
 Design MachineModel::design(const solver::Build& found, bool with_worksheet) const {
@@ -378,12 +385,7 @@ Design MachineModel::design(const solver::Build& found, bool with_worksheet) con
           if constexpr (requires { stage->motors(); }) mark_estimated_torque(*stage, choice, voltage, design);
         },
         entry.stage);
-    const auto variables = entry.as_stage().variables();
-    for (std::size_t v = 0; v < variables.size(); ++v) {
-      const std::string prefix = entry.element == "drive" ? std::string() : entry.element + ".";
-      design.dimensions.push_back(
-          {entry.axis, prefix + variables[v].name, choice.variables[v], unit_of_variable(variables[v].name)});
-    }
+    add_dimensions(entry, choice, design);
     solver::Answer<double> answer;
     entry.as_stage().evaluate({build.shared, state, choice.rows, choice.variables}, answer);
     for (CountedTotal& each : design.counted) each.value += answer.resources[resource(each.quantity)];

@@ -97,18 +97,30 @@ void check_currency(const Axis& axis, const Problem& problem, Diagnostics& diagn
   }
 }
 
+/// Says where to begin where nothing is asked yet.
+bool is_empty(const text::Document& document, Diagnostics& diagnostics) {
+  if (!document.root().is_table() || !document.root().entries().empty()) return false;
+  diagnostics.error(document.root().span(),
+                    "the problem is empty",
+                    "'millwright new --template mill FILE' writes one to begin with; 'millwright reference' has every "
+                    "key");
+  return true;
+}
+
+/// One or several.
+std::vector<std::string> catalogues_of(TableReader& table, QuantityReader& q) {
+  const text::Key key{
+      "catalogues",
+      "folders with parts of your own, seen from the problem file; they add to the shipped ones or replace them"};
+  const Node* catalogues = table.find("catalogues");
+  return catalogues != nullptr && catalogues->size() > 0 ? q.words(key) : table.strings(key);
+}
+
 }  // namespace
 
 std::optional<Problem> problem_of(const text::Document& document, Diagnostics& diagnostics) {
   const std::size_t errors = diagnostics.error_count();
-  if (document.root().is_table() && document.root().entries().empty()) {
-    diagnostics.error(
-        document.root().span(),
-        "the problem is empty",
-        "'millwright new --template mill FILE' writes one to begin with; 'millwright reference' has every "
-        "key");
-    return std::nullopt;
-  }
+  if (is_empty(document, diagnostics)) return std::nullopt;
   Problem problem;
   problem.file = document.text()->path();
   TableReader table(document.root(), "problem", diagnostics);
@@ -117,14 +129,7 @@ std::optional<Problem> problem_of(const text::Document& document, Diagnostics& d
   problem.source =
       table.string({"source", "where the figures come from; for people, nothing is computed from it"}).value_or("");
   QuantityReader q(table, diagnostics);
-  if (const Node* catalogues = table.find("catalogues"); catalogues != nullptr && catalogues->size() > 0)
-    problem.catalogues = q.words(
-        {"catalogues",
-         "folders with parts of your own, seen from the problem file; they add to the shipped ones or replace them"});
-  else
-    problem.catalogues = table.strings(
-        {"catalogues",
-         "folders with parts of your own, seen from the problem file; they add to the shipped ones or replace them"});
+  problem.catalogues = catalogues_of(table, q);
   if (const Node* objective = table.table({"objective", "what is best; without this table the cheapest build"});
       objective != nullptr)
     read_objective(*objective, problem, diagnostics);

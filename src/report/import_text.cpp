@@ -17,7 +17,6 @@ std::string unit_of(const SourceColumn& column) {
   if (!column.currency.empty() && column.unit.size() > 2) unit += column.unit.substr(1);
   switch (column.unit_origin) {
     case UnitOrigin::none:
-      return unit;
     case UnitOrigin::header:
       return unit;
     case UnitOrigin::units_row:

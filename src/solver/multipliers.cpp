@@ -23,6 +23,38 @@ struct Column {
   std::size_t index = 0;
 };
 
+/// What keeps the objective from falling: constraints at their limit, variables at an end of their range.
+std::vector<Column> columns_that_hold(const std::vector<double>& x,
+                                      const std::vector<double>& constraint,
+                                      const std::vector<double>& jacobian) {
+  const std::size_t n = x.size();
+  std::vector<Column> columns;
+  for (std::size_t c = 0; c < constraint.size(); ++c) {
+    const Eigen::Map<const Eigen::VectorXd> row(jacobian.data() + c * n, static_cast<Eigen::Index>(n));
+    if (constraint[c] > -active && row.norm() > nothing) columns.push_back({Column::Kind::constraint, c});
+  }
+  for (std::size_t j = 0; j < n; ++j) {
+    if (x[j] < at_bound) columns.push_back({Column::Kind::lower, j});
+    if (x[j] > 1.0 - at_bound) columns.push_back({Column::Kind::upper, j});
+  }
+  return columns;
+}
+
+/// Of what holds, one a column; `n` variables.
+Eigen::MatrixXd gradients_of(const std::vector<Column>& columns, const std::vector<double>& jacobian, std::size_t n) {
+  const auto rows = static_cast<Eigen::Index>(n);
+  Eigen::MatrixXd held(rows, static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    auto column = held.col(static_cast<Eigen::Index>(k));
+    const auto unit = Eigen::VectorXd::Unit(rows, static_cast<Eigen::Index>(columns[k].index));
+    if (columns[k].kind == Column::Kind::constraint)
+      column = Eigen::Map<const Eigen::VectorXd>(jacobian.data() + columns[k].index * n, rows);
+    if (columns[k].kind == Column::Kind::lower) column = -unit;
+    if (columns[k].kind == Column::Kind::upper) column = unit;
+  }
+  return held;
+}
+
 }  // namespace
 
 Build settled(const Problem& problem, const Options& options, const Build& build) {
@@ -58,6 +90,16 @@ Build settled(const Problem& problem, const Options& options, const Build& build
   return result;
 }
 
+void Multipliers::find_holding(const Problem& problem, double least, const std::function<double(std::size_t)>& size) {
+  std::size_t first = 0;
+  for (std::size_t i = 0; i <= problem.stages.size(); ++i) {
+    const std::size_t count = i < problem.stages.size() ? problem.stages[i]->constraints() : multiplier_.size() - first;
+    for (std::size_t c = 0; c < count; ++c)
+      if (multiplier_[first + c] > least / size(first + c)) holding_.push_back({i, c, multiplier_[first + c]});
+    first += count;
+  }
+}
+
 std::optional<Multipliers> Multipliers::find(const Problem& problem, const Options& options, const Build& build) {
   const Criteria criteria = make_criteria(problem, options);
   VariableChain chain(problem, criteria, build);
@@ -80,26 +122,12 @@ std::optional<Multipliers> Multipliers::find(const Problem& problem, const Optio
   result.any_moves_ = !result.moving_.empty();
   if (!result.any_moves_) return result;
 
-  std::vector<Column> columns;
-  for (std::size_t c = 0; c < m; ++c) {
-    if (constraint[c] > active) return std::nullopt;
-    if (constraint[c] > -active && row(c).norm() > nothing) columns.push_back({Column::Kind::constraint, c});
-  }
-  for (std::size_t j = 0; j < n; ++j) {
-    if (x[j] < at_bound) columns.push_back({Column::Kind::lower, j});
-    if (x[j] > 1.0 - at_bound) columns.push_back({Column::Kind::upper, j});
-  }
+  if (std::any_of(constraint.begin(), constraint.end(), [](double g) { return g > active; })) return std::nullopt;
+  const std::vector<Column> columns = columns_that_hold(x, constraint, jacobian);
   if (columns.empty()) return slope.norm() <= at_rest ? std::optional(result) : std::nullopt;
   // What is left over of a gradient is compared with the objective, which is of the order of 1, where it is small.
   const double left_over = std::max(stationary * slope.norm(), at_rest);
-  Eigen::MatrixXd held(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(columns.size()));
-  for (std::size_t k = 0; k < columns.size(); ++k) {
-    auto column = held.col(static_cast<Eigen::Index>(k));
-    const auto unit = Eigen::VectorXd::Unit(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(columns[k].index));
-    if (columns[k].kind == Column::Kind::constraint) column = row(columns[k].index);
-    if (columns[k].kind == Column::Kind::lower) column = -unit;
-    if (columns[k].kind == Column::Kind::upper) column = unit;
-  }
+  const Eigen::MatrixXd held = gradients_of(columns, jacobian, n);
   // Their sizes differ by what units they come from; which of them depend on each other does not hang on that.
   const Eigen::VectorXd size = held.colwise().norm();
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors(held * size.cwiseInverse().asDiagonal());
@@ -110,26 +138,12 @@ std::optional<Multipliers> Multipliers::find(const Problem& problem, const Optio
     const auto at = static_cast<Eigen::Index>(k);
     if (worth[at] * size[at] < -left_over) return std::nullopt;  // moving away from it would be better
     const double value = std::max(0.0, worth[at]) * chain.scale();
-    switch (columns[k].kind) {
-      case Column::Kind::constraint:
-        result.multiplier_[columns[k].index] = value;
-        break;
-      case Column::Kind::lower:
-        result.at_lower_[columns[k].index] = value;
-        break;
-      case Column::Kind::upper:
-        result.at_upper_[columns[k].index] = value;
-        break;
-    }
+    auto& of_kind = columns[k].kind == Column::Kind::constraint ? result.multiplier_
+                    : columns[k].kind == Column::Kind::lower    ? result.at_lower_
+                                                                : result.at_upper_;
+    of_kind[columns[k].index] = value;
   }
-  std::size_t first = 0;
-  for (std::size_t i = 0; i <= problem.stages.size(); ++i) {
-    const std::size_t count = i < problem.stages.size() ? problem.stages[i]->constraints() : m - first;
-    for (std::size_t c = 0; c < count; ++c)
-      if (result.multiplier_[first + c] > stationary * slope.norm() * chain.scale() / row(first + c).norm())
-        result.holding_.push_back({i, c, result.multiplier_[first + c]});
-    first += count;
-  }
+  result.find_holding(problem, stationary * slope.norm() * chain.scale(), [&](std::size_t c) { return row(c).norm(); });
   return result;
 }
 

@@ -5,6 +5,7 @@
 // the objective plus the multipliers times the constraints does, at the same variables (the envelope theorem).
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -39,6 +40,9 @@ class Multipliers {
   [[nodiscard]] double lagrangian(const Problem& problem, const Options& options, const Build& build) const;
 
  private:
+  /// Those constraints whose multiplier, by the size of their gradient, is more than `least`.
+  void find_holding(const Problem& problem, double least, const std::function<double(std::size_t)>& size);
+
   std::vector<double> multiplier_;              ///< of the constraints, as in VariableChain
   std::vector<double> at_lower_, at_upper_;     ///< of the variables' bounds
   std::vector<std::vector<double>> variables_;  ///< [stage]

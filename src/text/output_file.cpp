@@ -105,6 +105,7 @@ std::unique_ptr<OutputFile> OutputFile::open(const std::string& path, Diagnostic
     return refuse(reason);
   const std::string directory = directory_of(path);
   std::unique_ptr<OutputFile> file(
+      // NOLINTNEXTLINE(modernize-make-unique): an aggregate, and its file does not move
       new OutputFile(std::unique_ptr<Parts>(new Parts{path, directory, TemporaryFile(directory), diagnostics})));
   if (file->parts_->file.is_open() && (!exists || file->parts_->file.set_mode(status.st_mode & 07777U))) return file;
   return refuse(fmt::format("cannot be written: {}", std::strerror(errno)));
