@@ -31,6 +31,7 @@ class StockReader {
 
  private:
   bool match_header() {
+    if (csv_.columns().empty()) return false;  // reported
     bool good = true;
     for (std::size_t i = 0; i < csv_.columns().size(); ++i) {
       const text::CsvColumn& column = csv_.columns()[i];

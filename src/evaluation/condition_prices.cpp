@@ -18,9 +18,6 @@ using machine::Asked;
 using machine::Condition;
 using machine::ConditionKind;
 
-/// Relative, of the smallest change that is told.
-constexpr double precision = 1.01;
-
 class Prices {
  public:
   Prices(ConditionTrials& trials, const BestBuild& best, Explanation& result)
@@ -152,7 +149,7 @@ class Prices {
       factor = std::min(factor * factor, condition.furthest);
       result.saving = eased(factor);
     }
-    while (refused > 1.0 && factor / refused > precision) {
+    while (refused > 1.0 && factor / refused > smallest_change) {
       const double middle = std::sqrt(factor * refused);
       const double there = eased(middle);
       if (matters(there)) result.saving = there;

@@ -20,9 +20,6 @@ using machine::Asked;
 using machine::Condition;
 using machine::ConditionKind;
 
-/// Relative, of the smallest change that is told.
-constexpr double precision = 1.01;
-
 ConditionSet without(const ConditionSet& set, const ConditionSet& others) {
   ConditionSet result;
   std::set_difference(set.begin(), set.end(), others.begin(), others.end(), std::back_inserter(result));
@@ -128,7 +125,7 @@ class Contradictions {
       refused = accepted;
       accepted = std::min(accepted * accepted, condition.furthest);
     }
-    while (accepted / refused > precision) {
+    while (accepted / refused > smallest_change) {
       const double middle = std::sqrt(accepted * refused);
       (enough(condition.eased(middle)) ? accepted : refused) = middle;
     }

@@ -84,6 +84,8 @@ struct Explanation {
 /// s, for each question about a choice or a price: some are far harder than the machine itself, and the rest shall not
 /// wait for them.
 inline constexpr double usual_patience = 10.0;
+/// Of a factor or limit, as a ratio: less is not told.
+inline constexpr double smallest_change = 1.01;
 
 /// Told before each solve what it is for and how many there were.
 using ExplanationProgress = std::function<void(std::size_t solves, const std::string& what)>;

@@ -35,7 +35,7 @@ double PriceBook::most_pieces(catalogue::Family family) const {
     case catalogue::Family::screws:
       return 1000.0;  // as many as its joints have
     default:
-      return 2.0 * drives_;  // supports at both ends, pulleys on both sides
+      return 4.0 * drives_;  // supports at both ends, pulleys on both sides of a belt and of a reduction
   }
 }
 

@@ -92,6 +92,8 @@ TEST_CASE("A stock file with an unknown or a missing column is refused") {
   CHECK(unknown.diagnostics.error_count() == 1);
   CHECK(text::format(unknown.diagnostics).find("owned") != std::string::npos);
   CHECK(unknown.catalogue.stock().empty());
+  const Loaded empty({""});
+  CHECK(empty.diagnostics.error_count() == 1);
   const Loaded missing({"owned\n1\n"});
   CHECK(missing.diagnostics.error_count() == 1);
 }
