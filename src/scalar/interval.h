@@ -61,22 +61,29 @@ inline double sum_error(double a, double b, double sum) {
   const double part = sum - a;
   return (a - (sum - part)) + (b - part);
 }
-/// A sum without error is not widened; one whose error is unknown (NaN) is. Which of the two it is cannot be foreseen,
-/// so that nothing branches on it.
+/// half an ulp and a bit if the error is below zero, else 0: by its sign bit, because a branch on it cannot be
+/// foreseen.
+inline double beyond_if_negative(double error) {
+  const auto sign = static_cast<std::uint64_t>(std::bit_cast<std::int64_t>(error) >> 63);
+  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(beyond_half_ulp) & sign);
+}
+/// The error of such a sum is known: nothing on the way to it overflows.
+inline bool has_known_error(double size) { return size > 1e-250 && size < 1e300; }
+/// A sum without error is not widened; one whose error is unknown is.
 inline double sum_down(double a, double b) {
   const double sum = a + b;
   const double error = sum_error(a, b, sum);
   const double size = std::fabs(sum);
-  if (has_plain_neighbours(size)) [[likely]]
-    return sum - size * (error >= 0.0 ? 0.0 : beyond_half_ulp);
+  if (has_known_error(size)) [[likely]]
+    return sum - size * beyond_if_negative(error);
   return error >= 0.0 && error <= largest ? sum : down(sum);
 }
 inline double sum_up(double a, double b) {
   const double sum = a + b;
   const double error = sum_error(a, b, sum);
   const double size = std::fabs(sum);
-  if (has_plain_neighbours(size)) [[likely]]
-    return sum + size * (error <= 0.0 ? 0.0 : beyond_half_ulp);
+  if (has_known_error(size)) [[likely]]
+    return sum + size * beyond_if_negative(0.0 - error);  // 0 - 0 has no sign
   return error <= 0.0 && error >= -largest ? sum : up(sum);
 }
 /// Products of bounds: 0 times infinity is 0, because an infinite bound stands for arbitrarily large finite numbers.
