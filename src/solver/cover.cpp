@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/box_slopes.h"
 #include "solver/leaf_point.h"
 #include "solver/relaxation.h"
 #include "solver/variable_box.h"
@@ -22,21 +23,13 @@ class Cover {
   LeafAnswer run() {
     const auto& variables = question_.region->variables;
     start_points(variables);
-    push(variables);
+    push(variables, nullptr);
     std::size_t boxes = 0;
     for (; !heap_.empty() && boxes < cover_boxes && !stopped(boxes); ++boxes) {
-      const VariableBox box = heap_.pop();
+      VariableBox box = heap_.pop();
       if (covered(box.bounds)) continue;
       look_inside(box, boxes);
-      if (covered(box.bounds)) continue;
-      const std::size_t side = deciding_side(box);
-      if (side == box.side.size()) {
-        answer_.leave_undecided(box.bounds.score);
-        continue;
-      }
-      const auto [left, right] = halves(box.side, side);
-      push(left);
-      push(right);
+      if (!covered(box.bounds)) divide(box);
     }
     for (const VariableBox& box : heap_.all()) answer_.leave_undecided(box.bounds.score);
     drop_unused();
@@ -59,49 +52,44 @@ class Cover {
     if (const auto best = design_.small_worth(variables, start, false)) add(*best);
   }
 
+  /// Narrows the box and raises its bounds by first-order enclosures; if that helps little it is halved as well.
+  void divide(VariableBox& box) {
+    constexpr double much = 0.7;
+    const BoxSlopes slopes(question_, box, desk_);
+    std::vector<Interval> side = box.side;
+    if (!slopes.narrow(side)) return;
+    slopes.raise(side, box.bounds);
+    if (useless(box.bounds)) return;
+    for (std::size_t v = 0; v < side.size(); ++v) {
+      const double before = box.side[v].upper - box.side[v].lower;
+      if (side[v].upper - side[v].lower < much * before) return push(side, &box.bounds);
+    }
+    box.side = std::move(side);
+    const std::size_t deciding = deciding_side(box, slopes);
+    if (deciding == box.side.size()) return answer_.leave_undecided(box.bounds.score);
+    const auto [left, right] = halves(box.side, deciding);
+    push(left, &box.bounds);
+    push(right, &box.bounds);
+  }
+
   /// The side over which scores, states or undecided utilisations change most, by slope times width: halving a
-  /// diameter that moves the cost decides more than halving an acceleration time that moves nothing undecided.
-  std::size_t deciding_side(const VariableBox& box) {
-    const StagePlan& plan = *question_.plan;
-    Region region = *question_.region;
-    region.variables = box.side;
-    std::size_t best = widest_side(*plan.stage, box.side);
+  /// diameter that moves the cost decides more than halving an acceleration time that moves nothing undecided. While no
+  /// point is feasible nothing can be covered: only the proof that there is none can close boxes.
+  std::size_t deciding_side(const VariableBox& box, const BoxSlopes& slopes) {
+    const Stage& stage = *question_.plan->stage;
+    std::size_t best = widest_side(stage, box.side);
     double most = 0.0;
     for (std::size_t v = 0; v < box.side.size(); ++v) {
-      const Variable& variable = plan.stage->variables()[v];
+      const Variable& variable = stage.variables()[v];
       const double width = box.side[v].upper - box.side[v].lower;
       if (!(width > narrowest * (variable.upper - variable.lower))) continue;
-      const double change = width * steepest(region, v, box.bounds);
+      const double change = slopes.change_over(v, box.bounds, !answer_.points.empty());
       if (change > most) {
         most = change;
         best = v;
       }
     }
     return best;
-  }
-
-  double steepest(const Region& region, std::size_t variable, const Bounds& bounds) {
-    const StagePlan& plan = *question_.plan;
-    const auto& slope =
-        desk_.slopes(*plan.stage, plan.shared, question_.label->enclosure, region, {Input::Kind::variable, variable});
-    constexpr double very_steep = 1e12;
-    double most = 0.0;
-    for (std::size_t c = 0; c < slope.utilisation.size(); ++c) {
-      if (((bounds.open >> (c % 64)) & 1U) != 0) most = std::max(most, magnitude(slope.utilisation[c]));
-    }
-    // While no point is feasible nothing can be covered: only the proof that there is none can close boxes.
-    if (!plan.priced[variable] || answer_.points.empty()) return std::min(most, very_steep);
-    std::vector<Interval> score(plan.criteria->size());
-    plan.criteria->scores<Interval>(slope.resources, score);
-    for (std::size_t k = 0; k < score.size(); ++k) {
-      const double total = question_.label->score_lower[k] + bounds.score[k] + plan.rest[k];
-      most = std::max(most, magnitude(score[k]) / std::max(std::fabs(total), 1e-9));
-    }
-    for (std::size_t c = 0; c < plan.after.size(); ++c) {
-      if (plan.after[c] == Direction::irrelevant) continue;
-      most = std::max(most, magnitude(slope.handed_on[c]) / std::max(magnitude(bounds.handed_on[c]), 1e-9));
-    }
-    return std::min(most, very_steep);
   }
 
   void look_inside(const VariableBox& box, std::size_t boxes) {
@@ -249,14 +237,25 @@ class Cover {
     }
   }
 
-  void push(std::span<const Interval> side) {
+  bool useless(const Bounds& bounds) {
+    return (question_.hopeless && question_.hopeless({bounds.score, bounds.handed_on, bounds.utilisation})) ||
+           covered(bounds);
+  }
+
+  /// `around`: bounds that hold in a larger box.
+  void push(std::span<const Interval> side, const Bounds* around) {
     Region region = *question_.region;
     region.variables.assign(side.begin(), side.end());
     VariableBox box;
     if (!assess(*question_.plan, question_.label->enclosure, region, box.bounds, desk_)) return;
-    const Worth worth{box.bounds.score, box.bounds.handed_on, box.bounds.utilisation};
-    if (question_.hopeless && question_.hopeless(worth)) return;
-    if (covered(box.bounds)) return;
+    if (around != nullptr) {
+      for (std::size_t k = 0; k < box.bounds.score.size(); ++k)
+        box.bounds.score[k] = std::max(box.bounds.score[k], around->score[k]);
+      for (std::size_t s = 0; s < box.bounds.handed_on.size(); ++s)
+        box.bounds.handed_on[s] =
+            intersect(box.bounds.handed_on[s], around->handed_on[s]).value_or(box.bounds.handed_on[s]);
+    }
+    if (useless(box.bounds)) return;
     box.side = std::move(region.variables);
     box.value = box.bounds.score[0];
     heap_.push(std::move(box));
