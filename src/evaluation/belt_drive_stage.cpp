@@ -96,6 +96,14 @@ bool BeltDriveStage::fits(
   return reduction_.slot().has_value() || bore_is(motors_->motors().pairs[row_b].shaft);
 }
 
+solver::FitKey BeltDriveStage::fit_key(std::span<const solver::Row>,
+                                       std::size_t slot,
+                                       solver::Row row,
+                                       std::size_t) const {
+  if (slot == belt_slot) return {tables_[belt_slot].reading(row, bore_field), 0.0};
+  return {reduction_.is(slot) ? reduction_.shaft(row) : motors_->motors().pairs[row].shaft, 0.0};
+}
+
 template BeltDrive<double> BeltDriveStage::design(const Selection<double>&) const;
 
 template class ElementStage<BeltDriveStage>;

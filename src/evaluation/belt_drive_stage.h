@@ -27,6 +27,10 @@ class BeltDriveStage final : public DriveStage<BeltDriveStage> {
                           solver::Row row_a,
                           std::size_t slot_b,
                           solver::Row row_b) const override;
+  [[nodiscard]] solver::FitKey fit_key(std::span<const solver::Row> shared,
+                                       std::size_t slot,
+                                       solver::Row row,
+                                       std::size_t other_slot) const override;
   [[nodiscard]] const machine::GearedDriveData& data() const { return data_; }
 
   enum SlotIndex : std::size_t { belt_slot, motor_slot };

@@ -105,6 +105,13 @@ class ElementStage : public solver::Stage {
   [[nodiscard]] std::span<const solver::Variable> variables() const final { return variables_; }
   [[nodiscard]] std::size_t constraints() const final { return constraint_count_; }
   [[nodiscard]] const std::vector<SlotTable>& tables() const { return tables_; }
+  /// Where nothing misfits. Stages with `fits` say what it reads.
+  [[nodiscard]] solver::FitKey fit_key(std::span<const solver::Row>,
+                                       std::size_t,
+                                       solver::Row,
+                                       std::size_t) const override {
+    return {};
+  }
   /// How many resources the machine has: before the stage is asked for the first time.
   void set_resources(std::size_t count) { resources_ = count; }
 

@@ -54,8 +54,15 @@ void MotorSet::read(std::size_t voltage, std::span<const solver::Row> rows, std:
     readings.push_back(range_of(rows, [&](solver::Row row) { return readings_[voltage][row * fields + field]; }));
   readings.push_back(range_of(rows, [&](solver::Row row) { return motors_.pairs[row].shaft; }));
   readings.push_back(range_of(rows, [&](solver::Row row) { return motors_.table.candidate(row).standing_mass; }));
-  const std::size_t ranges = speeds_.size() - 1;
-  for (std::size_t range = 0; range < ranges; ++range) readings.push_back(torque_in_range(rows, voltage, range));
+  // Motor by motor: what is known of one lies together.
+  const std::vector<Interval>& of_first = torque_ranges(voltage, rows.front());
+  const std::size_t first = readings.size();
+  readings.insert(readings.end(), of_first.begin(), of_first.end());
+  for (const solver::Row row : rows.subspan(1)) {
+    const std::vector<Interval>& of_row = torque_ranges(voltage, row);
+    for (std::size_t range = 0; range < of_row.size(); ++range)
+      readings[first + range] = hull(readings[first + range], of_row[range]);
+  }
 }
 
 Interval MotorSet::torque_bounds(const RowsAlive& alive, std::size_t voltage, const Interval& speed) const {

@@ -109,6 +109,18 @@ bool RackDriveStage::fits(
   return true;
 }
 
+solver::FitKey RackDriveStage::fit_key(std::span<const solver::Row>,
+                                       std::size_t slot,
+                                       solver::Row row,
+                                       std::size_t other) const {
+  const SlotTable& table = tables_[slot];
+  if (slot == rack_slot) return {table.reading(row, rack_module), table.reading(row, rack_angle)};
+  if (slot == pinion_slot && other == rack_slot)
+    return {table.reading(row, pinion_module), table.reading(row, pinion_angle)};
+  if (slot == pinion_slot) return {table.reading(row, pinion_bore), 0.0};
+  return {reduction_.is(slot) ? reduction_.shaft(row) : motors_->motors().pairs[row].shaft, 0.0};
+}
+
 template RackDrive<double> RackDriveStage::design(const Selection<double>&) const;
 
 template class ElementStage<RackDriveStage>;

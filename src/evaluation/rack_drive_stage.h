@@ -27,6 +27,10 @@ class RackDriveStage final : public DriveStage<RackDriveStage> {
                           solver::Row row_a,
                           std::size_t slot_b,
                           solver::Row row_b) const override;
+  [[nodiscard]] solver::FitKey fit_key(std::span<const solver::Row> shared,
+                                       std::size_t slot,
+                                       solver::Row row,
+                                       std::size_t other_slot) const override;
   [[nodiscard]] const machine::GearedDriveData& data() const { return data_; }
 
   enum SlotIndex : std::size_t { rack_slot, pinion_slot, motor_slot };

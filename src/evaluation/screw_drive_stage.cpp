@@ -237,6 +237,24 @@ bool ScrewDriveStage::fits(
   return true;
 }
 
+solver::FitKey ScrewDriveStage::fit_key(std::span<const solver::Row>,
+                                        std::size_t slot,
+                                        solver::Row row,
+                                        std::size_t other) const {
+  if (slot == screw_slot) {
+    const machine::ScrewFigures<double>& figures = screws_.figures[row];
+    if (other == fixed_slot_) return {figures.root_diameter, 0.0};
+    if (other == free_slot_) return {figures.nominal_diameter, figures.root_diameter};
+  }
+  if (slot == fixed_slot_ && (other == screw_slot || other == coupling_slot_))
+    return {tables_[slot].reading(row, 0), 0.0};
+  if (slot == free_slot_ && other == screw_slot) return {tables_[slot].reading(row, 0), tables_[slot].reading(row, 4)};
+  if (slot == coupling_slot_) return {tables_[slot].reading(row, 4), tables_[slot].reading(row, 5)};
+  if (slot == motor_slot && other == coupling_slot_) return {motors_->motors().pairs[row].shaft, 0.0};
+  if (reduction_.is(slot) && other == coupling_slot_) return {reduction_.shaft(row), 0.0};
+  return {};
+}
+
 template ScrewDrive<double> ScrewDriveStage::design(const Selection<double>&) const;
 
 template class ElementStage<ScrewDriveStage>;

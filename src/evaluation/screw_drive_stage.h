@@ -48,6 +48,10 @@ class ScrewDriveStage final : public DriveStage<ScrewDriveStage> {
                           solver::Row row_a,
                           std::size_t slot_b,
                           solver::Row row_b) const override;
+  [[nodiscard]] solver::FitKey fit_key(std::span<const solver::Row> shared,
+                                       std::size_t slot,
+                                       solver::Row row,
+                                       std::size_t other_slot) const override;
   [[nodiscard]] const machine::ScrewDriveData& data() const { return data_; }
   [[nodiscard]] const ScrewTable& screws() const { return screws_; }
   /// The readings of a screw with its nut, from its figures and not from the table.

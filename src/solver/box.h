@@ -7,6 +7,7 @@
 // `Desk` is the working place of one thread: the spans and answers that asking a stage needs, allocated once.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <functional>
@@ -57,6 +58,10 @@ inline RowSet only(const Stage& stage, std::span<const Row> shared, std::size_t 
 struct Region {
   std::vector<RowSet> rows;
   std::vector<Interval> variables;
+
+  /// For each end of each variable (modulo the size): so many divisions of the region are waited before slices are
+  /// cut off there again.
+  std::array<std::uint8_t, 8> patience{};
 
   [[nodiscard]] bool one_design_per_slot() const {
     for (const RowSet& set : rows) {

@@ -9,23 +9,39 @@ namespace {
 
 constexpr std::size_t word_bits = 64;
 
-void set_bit(std::vector<std::uint64_t>& bits, std::size_t offset, std::size_t index) {
-  bits[offset + index / word_bits] |= std::uint64_t{1} << (index % word_bits);
-}
+struct KeyOrder {
+  bool operator()(const FitKey& a, const FitKey& b) const {
+    return a.first != b.first ? a.first < b.first : a.second < b.second;
+  }
+};
 
 }  // namespace
 
-void Fits::Pairs::find_kinds() {
-  using Bits = std::span<const std::uint64_t>;
-  const auto before = [](Bits a, Bits b) {
-    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
-  };
-  std::map<Bits, std::uint32_t, decltype(before)> known(before);
-  if (words == 0) return;
-  const Bits all = bits;
-  for (std::size_t from = 0; from < all.size(); from += words)
-    kind.push_back(known.try_emplace(all.subspan(from, words), static_cast<std::uint32_t>(known.size())).first->second);
-  kinds = known.size();
+Fits::Kinds Fits::kinds_of(const Stage& stage, std::span<const Row> shared, std::size_t slot, std::size_t other) {
+  Kinds kinds;
+  std::map<FitKey, std::uint32_t, KeyOrder> known;
+  for (Row row = 0; row < stage.slots()[slot].rows; ++row) {
+    const auto [kind, is_new] =
+        known.try_emplace(stage.fit_key(shared, slot, row, other), static_cast<std::uint32_t>(kinds.first.size()));
+    if (is_new) kinds.first.push_back(row);
+    kinds.of_row.push_back(kind->second);
+  }
+  return kinds;
+}
+
+template <class Fit>
+Fits::Pairs Fits::pairs_of(const Kinds& own, const Kinds& other, Fit&& fit) {
+  Pairs pairs;
+  pairs.words = (other.of_row.size() + word_bits - 1) / word_bits;
+  pairs.kinds = own.first.size();
+  pairs.kind = own.of_row;
+  pairs.bits.assign(pairs.kinds * pairs.words, 0);
+  for (std::size_t kind = 0; kind < pairs.kinds; ++kind) {
+    std::uint64_t* bits = pairs.bits.data() + kind * pairs.words;
+    for (std::size_t row = 0; row < other.of_row.size(); ++row)
+      if (fit(kind, other.of_row[row])) bits[row / word_bits] |= std::uint64_t{1} << (row % word_bits);
+  }
+  return pairs;
 }
 
 Fits::Fits(const Stage& stage, std::span<const Row> shared)
@@ -35,33 +51,33 @@ Fits::Fits(const Stage& stage, std::span<const Row> shared)
       if (stage.may_misfit(a, b)) ask(stage, shared, a, b);
     }
   }
+  for (std::size_t slot = 0; slot < slots_; ++slot) find_kinds(slot);
+}
+
+void Fits::find_kinds(std::size_t slot) {
+  std::map<std::vector<std::uint32_t>, std::uint32_t> known;
+  std::vector<std::uint32_t> towards_others;
+  auto& kinds = kinds_.emplace_back();
+  for (Row row = 0; row < stage_->slots()[slot].rows; ++row) {
+    towards_others.clear();
+    for (std::size_t other = 0; other < slots_; ++other)
+      if (!pairs(slot, other).bits.empty()) towards_others.push_back(pairs(slot, other).kind[row]);
+    kinds.push_back(known.try_emplace(towards_others, static_cast<std::uint32_t>(known.size())).first->second);
+  }
 }
 
 void Fits::ask(const Stage& stage, std::span<const Row> shared, std::size_t a, std::size_t b) {
-  const Row rows_a = stage.slots()[a].rows;
-  const Row rows_b = stage.slots()[b].rows;
-  Pairs forward;
-  Pairs backward;
-  forward.words = (rows_b + word_bits - 1) / word_bits;
-  backward.words = (rows_a + word_bits - 1) / word_bits;
-  forward.bits.assign(forward.words * rows_a, 0);
-  backward.bits.assign(backward.words * rows_b, 0);
-  bool all = true;
-  for (Row i = 0; i < rows_a; ++i) {
-    for (Row j = 0; j < rows_b; ++j) {
-      const bool fit = stage.fits(shared, a, i, b, j);
-      all = all && fit;
-      if (!fit) continue;
-      set_bit(forward.bits, i * forward.words, j);
-      set_bit(backward.bits, j * backward.words, i);
-    }
-  }
-  if (all) return;
+  const Kinds kinds_a = kinds_of(stage, shared, a, b);
+  const Kinds kinds_b = kinds_of(stage, shared, b, a);
+  const std::size_t width = kinds_b.first.size();
+  std::vector<bool> fit;
+  fit.reserve(kinds_a.first.size() * width);
+  for (const Row row_a : kinds_a.first)
+    for (const Row row_b : kinds_b.first) fit.push_back(stage.fits(shared, a, row_a, b, row_b));
+  if (std::find(fit.begin(), fit.end(), false) == fit.end()) return;
   everything_fits_ = false;
-  forward.find_kinds();
-  backward.find_kinds();
-  pairs(a, b) = std::move(forward);
-  pairs(b, a) = std::move(backward);
+  pairs(a, b) = pairs_of(kinds_a, kinds_b, [&](std::size_t k, std::size_t l) { return fit[k * width + l]; });
+  pairs(b, a) = pairs_of(kinds_b, kinds_a, [&](std::size_t l, std::size_t k) { return fit[k * width + l]; });
 }
 
 bool Fits::keep_partners(std::span<const std::vector<Row>*> alive,
@@ -80,7 +96,7 @@ bool Fits::keep_partners(std::span<const std::vector<Row>*> alive,
     const std::uint32_t kind = partners.kind[row];
     if (seen[kind]) continue;
     seen[kind] = true;
-    const std::uint64_t* bits = partners.bits.data() + row * partners.words;
+    const std::uint64_t* bits = partners.bits.data() + kind * partners.words;
     for (std::size_t w = 0; w < partners.words; ++w) reached[w] |= bits[w];
   }
   const auto has_partner = [&](Row row) { return ((reached[row / word_bits] >> (row % word_bits)) & 1U) != 0; };

@@ -136,6 +136,10 @@ bool RestrictedStage::fits(
       inner_shared(shared), slot_a, restriction_.allowed[slot_a][row_a], slot_b, restriction_.allowed[slot_b][row_b]);
 }
 
+FitKey RestrictedStage::fit_key(std::span<const Row> shared, std::size_t slot, Row row, std::size_t other_slot) const {
+  return inner_.fit_key(inner_shared(shared), slot, restriction_.allowed[slot][row], other_slot);
+}
+
 RestrictedProblem::RestrictedProblem(const Problem& whole, const Restriction& restriction)
     : shared_(restriction.shared), problem_(whole) {
   for (std::size_t i = 0; i < shared_.size(); ++i) problem_.shared[i].rows = static_cast<Row>(shared_[i].size());

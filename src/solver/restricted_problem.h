@@ -46,6 +46,10 @@ class RestrictedStage final : public Stage {
   [[nodiscard]] bool fits(
       std::span<const Row> shared, std::size_t slot_a, Row row_a, std::size_t slot_b, Row row_b) const override;
 
+  [[nodiscard]] FitKey fit_key(std::span<const Row> shared,
+                               std::size_t slot,
+                               Row row,
+                               std::size_t other_slot) const override;
   [[nodiscard]] bool may_misfit(std::size_t slot_a, std::size_t slot_b) const override {
     return inner_.may_misfit(slot_a, slot_b);
   }

@@ -94,6 +94,12 @@ struct Input {
   std::size_t index = 0;
 };
 
+/// What decides which rows of another slot a row fits: rows with equal keys fit the same ones.
+struct FitKey {
+  double first = 0.0, second = 0.0;
+  friend bool operator==(const FitKey& a, const FitKey& b) = default;
+};
+
 /// A part of the problem with its own choices. Implementations are immutable and may be called from several threads.
 class Stage {
  public:
@@ -134,6 +140,14 @@ class Stage {
                                   std::size_t /*slot_b*/,
                                   Row /*row_b*/) const {
     return true;
+  }
+  /// What `fits` reads of a row when it is asked about another slot: catalogues hold many parts of one bore, and only
+  /// one of them is asked about. Default: every row is a kind of its own.
+  [[nodiscard]] virtual FitKey fit_key(std::span<const Row> /*shared*/,
+                                       std::size_t /*slot*/,
+                                       Row row,
+                                       std::size_t /*other_slot*/) const {
+    return {static_cast<double>(row), 0.0};
   }
   /// Whether `fits` can say no about two slots at all; if not, the search need not ask about every pair of rows.
   [[nodiscard]] virtual bool may_misfit(std::size_t /*slot_a*/, std::size_t /*slot_b*/) const { return true; }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "solver/relaxation.h"
 
@@ -14,6 +15,10 @@ constexpr int slices = 4;                  // a slice of a variable that is test
 constexpr std::size_t state_nodes = 200;   // spent on the best value of one state component
 constexpr std::size_t score_nodes = 4000;  // spent on the least of one score
 
+/// A slice that is not empty will hardly be so when the region has been halved once; the further from it, the later.
+/// (Of machines and stacks tried, this asks least in all.)
+std::uint8_t patience_after(double worst) { return worst > 0.95 ? 1 : worst > 0.6 ? 2 : 4; }
+
 /// Cuts slices of one variable off, from below or from above, while nothing in them is feasible. False when all of the
 /// interval is cut off.
 bool cut_slices(const StagePlan& plan,
@@ -22,6 +27,11 @@ bool cut_slices(const StagePlan& plan,
                 std::size_t variable,
                 bool from_below,
                 Desk& desk) {
+  std::uint8_t& wait = region.patience[(2 * variable + (from_below ? 0 : 1)) % region.patience.size()];
+  if (wait > 0) {
+    --wait;
+    return true;
+  }
   const Interval whole = region.variables[variable];
   std::vector<Interval> trial = region.variables;
   const double step = (whole.upper - whole.lower) / slices;
@@ -34,7 +44,9 @@ bool cut_slices(const StagePlan& plan,
       slice = {last ? whole.lower : whole.upper - (i + 1) * step, whole.upper - i * step};
     }
     const auto& answer = desk.bound(*plan.stage, plan.shared, inherited, region, trial);
-    if (worst_lower(answer.utilisation) <= 1.0) {
+    const double worst = worst_lower(answer.utilisation);
+    if (worst <= 1.0) {
+      if (i == 0) wait = patience_after(worst);
       (from_below ? region.variables[variable].lower : region.variables[variable].upper) =
           from_below ? slice.lower : slice.upper;
       return true;
@@ -99,6 +111,33 @@ bool cut_variables(
   return bounds.utilisation <= 1.0;
 }
 
+namespace {
+
+/// Whether rows of a slot have partners in all others of the plan's region; rows of one kind are asked about once.
+class Partners {
+ public:
+  Partners(const StagePlan& plan, std::size_t slot) : plan_(plan), slot_(slot) {}
+
+  bool of(Row row, const std::vector<Interval>& readings) {
+    if (plan_.fits.everything_fits()) return true;
+    const std::uint32_t kind = plan_.fits.kinds(slot_)[row];
+    if (kind >= known_.size()) known_.resize(kind + std::size_t{1});
+    if (!known_[kind]) {
+      Region region = plan_.region;
+      region.rows[slot_] = std::make_shared<const Rows>(std::vector<Row>(1, row), readings);
+      known_[kind] = plan_.fits.possible(region, slot_);
+    }
+    return *known_[kind];
+  }
+
+ private:
+  const StagePlan& plan_;
+  std::size_t slot_;
+  std::vector<std::optional<bool>> known_;  ///< [kind]
+};
+
+}  // namespace
+
 bool shave(StagePlan& plan, std::span<const Interval> inherited, Desk& desk, const RowSeen& seen) {
   const std::size_t slots = plan.region.rows.size();
   std::vector<Interval> readings;
@@ -107,18 +146,14 @@ bool shave(StagePlan& plan, std::span<const Interval> inherited, Desk& desk, con
     for (std::size_t slot = 0; slot < slots; ++slot) {
       const RowSet all = plan.region.rows[slot];
       std::vector<Row> kept;
+      Partners partners(plan, slot);
       for (const Row& row : *all) {
         const std::span<const Row> alone(&row, 1);
         plan.stage->read(plan.shared, slot, alone, readings);
         const auto& answer = desk.bound_with(*plan.stage, plan.shared, inherited, plan.region, slot, {alone, readings});
         if (hopeless(plan, answer)) continue;
         if (seen) seen(slot, row, answer);
-        if (!plan.fits.everything_fits()) {
-          Region partners = plan.region;
-          partners.rows[slot] = std::make_shared<const Rows>(std::vector<Row>(1, row), readings);
-          if (!plan.fits.possible(partners, slot)) continue;
-        }
-        kept.push_back(row);
+        if (partners.of(row, readings)) kept.push_back(row);
       }
       if (kept.empty()) return false;
       if (kept.size() == all->size()) continue;

@@ -183,6 +183,14 @@ class AxisStage final : public Stage {
     if (a != 1 || b != 2) return true;
     return axis_.couplings[j].bore == axis_.motor_bore[i];
   }
+  [[nodiscard]] FitKey fit_key(std::span<const Row> shared,
+                               std::size_t slot,
+                               Row row,
+                               std::size_t other) const override {
+    if (slot == 1 && other == 2) return {static_cast<double>(axis_.motor_bore[row]), 0.0};
+    if (slot == 2 && other == 1) return {static_cast<double>(axis_.couplings[row].bore), 0.0};
+    return Stage::fit_key(shared, slot, row, other);
+  }
 
  private:
   [[nodiscard]] double voltage(std::span<const Row> shared) const {
