@@ -105,6 +105,8 @@ solver::Build cheapest_build(const MachineModel& model,
                              Row voltage) {
   solver::Build build;
   build.shared = {voltage};
+  // All suppliers for now: what is bought from which is known at the end.
+  if (model.problem().shared.size() > 1) build.shared.push_back(model.problem().shared[1].rows - 1);
   std::vector<double> state = model.problem().first_state;
   for (std::size_t i = 0; i < model.entries().size(); ++i) {
     const solver::RestrictedStage& stage = restricted.stage(i);
@@ -122,6 +124,7 @@ solver::Build cheapest_build(const MachineModel& model,
     build.stages.push_back({stage.inner_rows(rows), stage.inner_variables(free), state});
     state = answer.handed_on;
   }
+  model.set_suppliers(build);
   return build;
 }
 

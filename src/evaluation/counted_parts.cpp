@@ -28,6 +28,7 @@ const CountedPart* CountedParts::find_or_add(const PartUse& use) {
   part.family = use.family;
   part.row = use.row;
   part.owned = prices_.owned(table, use.row);
+  part.only_owned = table.ownership(use.row) == catalogue::Ownership::only;
   part.price = table.piece_price(use.row);
   part.rate = prices_.rate(table.price(use.row).currency);
   part.least = prices_.least_piece(table, use.row);
@@ -64,7 +65,8 @@ std::vector<CountedPart> CountedParts::finish() && {
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     CountedPart& part = parts_[i];
     for (double pieces = 0.0; pieces < most_[i] + 1.0; pieces += 1.0)
-      part.charge.push_back(part.purchase(pieces).price - pieces * part.least);
+      part.charge.push_back(part.only_owned && pieces > part.owned ? beyond_reach
+                                                                   : part.purchase(pieces).price - pieces * part.least);
   }
   return std::move(parts_);
 }
@@ -88,6 +90,7 @@ std::vector<Purchase> CountedPartsLedger::purchases(const catalogue::Catalogue& 
     result.push_back({std::string(catalogue::declaration(parts_[i].family).name),
                       std::string(table.manufacturer(parts_[i].row)),
                       std::string(table.part_number(parts_[i].row)),
+                      std::string(table.text(catalogue::column(parts_[i].family, "supplier"), parts_[i].row)),
                       taken_[i],
                       std::min(taken_[i], parts_[i].owned),
                       bought.pieces,

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "evaluation/counted_parts.h"
+#include "evaluation/shops.h"
 #include "evaluation/slot_table.h"
 #include "machine/constraint.h"
 #include "solver/stage.h"
@@ -111,6 +112,12 @@ class ElementStage : public solver::Stage {
   /// What its slots take of counted parts, by slot: before the stage is asked for the first time.
   void set_piece_counts(std::vector<PieceCount> counts) { piece_counts_ = std::move(counts); }
 
+  /// Who sells the rows of its slots: before the stage is asked for the first time.
+  void set_shops(std::vector<SlotShops> shops) { shops_ = std::move(shops); }
+  [[nodiscard]] bool offered(std::span<const solver::Row> shared, std::size_t slot, solver::Row row) const final {
+    return shops_.empty() || shops_[slot].offered(shared[shop_choice], row);
+  }
+
   /// The table's fields, the totals, what `read_more` of the derived stage adds, then the piece counts of the slot.
   void read(std::span<const solver::Row> shared,
             std::size_t slot,
@@ -169,6 +176,7 @@ class ElementStage : public solver::Stage {
   std::size_t constraint_count_ = 0;
   std::size_t resources_ = first_counted_resource;
   std::vector<PieceCount> piece_counts_;
+  std::vector<SlotShops> shops_;  ///< empty, or one per slot
 
   void finish_slots() {
     slots_.clear();

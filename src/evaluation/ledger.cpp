@@ -225,12 +225,14 @@ void add_parts(const MachineModel& model,
                const StageEntry& entry,
                const std::vector<solver::Row>& rows,
                CountedPartsLedger& counted,
+               ShopLedger& shops,
                Design& design) {
   const auto& tables = entry.tables();
   for (std::size_t slot = 0; slot < tables.size(); ++slot) {
     const Candidate& candidate = tables[slot].candidate(rows[slot]);
     for (const PartUse& use : candidate.parts) {
       const CountedPartsLedger::Share share = counted.take(use);
+      shops.take(use, share.owned, share.price);
       design.parts.push_back(part_line(model, use, entry.axis, design, share));
       design.cost += share.price - use.price;
     }
@@ -344,6 +346,7 @@ Design MachineModel::design(const solver::Build& found, bool with_worksheet) con
   std::vector<double> motor_currents;
   ValidityLedger outside;
   CountedPartsLedger counted(counted_parts_);
+  ShopLedger shops(shops_);
   const auto worksheet = with_worksheet ? std::make_shared<Worksheet>() : nullptr;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     const StageEntry& entry = entries_[i];
@@ -361,6 +364,8 @@ Design MachineModel::design(const solver::Build& found, bool with_worksheet) con
           }
           if constexpr (std::is_same_v<Kind, SupplyStage>) element.motor_currents = motor_currents;
           if constexpr (std::is_same_v<Kind, WholeStage>) {
+            design.orders = shops.orders();
+            for (const ShopOrder& order : design.orders) design.cost += order.shipping_fee + order.top_up;
             element.cost = design.cost;
             element.mass = design.mass;
           }
@@ -378,7 +383,7 @@ Design MachineModel::design(const solver::Build& found, bool with_worksheet) con
           }
         },
         entry.stage);
-    add_parts(*this, entry, choice.rows, counted, design);
+    add_parts(*this, entry, choice.rows, counted, shops, design);
     const solver::Row voltage = build.shared.empty() ? 0 : build.shared.front();
     std::visit(
         [&](const auto& stage) {

@@ -160,6 +160,16 @@ std::string parts_table(const MachineResult& result, const Design& design, const
       first = false;
     }
   }
+  for (const evaluation::ShopOrder& order : design.orders) {
+    cost -= order.shipping_fee + order.top_up;
+    const std::string name = order.supplier.empty() ? "-" : order.supplier;
+    const auto add = [&](const std::string& what, double charge) {
+      if (charge > 0.0)
+        table.add({"", "", escaped(what), "", "", fmt::format("{:.2f}", charge), "", escaped(name), "", ""});
+    };
+    add(t("parts.shipping"), order.shipping_fee);
+    add(t("parts.top_up"), order.top_up);
+  }
   if (cost >= 0.005 || mass >= 5e-4)
     table.add({"",
                "",

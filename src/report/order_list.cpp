@@ -172,8 +172,9 @@ void settle(OrderList& list, const evaluation::Purchase& purchase) {
     const bool is_of_family =
         line.family < catalogue::family_count && catalogue::families[line.family].name == purchase.family;
     return is_of_family && line.manufacturer == purchase.manufacturer && line.part_number == purchase.part_number &&
-           line.supplier != in_stock;
+           line.supplier == purchase.supplier && line.supplier != in_stock;
   };
+  if (!(purchase.bought > 0.0)) return;
   const auto first = std::find_if(list.lines.begin(), list.lines.end(), is_of);
   if (first == list.lines.end()) return;
   for (auto other = std::next(first); other != list.lines.end(); ++other)
@@ -204,6 +205,19 @@ void sort(OrderList& list) {
   std::stable_sort(list.cuts.begin(), list.cuts.end(), [](const CutLine& a, const CutLine& b) {
     return stock_of(a) != stock_of(b) ? stock_of(a) < stock_of(b) : a.length > b.length;
   });
+}
+
+/// Without lines as yet.
+SupplierTotal supplier_total(const Design& design, const std::string& supplier) {
+  SupplierTotal total;
+  total.supplier = supplier;
+  for (const evaluation::ShopOrder& order : design.orders) {
+    if (order.supplier != supplier) continue;
+    total.shipping_fee = order.shipping_fee;
+    total.minimum_order = order.minimum_order;
+    total.top_up = order.top_up;
+  }
+  return total;
 }
 
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
@@ -243,7 +257,7 @@ OrderList order_list(const Design& design, const std::string& title) {
   for (const OrderLine& line : list.lines) {
     if (line.supplier == in_stock) continue;
     if (list.supplier_totals.empty() || list.supplier_totals.back().supplier != line.supplier)
-      list.supplier_totals.push_back({line.supplier, 0.0});
+      list.supplier_totals.push_back(supplier_total(design, line.supplier));
     list.supplier_totals.back().total += line.total;
   }
   for (const CutLine& cut : list.cuts) {

@@ -173,6 +173,8 @@ const std::vector<PageText>& page_texts() {
       {"parts.quantity", "Qty", "Jumlah"},
       {"parts.owned", "in stock", "tersedia"},
       {"parts.length", "Length", "Panjang"},
+      {"parts.shipping", "Shipping", "Ongkos kirim"},
+      {"parts.top_up", "Filling up to the minimum order", "Penggenapan ke pesanan minimum"},
       {"parts.supplier", "Supplier", "Pemasok"},
       {"parts.confidence", "Confidence", "Keyakinan"},
       {"parts.notes", "Notes", "Catatan"},
