@@ -52,7 +52,7 @@ std::vector<PieceCount> CountedParts::counts(std::span<const SlotTable> tables) 
                                   [&](const PieceCount& each) { return each.state == part->state; });
         if (count == result.end())
           count = result.insert(result.end(), {slot, part->state, std::vector<double>(table.rows(), 0.0)});
-        count->of_row[row] += use.quantity;
+        count->of_row[row] += use.pieces();
       }
     }
     for (std::size_t i = first; i < result.size(); ++i)
@@ -77,8 +77,8 @@ CountedPartsLedger::Share CountedPartsLedger::take(const PartUse& use) {
   double& taken = taken_[static_cast<std::size_t>(found - parts_.begin())];
   const double left = std::max(0.0, found->owned - taken);
   const double before = found->purchase(taken).price;
-  taken += use.quantity;
-  return {std::min(left, use.quantity), found->purchase(taken).price - before};
+  taken += use.pieces();
+  return {std::min(left, use.pieces()), found->purchase(taken).price - before};
 }
 
 std::vector<Purchase> CountedPartsLedger::purchases(const catalogue::Catalogue& catalogue) const {

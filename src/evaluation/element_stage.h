@@ -109,6 +109,8 @@ class ElementStage : public solver::Stage {
   /// How many resources the machine has: before the stage is asked for the first time.
   void set_resources(std::size_t count) { resources_ = count; }
 
+  /// To add to their prices: before the stage is asked for the first time.
+  [[nodiscard]] std::vector<SlotTable>& change_tables() { return tables_; }
   /// What its slots take of counted parts, by slot: before the stage is asked for the first time.
   void set_piece_counts(std::vector<PieceCount> counts) { piece_counts_ = std::move(counts); }
 

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <limits>
 
-#include "evaluation/cuts.h"
 #include "evaluation/drive_drawing.h"
 #include "evaluation/machine_model.h"
 #include "evaluation/machine_stages.h"
 #include "evaluation/outside_validity.h"
+#include "evaluation/part_line.h"
 #include "evaluation/traced_elements.h"
 #include "scalar/unit.h"
 
@@ -182,45 +182,6 @@ class CheckVisitor {
   ValidityLedger& outside_;
 };
 
-PartLine part_line(const MachineModel& model,
-                   const PartUse& use,
-                   const std::string& axis,
-                   const Design& design,
-                   const CountedPartsLedger::Share& share) {
-  PartLine line;
-  line.axis = axis;
-  line.slot = use.slot;
-  line.quantity = use.quantity;
-  line.length = use.length;
-  line.price = share.price;
-  line.owned = share.owned;
-  line.unit_price = line.owned < line.quantity ? line.price / (line.quantity - line.owned) : 0.0;
-  line.currency = design.currency;
-  line.mass = use.mass;
-  if (!use.stated.empty()) {
-    line.manufacturer = use.is_named() ? "generic" : "";
-    line.part_number = use.stated;
-    line.price_basis = "stated in the problem";
-    return line;
-  }
-  const catalogue::Table& table = model.catalogue().table(use.family);
-  line.family = catalogue::declaration(use.family).name;
-  line.manufacturer = table.manufacturer(use.row);
-  line.part_number = table.part_number(use.row);
-  const auto where = table.where(use.row);
-  line.where = where.text ? where.text->path() + ":" + std::to_string(where.line) : std::string();
-  line.price_basis = table.text(catalogue::column(use.family, "price_basis"), use.row);
-  line.confidence = table.confidence(use.row);
-  line.supplier = table.text(catalogue::column(use.family, "supplier"), use.row);
-  line.source = table.text(catalogue::column(use.family, "source"), use.row);
-  const catalogue::Price price = table.price(use.row);
-  line.price_estimate = price.estimate;
-  line.estimate = price.estimate || line.confidence == "low";
-  line.cuts = cuts_of(model.machine(), use, axis);
-  line.length_price = length_price_of(price, use, line.cuts);
-  return line;
-}
-
 void add_parts(const MachineModel& model,
                const StageEntry& entry,
                const std::vector<solver::Row>& rows,
@@ -233,7 +194,7 @@ void add_parts(const MachineModel& model,
     for (const PartUse& use : candidate.parts) {
       const CountedPartsLedger::Share share = counted.take(use);
       shops.take(use, share.owned, share.price);
-      design.parts.push_back(part_line(model, use, entry.axis, design, share));
+      design.parts.push_back(part_line(model, use, entry.axis, design.currency, share));
       design.cost += share.price - use.price;
     }
     for (const Setting& setting : candidate.settings)
@@ -263,7 +224,7 @@ void add_custom_member(const MachineModel& model,
                                     .price = price,
                                     .mass = member.mass},
                                    entry.axis,
-                                   design,
+                                   design.currency,
                                    {0.0, price}));
 }
 

@@ -44,8 +44,9 @@ struct Cut {
 struct PartLine {
   std::string axis, slot, family, manufacturer, part_number;
   double quantity = 1.0;
+  double spares = 0.0;        ///< pieces bought beside those in the machine
   double length = 0.0;        ///< m, 0 for whole pieces
-  double owned = 0.0;         ///< pieces of it that are there already
+  double owned = 0.0;         ///< pieces of both that are there already
   double unit_price = 0.0;    ///< of each piece that is not, in `currency`
   double price = 0.0;         ///< of the line, in `currency`
   std::vector<Cut> cuts;      ///< empty for what is bought in whole pieces; of a guide its rails
@@ -91,7 +92,7 @@ struct CountedTotal {
 /// What has to be bought of a part whose price depends on how many are taken; the prices of its lines add up to it.
 struct Purchase {
   std::string family, manufacturer, part_number, supplier;
-  double taken = 0.0;   ///< pieces that the machine takes
+  double taken = 0.0;   ///< pieces that the machine takes, with spares
   double owned = 0.0;   ///< of them, pieces that are there already
   double bought = 0.0;  ///< pieces to buy: whole packs, and more than needed where that costs less
   double price = 0.0;   ///< of those, in `currency` of the design

@@ -96,6 +96,7 @@ MachineModel::MachineModel(const machine::Problem& given,
                           problem.supply_voltages, SupplyData{problem.require, reserve}, catalogue, prices)});
   const auto tool_error =
       problem.tool && problem.tool->position_error ? find_resource(machine::Quantity::position_error) : std::nullopt;
+  add_spares(prices);
   count_parts(prices);
   if (problem.tool || problem.cost_limit || problem.mass_limit || !counted_parts_.empty() || !shops_.empty()) {
     auto whole = std::make_unique<WholeStage>(problem, tool_error);
@@ -116,6 +117,26 @@ MachineModel::MachineModel(const machine::Problem& given,
   for (const machine::Quantity quantity : problem.counted)
     solver_problem_.resources.push_back({std::string(machine::declaration(quantity).name), infinity});
   if (!options_.fixed.lines.empty()) fix();
+}
+
+/// Spares cost what a piece of the candidate costs; of a guide they are carriages.
+void MachineModel::add_spares(const PriceBook& prices) {
+  if (problem_.spares.empty()) return;
+  const auto price_of = [&](const PartUse& use) {
+    if (use.family != catalogue::Family::linear_guides || !use.stated.empty()) return use.price / use.quantity;
+    return prices.line(catalogue_.table(use.family), use.row, 1.0, 0.0);
+  };
+  for (StageEntry& entry : entries_)
+    for (SlotTable& table : std::visit(
+             [](auto& stage) -> auto& { return stage->change_tables(); }, entry.stage))
+      for (std::size_t row = 0; row < table.rows(); ++row)
+        for (PartUse& use : table.change(row).parts) {
+          use.spares = machine::spares_of(problem_, entry.axis, use.slot);
+          if (!(use.spares > 0.0)) continue;
+          const double more = use.spares * price_of(use);
+          use.price += more;
+          table.change(row).price += more;
+        }
 }
 
 /// What of the parts has to be known at the end of the chain: pieces, and who sells them.

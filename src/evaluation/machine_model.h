@@ -116,6 +116,7 @@ class MachineModel {
   [[nodiscard]] Design design(const solver::Build& build, bool with_worksheet = false) const;
 
  private:
+  void add_spares(const PriceBook& prices);
   void count_parts(const PriceBook& prices);
   void add_axis(std::size_t index, const PriceBook& prices);
   void fix();

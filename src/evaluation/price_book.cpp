@@ -11,6 +11,9 @@ PriceBook::PriceBook(const machine::Problem& problem, const catalogue::Catalogue
   for (const auto& [currency, rate] : problem.currencies) rates_[currency] = rate.rate;
   rates_.try_emplace(problem.currency, 1.0);
   for (const machine::Axis& axis : problem.axes) drives_ += static_cast<double>(axis.mechanism.drives);
+  constexpr double slots_of_axis = 4.0;  // at most, that may take the same part
+  for (const machine::Spare& spare : problem.spares)
+    spares_ += slots_of_axis * spare.pieces * static_cast<double>(problem.axes.size());
 }
 
 double PriceBook::rate(std::string_view currency) const {
@@ -32,13 +35,13 @@ double PriceBook::most_pieces(catalogue::Family family) const {
   switch (family) {
     case catalogue::Family::steppers:
     case catalogue::Family::drivers:
-      return drives_;
+      return drives_ + spares_;
     case catalogue::Family::power_supplies:
-      return 1.0;
+      return 1.0 + spares_;
     case catalogue::Family::screws:
-      return 1000.0;  // as many as its joints have
+      return 1000.0 + spares_;  // as many as its joints have
     default:
-      return 4.0 * drives_;  // supports at both ends, pulleys on both sides of a belt and of a reduction
+      return 4.0 * drives_ + spares_;  // supports at both ends, pulleys on both sides of a belt and of a reduction
   }
 }
 

@@ -36,6 +36,7 @@ class PriceBook {
   [[nodiscard]] double most_pieces(catalogue::Family family) const;
 
   double drives_ = 0.0;  ///< of all axes
+  double spares_ = 0.0;  ///< no more than so many of one part
   catalogue::Stock stock_;
   catalogue::Suppliers suppliers_;
 };

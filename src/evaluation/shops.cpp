@@ -16,7 +16,7 @@ std::string name_of(const catalogue::Catalogue& catalogue, const Candidate& cand
     name += use.stated.empty()
                 ? fmt::format("{}\n{}\n{}\n", use.slot, table.manufacturer(use.row), table.part_number(use.row))
                 : fmt::format("{}\n\n{}\n", use.slot, use.stated);
-    name += fmt::format("{} {} {}\n", static_cast<int>(use.family), use.quantity, use.length);
+    name += fmt::format("{} {} {}\n", static_cast<int>(use.family), use.pieces(), use.length);
   }
   for (const Setting& setting : candidate.settings) name += fmt::format("{} {}\n", setting.name, setting.value);
   return name;
@@ -143,7 +143,7 @@ std::vector<PieceCount> Shops::counts(std::span<const SlotTable> tables) const {
 
 void ShopLedger::take(const PartUse& use, double owned, double price) {
   const auto shop = shops_.shop_of(use);
-  if (!shop || !(use.quantity > owned)) return;
+  if (!shop || !(use.pieces() > owned)) return;
   used_[*shop] = true;
   goods_[*shop] += price;
 }

@@ -149,6 +149,9 @@ std::string parts_table(const MachineResult& result, const Design& design, const
                  scalar::format_number(part.quantity) +
                      (part.owned > 0.0
                           ? fmt::format("<small>{} {}</small>", scalar::format_number(part.owned), t("parts.owned"))
+                          : "") +
+                     (part.spares > 0.0
+                          ? fmt::format("<small>+ {} {}</small>", scalar::format_number(part.spares), t("parts.spare"))
                           : ""),
                  part.length > 0.0 ? escaped(shown_quantity(1e3 * part.length, "mm")) : "",
                  fmt::format("{}{:.2f}", part.estimate ? "~" : "", part.price),

@@ -26,6 +26,7 @@ Json part_of(const evaluation::PartLine& part) {
             {"mass_kg", number(part.mass)},
             {"estimate", part.estimate},
             {"row", part.where}};
+  if (part.spares > 0.0) json["spares"] = number(part.spares);
   if (part.owned > 0.0) json["owned"] = number(part.owned);
   if (!part.supplier.empty()) json["supplier"] = part.supplier;
   if (!part.origin.empty()) json["origin"] = part.origin;

@@ -75,6 +75,19 @@ std::string in_stock_text(const Design& design) {
   return out;
 }
 
+/// "Spare: 1 more of Acme M23 (y.motor)", a line for each part.
+std::string spares_text(const Design& design) {
+  std::string out;
+  for (const PartLine& part : design.parts)
+    if (part.spares > 0.0)
+      out += fmt::format("  Spare: {} more of {} ({}.{})\n",
+                         scalar::format_number(part.spares),
+                         part_name(part),
+                         part.axis,
+                         part.slot);
+  return out;
+}
+
 /// "Order from Shop A: goods 38.20, shipping 12.00 USD", a line for each supplier that charges for the order.
 std::string orders_text(const Design& design) {
   std::string out;
@@ -155,7 +168,7 @@ std::string parts_text(const MachineResult& result, const Design& design, const 
     }
   }
   out += table.str(2, style) + made_to_measure(design);
-  out += in_stock_text(design) + orders_text(design);
+  out += in_stock_text(design) + spares_text(design) + orders_text(design);
   out += fmt::format("  Total: {}\n", totals_text(design));
   if (estimates) out += "  ~ the price, or a figure of the part that matters, is an estimate\n";
   return out + "\n";

@@ -116,6 +116,7 @@ void add_part(OrderList& list, const PartLine& part) {
   line.price_date = price_date(part.price_basis);
   line.price_estimate = part.price_estimate;
   line.used_for = part.axis + "." + part.slot;
+  if (part.spares > 0.0) line.used_for += fmt::format(" and {} spare", scalar::format_number(part.spares));
   double metres = 0.0;
   for (const Cut& cut : part.cuts) metres += cut.count * cut.length;
   const auto add = [&](bool cut, std::string_view unit, double quantity, double total) {
@@ -132,7 +133,7 @@ void add_part(OrderList& list, const PartLine& part) {
   }
   // A guide's carriages and rails are one line of a build. What is only cut has no pieces beside.
   if (part.cuts.empty() || part.family == "linear_guides")
-    add(false, "pcs", part.quantity - part.owned, part.price - part.length_price);
+    add(false, "pcs", part.quantity + part.spares - part.owned, part.price - part.length_price);
   if (!part.cuts.empty()) add(true, "m", metres, part.length_price);
   // What is there is listed, so that nobody looks for it in vain, and costs nothing.
   line.supplier = in_stock;

@@ -173,6 +173,7 @@ const std::vector<PageText>& page_texts() {
       {"parts.quantity", "Qty", "Jumlah"},
       {"parts.owned", "in stock", "tersedia"},
       {"parts.length", "Length", "Panjang"},
+      {"parts.spare", "spare", "cadangan"},
       {"parts.shipping", "Shipping", "Ongkos kirim"},
       {"parts.top_up", "Filling up to the minimum order", "Penggenapan ke pesanan minimum"},
       {"parts.supplier", "Supplier", "Pemasok"},

@@ -204,7 +204,7 @@ Market random_market(std::mt19937& random, unsigned seed) {
 TEST_CASE("With several shops the cheapest build and the front equal those of all builds and orders") {
   std::size_t compared = 0, topped_up = 0;
   std::map<std::size_t, std::size_t> used;
-  for (unsigned seed = 0; seed < (sanitized ? 5 : 20); ++seed) {
+  for (unsigned seed = 0; seed < (sanitized ? 3 : 12); ++seed) {
     std::mt19937 random(seed);
     const Market market = random_market(random, seed);
     const TinyCatalogue tiny({}, {"ball_screws"});
@@ -241,7 +241,7 @@ TEST_CASE("With several shops the cheapest build and the front equal those of al
     REQUIRE(again.designs.size() == front.designs.size());
     for (std::size_t i = 0; i < again.designs.size(); ++i) CHECK(again.designs[i].cost == front.designs[i].cost);
   }
-  CHECK(compared >= 4);
+  CHECK(compared >= 2);
   if (sanitized) return;
   // No shop, one, and both pay somewhere, and so does an order that has to be filled up.
   CHECK(used[0] > 0);
