@@ -145,6 +145,10 @@ std::vector<report::LockedInput> locked_inputs(const MachineInput& input, const 
     if (const auto stock = catalogue::stock_file(place))
       if (const auto text = text::SourceText::load(stock->string(), unused))
         inputs.push_back(locked("stock", stock->string(), *text));
+  for (const std::filesystem::path& place : input.catalogue.layers())
+    for (const std::filesystem::path& file : catalogue::supplier_files(place))
+      if (const auto text = text::SourceText::load(file.string(), unused))
+        inputs.push_back(locked("stock", file.string(), *text));
   for (const auto& bom : boms) inputs.push_back(locked("bill of materials", bom->path(), *bom));
   return inputs;
 }

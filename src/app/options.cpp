@@ -66,7 +66,7 @@ void add_catalogue_option(CLI::App& verb, Options& options) {
                   "--catalogue",
                   options.catalogues,
                   "DIR",
-                  "parts of your own on top of the shipped ones, and what is in stock (repeatable)");
+                  "parts of your own on top of the shipped ones, what is in stock, who sells what (repeatable)");
 }
 
 void add_lock_options(CLI::App& verb, Options& options) {

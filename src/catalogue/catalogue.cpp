@@ -23,7 +23,7 @@ std::vector<Table> load_layer(const std::filesystem::path& place, int layer, tex
   std::vector<Table> tables = empty_tables();
   const std::size_t errors = diagnostics.error_count();
   const std::vector<CatalogueFile> files = catalogue_files(place, diagnostics);
-  if (files.empty() && !stock_file(place) && diagnostics.error_count() == errors) {
+  if (files.empty() && !stock_file(place) && supplier_files(place).empty() && diagnostics.error_count() == errors) {
     diagnostics.error(fmt::format("the catalogue {} is empty: it holds no CSV file", text::quoted(place.string(), 200)),
                       "a catalogue has a folder for each part family, for example steppers/my-motors.csv");
   }
@@ -54,6 +54,11 @@ Catalogue Catalogue::load(const std::vector<std::filesystem::path>& places, text
   }
   for (const std::filesystem::path& place : places)
     if (const auto file = stock_file(place)) read_stock(*file, catalogue, catalogue.stock_, diagnostics);
+  for (const std::filesystem::path& place : places)
+    for (const std::filesystem::path& file : supplier_files(place))
+      read_suppliers(file, catalogue, catalogue.suppliers_, diagnostics);
+  check_suppliers(catalogue, catalogue.suppliers_, diagnostics);
+  catalogue.add_offers();
   if (catalogue.rows() == 0 && !diagnostics.has_errors()) diagnostics.error("no parts: no catalogue was given");
   return catalogue;
 }
@@ -112,6 +117,7 @@ void Catalogue::drop(const std::vector<Part>& parts) {
       if (part.family == table.family()) keep[static_cast<std::size_t>(part.row)] = false;
     if (std::find(keep.begin(), keep.end(), false) != keep.end()) table.keep_only(keep);
   }
+  add_offers();
 }
 
 }  // namespace millwright::catalogue

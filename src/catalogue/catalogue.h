@@ -9,12 +9,14 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "catalogue/location.h"
 #include "catalogue/stock.h"
+#include "catalogue/suppliers.h"
 #include "catalogue/table.h"
 #include "text/diagnostic.h"
 
@@ -40,13 +42,18 @@ class Catalogue {
 
   /// Reads folders (or single files) in order. Within one of them a part may stand once; a row of a later one replaces
   /// the row of the same (manufacturer, part number), others are added. Later folders may hold any subset of the
-  /// families, and a stock file. Everything wrong is reported, and what could be read is returned; no part at all is an
-  /// error too.
+  /// families, a stock file and files of suppliers and offers. Everything wrong is reported, and what could be read is
+  /// returned; no part at all is an error too.
   static Catalogue load(const std::vector<std::filesystem::path>& places, text::Diagnostics& diagnostics);
 
   const Table& table(Family family) const { return tables_[static_cast<std::size_t>(family)]; }
   /// What the overlays say about parts beside their figures.
   const Stock& stock() const { return stock_; }
+  /// What the overlays say about who sells them.
+  const Suppliers& suppliers() const { return suppliers_; }
+  /// The catalogue with a row more for every offer of a part; itself where nobody offers anything. Rows of the
+  /// catalogue keep their numbers there. Lives as long as the catalogue, until parts are dropped.
+  const Catalogue& with_offers() const { return with_offers_ ? *with_offers_ : *this; }
   /// The places as given to load(); Table::layer(row) counts in them.
   const std::vector<std::filesystem::path>& layers() const { return layers_; }
   /// Rows of all families.
@@ -64,6 +71,10 @@ class Catalogue {
   std::vector<Table> tables_;
   std::vector<std::filesystem::path> layers_;
   Stock stock_;
+  Suppliers suppliers_;
+  std::shared_ptr<const Catalogue> with_offers_;
+
+  void add_offers();
 };
 
 }  // namespace millwright::catalogue

@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "catalogue/stock.h"
+#include "catalogue/suppliers.h"
 #include "text/csv.h"
 #include "text/nearest.h"
 
@@ -110,7 +111,7 @@ std::optional<CatalogueFile> catalogue_file(const fs::path& file,
 
 std::vector<CatalogueFile> catalogue_files(const fs::path& place, text::Diagnostics& diagnostics) {
   std::vector<CatalogueFile> files;
-  if (is_stock_file(place)) return files;
+  if (is_stock_file(place) || is_supplier_file(place)) return files;
   if (!is_folder(place)) {
     add_file(place, std::nullopt, files, diagnostics);
     return files;
@@ -124,7 +125,8 @@ std::vector<CatalogueFile> catalogue_files(const fs::path& place, text::Diagnost
   for (const fs::path& entry : entries(place, diagnostics)) {
     const std::string name = entry.filename().string();
     if (!is_folder(entry)) {
-      if (entry.extension() == ".csv" && !is_stock_file(entry)) add_file(entry, std::nullopt, files, diagnostics);
+      if (entry.extension() == ".csv" && !is_stock_file(entry) && !is_supplier_file(entry))
+        add_file(entry, std::nullopt, files, diagnostics);
       continue;
     }
     if (const auto family = find_family(name)) {

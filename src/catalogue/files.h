@@ -19,7 +19,8 @@ struct CatalogueFile {
 
 /// The CSV files of a catalogue, in the order of their names. `place` may be a folder of family folders, one family's
 /// folder, or a single file; a file directly in the folder is known by its name (ball_screws.csv), or else by its
-/// header. A stock file (stock.h) holds no parts and is passed over. What cannot be told or read is reported.
+/// header. A stock file (stock.h) and files of suppliers and offers (suppliers.h) hold no
+/// parts and are passed over. What cannot be told or read is reported.
 std::vector<CatalogueFile> catalogue_files(const std::filesystem::path& place, text::Diagnostics& diagnostics);
 
 /// Loads one file; its family is `family`, or else told by its folder, its name, or its header.

@@ -152,6 +152,14 @@ void Stock::set(Family family, std::string_view manufacturer, std::string_view p
   marks_[Key{family, std::string(manufacturer), std::string(part_number)}] = std::move(mark);
 }
 
+double owned_pieces(const Table& table, int row, const Stock& stock) {
+  if (!can_be_owned(table.family())) return 0.0;
+  const StockMark* mark = stock.find(table.family(), table.manufacturer(row), table.part_number(row));
+  if (mark != nullptr) return mark->owned;
+  const double pieces = table.number(column(table.family(), "owned_quantity"), row);
+  return pieces > 0.0 ? pieces : 0.0;
+}
+
 bool is_stock_file(const std::filesystem::path& file) { return file.filename() == file_name; }
 
 std::optional<std::filesystem::path> stock_file(const std::filesystem::path& place) {

@@ -26,6 +26,7 @@
 namespace millwright::catalogue {
 
 class Catalogue;
+class Table;
 
 /// What is known of one part.
 struct StockMark {
@@ -52,6 +53,9 @@ constexpr bool can_be_owned(Family family) {
   const FamilyDeclaration& declared = declaration(family);
   return declared.priced_per_piece && !declared.priced_per_length && !declared.priced_per_mass;
 }
+
+/// Pieces of a row's part that are owned, as a stock file or else the row itself says.
+double owned_pieces(const Table& table, int row, const Stock& stock);
 
 /// The word in a row's `availability` that says the same as `no` in a stock file.
 inline constexpr std::string_view unavailable = "unavailable";

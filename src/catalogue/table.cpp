@@ -222,6 +222,7 @@ void Table::keep_only(const std::vector<bool>& keep) {
   for (auto& values : texts_) keep_in(values, keep);
   keep_in(offsets_, keep);
   keep_in(file_of_, keep);
+  keep_in(ownership_, keep);
   parts_.forget();
 }
 

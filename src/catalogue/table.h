@@ -60,6 +60,21 @@ struct TextCell {
   static constexpr std::uint32_t unescaped = std::numeric_limits<std::uint32_t>::max();  ///< as the length
 };
 
+/// A row once more, as somebody else sells the part.
+struct OfferedRow {
+  int row = 0;
+  double price = 0.0, price_per_length = 0.0, pack_size = 0.0;  ///< NaN = none
+  std::string supplier, currency, price_basis, price_breaks;
+  bool owned_pieces = false;  ///< it stands for the pieces that are owned and no others
+};
+
+/// Which pieces of a part that are owned a row of it stands for.
+enum class Ownership : std::uint8_t {
+  usual,  ///< first those that are owned, then bought ones
+  none,   ///< bought ones
+  only    ///< only those that are owned
+};
+
 /// What a reader hands over: one vector a column (by Column.index; empty = column not given), all of the same length.
 struct TableColumns {
   std::vector<std::vector<double>> numbers;  ///< SI; flags 1 and 0; NaN = not known
@@ -121,6 +136,13 @@ class Table {
   bool same_part(int row, const Table& other, int other_row, Identity level) const;
   std::uint64_t part_hash(int row, Identity level) const;
 
+  [[nodiscard]] Ownership ownership(int row) const {
+    return ownership_.empty() ? Ownership::usual : ownership_[static_cast<std::size_t>(row)];
+  }
+  /// Appends rows once more with other prices (table_offers.cpp). Where a row with owned pieces is among them, the
+  /// others of the part are bought.
+  void append_offers(const std::vector<OfferedRow>& offers);
+
   /// Drops the rows with keep[row] == false.
   void keep_only(const std::vector<bool>& keep);
   /// Appends the rows of another file of the same layer; duplicates are the caller's business.
@@ -141,7 +163,8 @@ class Table {
   std::vector<std::uint32_t> offsets_;
   std::vector<std::uint32_t> file_of_;
   std::vector<SourceFile> files_;
-  PartIndex parts_;  // by part number alone
+  std::vector<Ownership> ownership_;  // empty: usual of all
+  PartIndex parts_;                   // by part number alone
 };
 
 }  // namespace millwright::catalogue

@@ -76,8 +76,17 @@ std::vector<double> least_bad_variables(const solver::Stage& stage, const solver
   return best;
 }
 
+/// Rows that stand for owned pieces alone come last: there may not be enough of them.
+double price_to_compare(const MachineModel& model, const Candidate& candidate) {
+  for (const PartUse& use : candidate.parts)
+    if (use.stated.empty() && model.catalogue().table(use.family).ownership(use.row) == catalogue::Ownership::only)
+      return beyond_reach;
+  return candidate.price;
+}
+
 /// Slot rows of a stage, cheapest first, that fit those already chosen (all slots if none fits).
-Row cheapest_fitting(const StageEntry& entry,
+Row cheapest_fitting(const MachineModel& model,
+                     const StageEntry& entry,
                      const solver::RestrictedStage& stage,
                      const HeldStage& held,
                      std::size_t slot,
@@ -87,7 +96,8 @@ Row cheapest_fitting(const StageEntry& entry,
   std::vector<Row> order(held.allowed[slot].size());
   std::iota(order.begin(), order.end(), Row{0});
   std::stable_sort(order.begin(), order.end(), [&](Row a, Row b) {
-    return table.candidate(held.allowed[slot][a]).price < table.candidate(held.allowed[slot][b]).price;
+    return price_to_compare(model, table.candidate(held.allowed[slot][a])) <
+           price_to_compare(model, table.candidate(held.allowed[slot][b]));
   });
   for (const Row row : order) {
     bool fits = true;
@@ -105,6 +115,8 @@ solver::Build cheapest_build(const MachineModel& model,
                              Row voltage) {
   solver::Build build;
   build.shared = {voltage};
+  // All suppliers for now: what is bought from which is known at the end.
+  if (model.problem().shared.size() > 1) build.shared.push_back(model.problem().shared[1].rows - 1);
   std::vector<double> state = model.problem().first_state;
   for (std::size_t i = 0; i < model.entries().size(); ++i) {
     const solver::RestrictedStage& stage = restricted.stage(i);
@@ -113,7 +125,7 @@ solver::Build cheapest_build(const MachineModel& model,
     for (const bool named : {true, false})
       for (std::size_t slot = 0; slot < slots; ++slot)
         if (held.stages[i].named[slot] == named)
-          chosen[slot] = cheapest_fitting(model.entries()[i], stage, held.stages[i], slot, chosen, build.shared);
+          chosen[slot] = cheapest_fitting(model, model.entries()[i], stage, held.stages[i], slot, chosen, build.shared);
     std::vector<Row> rows;
     for (const auto& row : chosen) rows.push_back(*row);
     const std::vector<double> free = least_bad_variables(stage, {build.shared, state, rows, {}});
@@ -122,6 +134,7 @@ solver::Build cheapest_build(const MachineModel& model,
     build.stages.push_back({stage.inner_rows(rows), stage.inner_variables(free), state});
     state = answer.handed_on;
   }
+  model.set_suppliers(build);
   return build;
 }
 

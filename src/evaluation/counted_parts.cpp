@@ -28,6 +28,7 @@ const CountedPart* CountedParts::find_or_add(const PartUse& use) {
   part.family = use.family;
   part.row = use.row;
   part.owned = prices_.owned(table, use.row);
+  part.only_owned = table.ownership(use.row) == catalogue::Ownership::only;
   part.price = table.piece_price(use.row);
   part.rate = prices_.rate(table.price(use.row).currency);
   part.least = prices_.least_piece(table, use.row);
@@ -51,7 +52,7 @@ std::vector<PieceCount> CountedParts::counts(std::span<const SlotTable> tables) 
                                   [&](const PieceCount& each) { return each.state == part->state; });
         if (count == result.end())
           count = result.insert(result.end(), {slot, part->state, std::vector<double>(table.rows(), 0.0)});
-        count->of_row[row] += use.quantity;
+        count->of_row[row] += use.pieces();
       }
     }
     for (std::size_t i = first; i < result.size(); ++i)
@@ -64,7 +65,8 @@ std::vector<CountedPart> CountedParts::finish() && {
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     CountedPart& part = parts_[i];
     for (double pieces = 0.0; pieces < most_[i] + 1.0; pieces += 1.0)
-      part.charge.push_back(part.purchase(pieces).price - pieces * part.least);
+      part.charge.push_back(part.only_owned && pieces > part.owned ? beyond_reach
+                                                                   : part.purchase(pieces).price - pieces * part.least);
   }
   return std::move(parts_);
 }
@@ -75,8 +77,8 @@ CountedPartsLedger::Share CountedPartsLedger::take(const PartUse& use) {
   double& taken = taken_[static_cast<std::size_t>(found - parts_.begin())];
   const double left = std::max(0.0, found->owned - taken);
   const double before = found->purchase(taken).price;
-  taken += use.quantity;
-  return {std::min(left, use.quantity), found->purchase(taken).price - before};
+  taken += use.pieces();
+  return {std::min(left, use.pieces()), found->purchase(taken).price - before};
 }
 
 std::vector<Purchase> CountedPartsLedger::purchases(const catalogue::Catalogue& catalogue) const {
@@ -88,6 +90,7 @@ std::vector<Purchase> CountedPartsLedger::purchases(const catalogue::Catalogue& 
     result.push_back({std::string(catalogue::declaration(parts_[i].family).name),
                       std::string(table.manufacturer(parts_[i].row)),
                       std::string(table.part_number(parts_[i].row)),
+                      std::string(table.text(catalogue::column(parts_[i].family, "supplier"), parts_[i].row)),
                       taken_[i],
                       std::min(taken_[i], parts_[i].owned),
                       bought.pieces,

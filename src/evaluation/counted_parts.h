@@ -11,6 +11,7 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,15 +22,20 @@
 
 namespace millwright::evaluation {
 
+/// What more pieces than there are would cost: nothing pays so much (MachineModel).
+inline constexpr double beyond_reach = 1e15;
+
 struct CountedPart {
   catalogue::Family family{};
-  int row = 0;                  ///< in the catalogue's table
-  double owned = 0.0;           ///< pieces that are there
-  catalogue::PiecePrice price;  ///< of the others, in the part's currency
-  double rate = 1.0;            ///< of that currency, in the problem's
-  double least = 0.0;           ///< what the stages charge for a piece, in the problem's currency
-  std::size_t state = 0;        ///< where the state vector counts them
-  std::vector<double> charge;   ///< [pieces taken], in the problem's currency
+  int row = 0;                      ///< in the catalogue's table
+  double owned = 0.0;               ///< pieces that are there
+  catalogue::PiecePrice price;      ///< of the others, in the part's currency
+  double rate = 1.0;                ///< of that currency, in the problem's
+  bool only_owned = false;          ///< no more of them than are there can be taken
+  std::optional<std::size_t> shop;  ///< where it is bought, if that is one of Shops
+  double least = 0.0;               ///< what the stages charge for a piece, in the problem's currency
+  std::size_t state = 0;            ///< where the state vector counts them
+  std::vector<double> charge;       ///< [pieces taken], in the problem's currency
 
   /// What has to be bought for so many pieces, in the problem's currency.
   [[nodiscard]] catalogue::PiecePrice::Purchase purchase(double pieces) const;

@@ -24,20 +24,20 @@ const machine::Member* member_named(const machine::Axis& axis, const std::string
 std::vector<Cut> cuts_of(const machine::Problem& problem, const PartUse& use, const std::string& axis_name) {
   if (use.length <= 0.0 || use.family == catalogue::Family::racks) return {};  // racks are joined of whole pieces
   const machine::Axis* axis = axis_named(problem, axis_name);
-  if (axis == nullptr) return {{use.quantity, use.length}};
+  if (axis == nullptr) return {{use.pieces(), use.length}};
   if (use.family == catalogue::Family::linear_guides) return {{axis->guide ? axis->guide->rails : 1.0, use.length}};
   const machine::Member* member = member_named(*axis, use.slot);
-  if (member == nullptr) return {{use.quantity, use.length}};
+  if (member == nullptr) return {{use.pieces(), use.length}};
   if (member->kind == machine::MemberKind::portal_frame)
-    return {{use.quantity, member->length}, {2.0 * use.quantity, member->column_height}};
-  return {{use.quantity, use.length, member->plate_width}};
+    return {{use.pieces(), member->length}, {2.0 * use.pieces(), member->column_height}};
+  return {{use.pieces(), use.length, member->plate_width}};
 }
 
 double length_price_of(const catalogue::Price& price, const PartUse& use, const std::vector<Cut>& cuts) {
   if (cuts.empty() || use.family == catalogue::Family::materials) return 0.0;
   if (use.family != catalogue::Family::linear_guides || std::isnan(price.piece)) return use.price;
   const double rails = cuts.front().count * cuts.front().length * price.length;
-  return use.price * rails / (rails + use.quantity * price.piece);
+  return use.price * rails / (rails + use.pieces() * price.piece);
 }
 
 }  // namespace millwright::evaluation

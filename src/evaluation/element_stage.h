@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "evaluation/counted_parts.h"
+#include "evaluation/shops.h"
 #include "evaluation/slot_table.h"
 #include "machine/constraint.h"
 #include "solver/stage.h"
@@ -115,8 +116,16 @@ class ElementStage : public solver::Stage {
   /// How many resources the machine has: before the stage is asked for the first time.
   void set_resources(std::size_t count) { resources_ = count; }
 
+  /// To add to their prices: before the stage is asked for the first time.
+  [[nodiscard]] std::vector<SlotTable>& change_tables() { return tables_; }
   /// What its slots take of counted parts, by slot: before the stage is asked for the first time.
   void set_piece_counts(std::vector<PieceCount> counts) { piece_counts_ = std::move(counts); }
+
+  /// Who sells the rows of its slots: before the stage is asked for the first time.
+  void set_shops(std::vector<SlotShops> shops) { shops_ = std::move(shops); }
+  [[nodiscard]] bool offered(std::span<const solver::Row> shared, std::size_t slot, solver::Row row) const final {
+    return shops_.empty() || shops_[slot].offered(shared[shop_choice], row);
+  }
 
   /// The table's fields, the totals, what `read_more` of the derived stage adds, then the piece counts of the slot.
   void read(std::span<const solver::Row> shared,
@@ -176,6 +185,7 @@ class ElementStage : public solver::Stage {
   std::size_t constraint_count_ = 0;
   std::size_t resources_ = first_counted_resource;
   std::vector<PieceCount> piece_counts_;
+  std::vector<SlotShops> shops_;  ///< empty, or one per slot
 
   void finish_slots() {
     slots_.clear();

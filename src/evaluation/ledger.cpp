@@ -5,11 +5,11 @@
 #include <cmath>
 #include <limits>
 
-#include "evaluation/cuts.h"
 #include "evaluation/drive_drawing.h"
 #include "evaluation/machine_model.h"
 #include "evaluation/machine_stages.h"
 #include "evaluation/outside_validity.h"
+#include "evaluation/part_line.h"
 #include "evaluation/traced_elements.h"
 #include "scalar/unit.h"
 
@@ -182,56 +182,19 @@ class CheckVisitor {
   ValidityLedger& outside_;
 };
 
-PartLine part_line(const MachineModel& model,
-                   const PartUse& use,
-                   const std::string& axis,
-                   const Design& design,
-                   const CountedPartsLedger::Share& share) {
-  PartLine line;
-  line.axis = axis;
-  line.slot = use.slot;
-  line.quantity = use.quantity;
-  line.length = use.length;
-  line.price = share.price;
-  line.owned = share.owned;
-  line.unit_price = line.owned < line.quantity ? line.price / (line.quantity - line.owned) : 0.0;
-  line.currency = design.currency;
-  line.mass = use.mass;
-  if (!use.stated.empty()) {
-    line.manufacturer = use.is_named() ? "generic" : "";
-    line.part_number = use.stated;
-    line.price_basis = "stated in the problem";
-    return line;
-  }
-  const catalogue::Table& table = model.catalogue().table(use.family);
-  line.family = catalogue::declaration(use.family).name;
-  line.manufacturer = table.manufacturer(use.row);
-  line.part_number = table.part_number(use.row);
-  const auto where = table.where(use.row);
-  line.where = where.text ? where.text->path() + ":" + std::to_string(where.line) : std::string();
-  line.price_basis = table.text(catalogue::column(use.family, "price_basis"), use.row);
-  line.confidence = table.confidence(use.row);
-  line.supplier = table.text(catalogue::column(use.family, "supplier"), use.row);
-  line.source = table.text(catalogue::column(use.family, "source"), use.row);
-  const catalogue::Price price = table.price(use.row);
-  line.price_estimate = price.estimate;
-  line.estimate = price.estimate || line.confidence == "low";
-  line.cuts = cuts_of(model.machine(), use, axis);
-  line.length_price = length_price_of(price, use, line.cuts);
-  return line;
-}
-
 void add_parts(const MachineModel& model,
                const StageEntry& entry,
                const std::vector<solver::Row>& rows,
                CountedPartsLedger& counted,
+               ShopLedger& shops,
                Design& design) {
   const auto& tables = entry.tables();
   for (std::size_t slot = 0; slot < tables.size(); ++slot) {
     const Candidate& candidate = tables[slot].candidate(rows[slot]);
     for (const PartUse& use : candidate.parts) {
       const CountedPartsLedger::Share share = counted.take(use);
-      design.parts.push_back(part_line(model, use, entry.axis, design, share));
+      shops.take(use, share.owned, share.price);
+      design.parts.push_back(part_line(model, use, entry.axis, design.currency, share));
       design.cost += share.price - use.price;
     }
     for (const Setting& setting : candidate.settings)
@@ -261,7 +224,7 @@ void add_custom_member(const MachineModel& model,
                                     .price = price,
                                     .mass = member.mass},
                                    entry.axis,
-                                   design,
+                                   design.currency,
                                    {0.0, price}));
 }
 
@@ -344,6 +307,7 @@ Design MachineModel::design(const solver::Build& found, bool with_worksheet) con
   std::vector<double> motor_currents;
   ValidityLedger outside;
   CountedPartsLedger counted(counted_parts_);
+  ShopLedger shops(shops_);
   const auto worksheet = with_worksheet ? std::make_shared<Worksheet>() : nullptr;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     const StageEntry& entry = entries_[i];
@@ -361,6 +325,8 @@ Design MachineModel::design(const solver::Build& found, bool with_worksheet) con
           }
           if constexpr (std::is_same_v<Kind, SupplyStage>) element.motor_currents = motor_currents;
           if constexpr (std::is_same_v<Kind, WholeStage>) {
+            design.orders = shops.orders();
+            for (const ShopOrder& order : design.orders) design.cost += order.shipping_fee + order.top_up;
             element.cost = design.cost;
             element.mass = design.mass;
           }
@@ -378,7 +344,7 @@ Design MachineModel::design(const solver::Build& found, bool with_worksheet) con
           }
         },
         entry.stage);
-    add_parts(*this, entry, choice.rows, counted, design);
+    add_parts(*this, entry, choice.rows, counted, shops, design);
     const solver::Row voltage = build.shared.empty() ? 0 : build.shared.front();
     std::visit(
         [&](const auto& stage) {

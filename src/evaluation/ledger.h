@@ -44,8 +44,9 @@ struct Cut {
 struct PartLine {
   std::string axis, slot, family, manufacturer, part_number;
   double quantity = 1.0;
+  double spares = 0.0;        ///< pieces bought beside those in the machine
   double length = 0.0;        ///< m, 0 for whole pieces
-  double owned = 0.0;         ///< pieces of it that are there already
+  double owned = 0.0;         ///< pieces of both that are there already
   double unit_price = 0.0;    ///< of each piece that is not, in `currency`
   double price = 0.0;         ///< of the line, in `currency`
   std::vector<Cut> cuts;      ///< empty for what is bought in whole pieces; of a guide its rails
@@ -90,17 +91,27 @@ struct CountedTotal {
 
 /// What has to be bought of a part whose price depends on how many are taken; the prices of its lines add up to it.
 struct Purchase {
-  std::string family, manufacturer, part_number;
-  double taken = 0.0;   ///< pieces that the machine takes
+  std::string family, manufacturer, part_number, supplier;
+  double taken = 0.0;   ///< pieces that the machine takes, with spares
   double owned = 0.0;   ///< of them, pieces that are there already
   double bought = 0.0;  ///< pieces to buy: whole packs, and more than needed where that costs less
   double price = 0.0;   ///< of those, in `currency` of the design
+};
+
+/// An order from a supplier that charges for the order itself, in `currency` of the design.
+struct ShopOrder {
+  std::string supplier;  ///< empty: of what names none
+  double goods = 0.0;
+  double shipping_fee = 0.0;
+  double minimum_order = 0.0;
+  double top_up = 0.0;  ///< what the goods lack of the minimum: the order is filled up
 };
 
 /// A machine fully decided.
 struct Design {
   std::vector<PartLine> parts;
   std::vector<Purchase> purchases;  ///< of counted parts only
+  std::vector<ShopOrder> orders;    ///< from suppliers that charge for orders only
   std::vector<DimensionLine> dimensions;
   std::vector<Check> checks;
   std::vector<OutsideValidity> outside_validity;

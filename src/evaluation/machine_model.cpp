@@ -61,23 +61,26 @@ bool is_fixed(const machine::BillOfMaterials& fixed, const std::string& axis, co
 }  // namespace
 
 MachineModel::MachineModel(const machine::Problem& given,
-                           const catalogue::Catalogue& catalogue,
+                           const catalogue::Catalogue& given_catalogue,
                            const GivenSlots& given_slots,
                            ModelOptions options)
-    : options_(std::move(options)), problem_(without_wishes(given, given_slots)), catalogue_(catalogue) {
+    : options_(std::move(options)),
+      problem_(without_wishes(given, given_slots)),
+      catalogue_(given_catalogue.with_offers()) {
+  const catalogue::Catalogue& catalogue = catalogue_;
   take_fixed_settings(problem_, options_.fixed, problems_);
   for (machine::Axis& axis : problem_.axes)
     axis.keep_covered_candidates =
         axis.keep_covered_candidates || options_.every_candidate || is_fixed(options_.fixed, axis.name, "driver");
   const catalogue::Table& drivers = catalogue.table(catalogue::Family::drivers);
-  const PriceBook known_prices(given, catalogue.stock());
+  const PriceBook known_prices(given, catalogue);
   bool counts_drivers = false;
   for (int row = 0; row < drivers.rows(); ++row)
     counts_drivers = counts_drivers || known_prices.is_counted(drivers, row);
   // Which of two drivers is cheaper is not known before it is known how many are taken.
   for (machine::Axis& axis : problem_.axes) axis.keep_every_candidate = axis.keep_every_candidate || counts_drivers;
   const machine::Problem& problem = problem_;
-  const PriceBook prices(problem, catalogue.stock());
+  const PriceBook prices(problem, catalogue);
   solver_problem_.shared.push_back({"supply_voltage", static_cast<solver::Row>(problem.supply_voltages.size())});
   solver_problem_.first_state.assign(first_load_state + problem.axes.size(), 0.0);
   solver_problem_.first_state.resize(first_load_state + problem.axes.size() + tool_states(problem).count, 0.0);
@@ -93,14 +96,12 @@ MachineModel::MachineModel(const machine::Problem& given,
                           problem.supply_voltages, SupplyData{problem.require, reserve}, catalogue, prices)});
   const auto tool_error =
       problem.tool && problem.tool->position_error ? find_resource(machine::Quantity::position_error) : std::nullopt;
-  CountedParts counted(catalogue, prices, solver_problem_.first_state.size());
-  for (StageEntry& entry : entries_)
-    std::visit([&](auto& stage) { stage->set_piece_counts(counted.counts(stage->tables())); }, entry.stage);
-  counted_parts_ = std::move(counted).finish();
-  solver_problem_.first_state.resize(solver_problem_.first_state.size() + counted_parts_.size(), 0.0);
-  if (problem.tool || problem.cost_limit || problem.mass_limit || !counted_parts_.empty()) {
+  add_spares(prices);
+  count_parts(prices);
+  if (problem.tool || problem.cost_limit || problem.mass_limit || !counted_parts_.empty() || !shops_.empty()) {
     auto whole = std::make_unique<WholeStage>(problem, tool_error);
     whole->set_counted_parts(counted_parts_);
+    whole->set_suppliers(shops_.shops());
     entries_.push_back({"machine", "whole", std::move(whole)});
   }
   for (const StageEntry& entry : entries_) {
@@ -109,11 +110,74 @@ MachineModel::MachineModel(const machine::Problem& given,
     solver_problem_.stages.push_back(&entry.as_stage());
   }
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  solver_problem_.resources = {{"cost", problem.cost_limit.value_or(infinity)},
+  const bool some_out_of_reach = std::any_of(
+      counted_parts_.begin(), counted_parts_.end(), [](const CountedPart& part) { return part.only_owned; });
+  solver_problem_.resources = {{"cost", problem.cost_limit.value_or(some_out_of_reach ? 0.5 * beyond_reach : infinity)},
                                {"mass", problem.mass_limit.value_or(infinity)}};
   for (const machine::Quantity quantity : problem.counted)
     solver_problem_.resources.push_back({std::string(machine::declaration(quantity).name), infinity});
   if (!options_.fixed.lines.empty()) fix();
+}
+
+/// Spares cost what a piece of the candidate costs; of a guide they are carriages.
+void MachineModel::add_spares(const PriceBook& prices) {
+  if (problem_.spares.empty()) return;
+  const auto price_of = [&](const PartUse& use) {
+    if (use.family != catalogue::Family::linear_guides || !use.stated.empty()) return use.price / use.quantity;
+    return prices.line(catalogue_.table(use.family), use.row, 1.0, 0.0);
+  };
+  for (StageEntry& entry : entries_)
+    for (SlotTable& table : std::visit(
+             [](auto& stage) -> auto& { return stage->change_tables(); }, entry.stage))
+      for (std::size_t row = 0; row < table.rows(); ++row)
+        for (PartUse& use : table.change(row).parts) {
+          use.spares = machine::spares_of(problem_, entry.axis, use.slot);
+          if (!(use.spares > 0.0)) continue;
+          const double more = use.spares * price_of(use);
+          use.price += more;
+          table.change(row).price += more;
+        }
+}
+
+/// What of the parts has to be known at the end of the chain: pieces, and who sells them.
+void MachineModel::count_parts(const PriceBook& prices) {
+  std::vector<double>& state = solver_problem_.first_state;
+  CountedParts counted(catalogue_, prices, state.size());
+  std::vector<std::vector<PieceCount>> counts;
+  for (const StageEntry& entry : entries_) {
+    counts.push_back(counted.counts(entry.tables()));
+    shops_.find(catalogue_, prices, entry.tables());
+  }
+  counted_parts_ = std::move(counted).finish();
+  state.resize(state.size() + counted_parts_.size(), 0.0);
+  state.resize(state.size() + shops_.settle(state.size(), options_.every_candidate), 0.0);
+  for (CountedPart& part : counted_parts_) part.shop = shops_.shop_of(part.family, part.row);
+  if (!shops_.empty()) solver_problem_.shared.push_back({"suppliers", solver::Row{1} << shops_.shops().size()});
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    const std::vector<SlotTable>& tables = entries_[i].tables();
+    if (!shops_.empty()) {
+      const std::vector<PieceCount> spent = shops_.counts(tables);
+      counts[i].insert(counts[i].end(), spent.begin(), spent.end());
+      std::stable_sort(
+          counts[i].begin(), counts[i].end(), [](const auto& a, const auto& b) { return a.slot < b.slot; });
+    }
+    std::visit(
+        [&](auto& stage) {
+          stage->set_piece_counts(std::move(counts[i]));
+          if (!shops_.empty()) stage->set_shops(shops_.slots(catalogue_, prices, tables));
+        },
+        entries_[i].stage);
+  }
+}
+
+void MachineModel::set_suppliers(solver::Build& build) const {
+  if (shops_.empty()) return;
+  SlotShops::Set needed = 0;
+  for (std::size_t stage = 0; stage < build.stages.size(); ++stage)
+    for (std::size_t slot = 0; slot < build.stages[stage].rows.size(); ++slot)
+      needed |= shops_.needed(candidate(stage, slot, build.stages[stage].rows[slot]));
+  build.shared.resize(shop_choice);
+  build.shared.push_back(needed);
 }
 
 void MachineModel::fix() {

@@ -15,6 +15,7 @@
 #include "catalogue/catalogue.h"
 #include "evaluation/counted_parts.h"
 #include "evaluation/ledger.h"
+#include "evaluation/shops.h"
 #include "evaluation/slot_table.h"
 #include "machine/bill_of_materials.h"
 #include "machine/problem.h"
@@ -94,6 +95,7 @@ class MachineModel {
     return restricted_ ? restricted_->problem() : solver_problem_;
   }
   [[nodiscard]] const machine::Problem& machine() const { return problem_; }
+  /// With a row for every offer of a part.
   [[nodiscard]] const catalogue::Catalogue& catalogue() const { return catalogue_; }
   [[nodiscard]] const std::vector<StageEntry>& entries() const { return entries_; }
   [[nodiscard]] std::vector<EmptySlot> empty_slots() const;
@@ -102,6 +104,8 @@ class MachineModel {
   [[nodiscard]] const Candidate& candidate(std::size_t stage, std::size_t slot, solver::Row row) const;
   /// Rows of problem() that are never worse than this one (solver/alternatives.h); known with `every_candidate`.
   [[nodiscard]] std::vector<solver::Row> covering_rows(std::size_t stage, std::size_t slot, solver::Row row) const;
+  /// Makes the set of suppliers of a build, in rows of problem(), those that its parts are bought from.
+  void set_suppliers(solver::Build& build) const;
   /// Why something cannot be fixed; then nothing is.
   [[nodiscard]] const std::vector<BomProblem>& problems() const { return problems_; }
   /// The resource that holds a quantity; throws std::invalid_argument if the problem does not count it.
@@ -112,6 +116,8 @@ class MachineModel {
   [[nodiscard]] Design design(const solver::Build& build, bool with_worksheet = false) const;
 
  private:
+  void add_spares(const PriceBook& prices);
+  void count_parts(const PriceBook& prices);
   void add_axis(std::size_t index, const PriceBook& prices);
   void fix();
 
@@ -123,6 +129,7 @@ class MachineModel {
   const catalogue::Catalogue& catalogue_;
   std::vector<StageEntry> entries_;
   std::vector<CountedPart> counted_parts_;
+  Shops shops_;
   solver::Problem solver_problem_;
   solver::Restriction restriction_;  ///< with something fixed
   std::optional<solver::RestrictedProblem> restricted_;

@@ -94,6 +94,7 @@ std::shared_ptr<const mechanics::PullOutCurve> governing_curve(
 struct Driver {
   int row;
   double peak_current, largest_voltage, least_voltage, price, mass;
+  const catalogue::Supplier* supplier = nullptr;  ///< where an order costs more than the driver
 };
 
 std::vector<Driver> eligible_drivers(const Table& t, const machine::Axis& axis, const PriceBook& prices) {
@@ -106,7 +107,8 @@ std::vector<Driver> eligible_drivers(const Table& t, const machine::Axis& axis, 
              t.number(column(Family::drivers, "maximum_voltage"), row),
              t.number(column(Family::drivers, "minimum_voltage"), row),
              prices.line(t, row, 1.0, 0.0),
-             t.number(column(Family::drivers, "mass"), row)};
+             t.number(column(Family::drivers, "mass"), row),
+             prices.charging_supplier(t, row)};
     if (std::isnan(d.peak_current + d.largest_voltage + d.least_voltage + d.price + d.mass)) continue;
     drivers.push_back(d);
   }
@@ -131,6 +133,9 @@ bool is_never_better(
     const Driver& b, const Driver& a, double current, const std::vector<double>& voltages, double voltage_factor) {
   if (std::min(a.peak_current, current) != std::min(b.peak_current, current)) return false;
   if (a.price > b.price || a.mass > b.mass) return false;
+  // An order more is not for nothing, and what is bought may help to reach a minimum.
+  if (a.supplier != nullptr && a.supplier != b.supplier) return false;
+  if (b.supplier != nullptr && b.supplier->minimum_order > 0.0) return false;
   for (const double v : voltages)
     if (runs_at(b, v, voltage_factor) && !runs_at(a, v, voltage_factor)) return false;
   return a.price < b.price || a.mass < b.mass || a.row < b.row;

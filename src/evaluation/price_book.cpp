@@ -6,10 +6,14 @@
 
 namespace millwright::evaluation {
 
-PriceBook::PriceBook(const machine::Problem& problem, const catalogue::Stock& stock) : stock_(stock) {
+PriceBook::PriceBook(const machine::Problem& problem, const catalogue::Catalogue& catalogue)
+    : stock_(catalogue.stock()), suppliers_(catalogue.suppliers()) {
   for (const auto& [currency, rate] : problem.currencies) rates_[currency] = rate.rate;
   rates_.try_emplace(problem.currency, 1.0);
   for (const machine::Axis& axis : problem.axes) drives_ += static_cast<double>(axis.mechanism.drives);
+  constexpr double slots_of_axis = 4.0;  // at most, that may take the same part
+  for (const machine::Spare& spare : problem.spares)
+    spares_ += slots_of_axis * spare.pieces * static_cast<double>(problem.axes.size());
 }
 
 double PriceBook::rate(std::string_view currency) const {
@@ -18,24 +22,26 @@ double PriceBook::rate(std::string_view currency) const {
 }
 
 double PriceBook::owned(const catalogue::Table& table, int row) const {
-  if (!catalogue::can_be_owned(table.family())) return 0.0;
-  const catalogue::StockMark* mark = stock_.find(table.family(), table.manufacturer(row), table.part_number(row));
-  if (mark != nullptr) return mark->owned;
-  const double pieces = table.number(catalogue::column(table.family(), "owned_quantity"), row);
-  return pieces > 0.0 ? pieces : 0.0;
+  return table.ownership(row) == catalogue::Ownership::none ? 0.0 : catalogue::owned_pieces(table, row, stock_);
+}
+
+const catalogue::Supplier* PriceBook::charging_supplier(const catalogue::Table& table, int row) const {
+  if (suppliers_.suppliers.empty() || table.ownership(row) == catalogue::Ownership::only) return nullptr;
+  const catalogue::Supplier* supplier = suppliers_.find(table.text(catalogue::column(table.family(), "supplier"), row));
+  return supplier != nullptr && supplier->charges() ? supplier : nullptr;
 }
 
 double PriceBook::most_pieces(catalogue::Family family) const {
   switch (family) {
     case catalogue::Family::steppers:
     case catalogue::Family::drivers:
-      return drives_;
+      return drives_ + spares_;
     case catalogue::Family::power_supplies:
-      return 1.0;
+      return 1.0 + spares_;
     case catalogue::Family::screws:
-      return 1000.0;  // as many as its joints have
+      return 1000.0 + spares_;  // as many as its joints have
     default:
-      return 4.0 * drives_;  // supports at both ends, pulleys on both sides of a belt and of a reduction
+      return 4.0 * drives_ + spares_;  // supports at both ends, pulleys on both sides of a belt and of a reduction
   }
 }
 

@@ -53,6 +53,7 @@ std::optional<solver::Build> same_parts_in(const MachineModel& to,
       result.stages[stage].variables[v] =
           std::clamp(build.stages[stage].variables[v], variables[v].lower, variables[v].upper);
   }
+  to.set_suppliers(result);
   return result;
 }
 

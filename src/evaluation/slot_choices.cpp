@@ -16,10 +16,16 @@ namespace {
 
 using solver::Row;
 
-bool has(const Candidate& candidate, const PartUse& part) {
+/// Whoever sells it.
+bool has(const catalogue::Catalogue& catalogue, const Candidate& candidate, const PartUse& part) {
+  const auto same_part = [&](int row, int other) {
+    const catalogue::Table& table = catalogue.table(part.family);
+    return row == other ||
+           (table.part_number(row) == table.part_number(other) && table.manufacturer(row) == table.manufacturer(other));
+  };
   return std::any_of(candidate.parts.begin(), candidate.parts.end(), [&](const PartUse& other) {
-    return other.slot == part.slot && other.family == part.family && other.row == part.row &&
-           other.stated == part.stated;
+    return other.slot == part.slot && other.family == part.family && other.stated == part.stated &&
+           (!part.stated.empty() || same_part(other.row, part.row));
   });
 }
 
@@ -135,7 +141,7 @@ class Choices {
     const MachineModel& model = driver ? model_of_drivers() : model_;
     solver::Restriction left = solver::unrestricted(model.problem());
     std::vector<Row>& allowed = left.stages[stage].allowed[slot];
-    std::erase_if(allowed, [&](Row row) { return has(model.candidate(stage, slot, row), part); });
+    std::erase_if(allowed, [&](Row row) { return has(model.catalogue(), model.candidate(stage, slot, row), part); });
     choice.only = allowed.empty();
     if (driver) thin(model, left);
     const std::string what = fmt::format("another {}.{}", choice.axis, choice.slot);

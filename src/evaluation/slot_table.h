@@ -21,13 +21,15 @@ namespace millwright::evaluation {
 struct PartUse {
   std::string slot;  ///< "screw", "nut", ...
   catalogue::Family family{};
-  int row = 0;  ///< in the catalogue's table
-  double quantity = 1.0;
-  double length = 0.0;  ///< m to cut, 0 for whole pieces
-  double price = 0.0;   ///< of the line, in the problem's currency
-  double mass = 0.0;    ///< kg, of the line
+  int row = 0;            ///< in the catalogue's table
+  double quantity = 1.0;  ///< pieces in the machine
+  double length = 0.0;    ///< m to cut, 0 for whole pieces
+  double price = 0.0;     ///< of the line, in the problem's currency
+  double mass = 0.0;      ///< kg, of the line
   /// What the problem itself states is of no catalogue: its name there; empty for everything else.
   std::string stated = {};
+  double spares = 0.0;  ///< pieces bought beside those in the machine: priced, not weighed
+  [[nodiscard]] double pieces() const { return quantity + spares; }
   [[nodiscard]] bool is_named() const { return stated != unnamed; }
   /// What stands for the name of the only one there is.
   static constexpr const char* unnamed = "as the problem states it";
@@ -95,6 +97,7 @@ class SlotTable {
     readings_.insert(readings_.end(), readings.begin(), readings.end());
   }
   [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] Candidate& change(std::size_t row) { return candidates_[row]; }
   /// Says which rows are never worse than this one.
   void cover(std::size_t row, std::vector<solver::Row> by) { candidates_[row].covered_by = std::move(by); }
   [[nodiscard]] std::size_t rows() const { return candidates_.size(); }

@@ -95,6 +95,9 @@ SlotTable belt_table(const catalogue::Catalogue& catalogue, const machine::Axis&
             axis.mechanism.profiles.end())
       continue;
     const double width = belts.number(column(Family::belts, "width"), b);
+    const auto same_pulley = [&](int p, int q) {  // whoever sells it
+      return pulleys.part_number(p) == pulleys.part_number(q) && pulleys.manufacturer(p) == pulleys.manufacturer(q);
+    };
     const auto runs = [&](int p) {
       return pulleys.text(column(Family::pulleys, "profile"), p) == profile &&
              std::abs(pulleys.number(column(Family::pulleys, "belt_width"), p) - width) < 1e-6;
@@ -103,7 +106,7 @@ SlotTable belt_table(const catalogue::Catalogue& catalogue, const machine::Axis&
       if (!runs(d) || pulleys.text(column(Family::pulleys, "type"), d) == "idler") continue;
       for (int i = 0; i < pulleys.rows(); ++i) {
         // An idler: a plain idler, or the same pulley once more on a bearing.
-        if (!runs(i) || (pulleys.text(column(Family::pulleys, "type"), i) != "idler" && i != d)) continue;
+        if (!runs(i) || (pulleys.text(column(Family::pulleys, "type"), i) != "idler" && !same_pulley(i, d))) continue;
         const auto belt = [&](catalogue::Column c) { return belts.number(c, b); };
         const auto drive = [&](catalogue::Column c) { return pulleys.number(c, d); };
         const auto idle = [&](catalogue::Column c) { return pulleys.number(c, i); };

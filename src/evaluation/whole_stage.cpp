@@ -45,12 +45,37 @@ WholeMachine<T> WholeStage::design(const Selection<T>& s) const {
   return d;
 }
 
+void WholeStage::set_suppliers(std::vector<Shop> shops) {
+  suppliers_ = std::move(shops);
+  for (const Shop& shop : suppliers_) constraint_count_ += shop.used_state ? 1 : 0;
+}
+
+/// Of the set of suppliers that is chosen.
+template <class T>
+void WholeStage::charge_orders(const Selection<T>& s, solver::Answer<T>& out) const {
+  using scalar::larger;
+  T& cost = out.resources[cost_resource];
+  for (std::size_t i = 0; i < suppliers_.size(); ++i) {
+    const Shop& shop = suppliers_[i];
+    const bool open = ((s.shared[shop_choice] >> i) & 1U) != 0;
+    if (shop.used_state) out.utilisation.push_back(open ? utilisation(T(1.0), s.inherited[*shop.used_state]) : T(0.0));
+    if (!open) continue;
+    cost = cost + T(shop.shipping_fee);
+    if (!shop.spent_state) continue;
+    T spent = s.inherited[*shop.spent_state];
+    for (const CountedPart& part : counted_parts_)
+      if (part.shop == i) spent = spent + charge(part, s.inherited[part.state]);
+    cost = cost + larger(T(0.0), T(shop.minimum_order) - spent);
+  }
+}
+
 template <class T>
 void WholeStage::answer(const Selection<T>& s, solver::Answer<T>& out) const {
   const WholeMachine<T> d = design(s);
   whole_constraints(UtilisationVisitor<T, WholeMachine<T>>(d, out.utilisation));
   for (const CountedPart& part : counted_parts_)
     out.resources[cost_resource] = out.resources[cost_resource] + charge(part, s.inherited[part.state]);
+  charge_orders(s, out);
   if (!error_resource_) return;
   for (std::size_t i = 0; i < states_.error.size(); ++i)
     if (states_.error[i]) out.resources[*error_resource_] = out.resources[*error_resource_] + tool_error(d, i);

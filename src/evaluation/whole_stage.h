@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What is asked of the machine as a whole: how far the tool gives way, limits of cost and mass, and what is to be paid
-// for parts whose price depends on how many are taken. The last stage, without slots; the limits are the solver's own,
-// here they are only reported.
+// for parts whose price depends on how many are taken, and for orders beside what is ordered. The last stage, without
+// slots; the limits are the solver's own, here they are only reported.
 #pragma once
 
 #include <array>
@@ -128,6 +128,9 @@ class WholeStage final : public ElementStage<WholeStage> {
   /// What is still charged for them here; before the stage is asked for the first time.
   void set_counted_parts(std::vector<CountedPart> parts) { counted_parts_ = std::move(parts); }
 
+  /// Whose shipping and minimum is charged here; before the stage is asked for the first time.
+  void set_suppliers(std::vector<Shop> shops);
+
   template <class T>
   [[nodiscard]] WholeMachine<T> design(const Selection<T>& selection) const;
   template <class T>
@@ -138,6 +141,10 @@ class WholeStage final : public ElementStage<WholeStage> {
   ToolStates states_;
   std::optional<std::size_t> error_resource_;
   std::vector<CountedPart> counted_parts_;
+  std::vector<Shop> suppliers_;
+
+  template <class T>
+  void charge_orders(const Selection<T>& selection, solver::Answer<T>& out) const;
 };
 
 extern template WholeMachine<double> WholeStage::design(const Selection<double>&) const;

@@ -268,6 +268,13 @@ struct CurrencyRate {
   std::string date;
 };
 
+/// Pieces bought beside those that the machine takes.
+struct Spare {
+  std::string axis;  ///< empty: of every axis that has the slot, or of the machine
+  std::string slot;
+  double pieces = 0.0;
+};
+
 struct Problem {
   std::string title;
   std::string source;
@@ -282,9 +289,13 @@ struct Problem {
   std::vector<std::size_t> order;       ///< axes from the tools to the bases: an axis comes after all it carries
   Requirements require;                 ///< of the whole machine; each axis has its own, which start from these
   std::optional<Tool> tool;
+  std::vector<Spare> spares;
   std::optional<double> cost_limit;  ///< in `currency`
   std::optional<double> mass_limit;  ///< kg, of everything chosen
 };
+
+/// Of the part that is chosen for a slot; both where a slot is named alone and with its axis.
+double spares_of(const Problem& problem, const std::string& axis, const std::string& slot);
 
 /// Why a quantity of this problem cannot be summed up, and what to do about it.
 struct Uncountable {

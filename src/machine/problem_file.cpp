@@ -15,6 +15,7 @@
 #include "machine/currency_file.h"
 #include "machine/limits_file.h"
 #include "machine/quantity_reader.h"
+#include "machine/spares_file.h"
 #include "text/table_reader.h"
 
 namespace millwright::machine {
@@ -160,6 +161,9 @@ std::optional<Problem> problem_of(const text::Document& document, Diagnostics& d
   if (const Node* tool = table.table({"tool", "what presses on the tool and how far it may give way or be off"});
       tool != nullptr)
     read_tool(*tool, table.find("axis"), problem, diagnostics);
+  if (const Node* spares = table.table({"spares", "what is bought in addition, to lie in the drawer"});
+      spares != nullptr)
+    read_spares(*spares, problem, diagnostics);
   if (const Node* limits = table.table({"limits", "budgets of the whole machine"}); limits != nullptr)
     read_limits(*limits, problem, diagnostics);
   if (diagnostics.error_count() == errors) count_quantities(table.find("objective"), problem, diagnostics);

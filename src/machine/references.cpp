@@ -55,6 +55,15 @@ bool check_references(const Problem& problem, const catalogue::Catalogue& catalo
                         found.hint.empty() ? "'millwright catalogue list materials' shows what there is" : found.hint);
     }
   }
+  for (const catalogue::Supplier& supplier : catalogue.suppliers().suppliers) {
+    if (!supplier.charges() || supplier.currency == problem.currency || problem.currencies.contains(supplier.currency))
+      continue;
+    diagnostics.error(
+        supplier.where,
+        fmt::format(
+            "the problem gives no rate for {}, in which {} charges", supplier.currency, text::quoted(supplier.name)),
+        fmt::format("add it to [currency]: {} = 1.1", supplier.currency));
+  }
   return diagnostics.error_count() == errors;
 }
 

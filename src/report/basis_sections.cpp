@@ -149,6 +149,9 @@ std::string parts_table(const MachineResult& result, const Design& design, const
                  scalar::format_number(part.quantity) +
                      (part.owned > 0.0
                           ? fmt::format("<small>{} {}</small>", scalar::format_number(part.owned), t("parts.owned"))
+                          : "") +
+                     (part.spares > 0.0
+                          ? fmt::format("<small>+ {} {}</small>", scalar::format_number(part.spares), t("parts.spare"))
                           : ""),
                  part.length > 0.0 ? escaped(shown_quantity(1e3 * part.length, "mm")) : "",
                  fmt::format("{}{:.2f}", part.estimate ? "~" : "", part.price),
@@ -159,6 +162,16 @@ std::string parts_table(const MachineResult& result, const Design& design, const
                 first ? "first" : "");
       first = false;
     }
+  }
+  for (const evaluation::ShopOrder& order : design.orders) {
+    cost -= order.shipping_fee + order.top_up;
+    const std::string name = order.supplier.empty() ? "-" : order.supplier;
+    const auto add = [&](const std::string& what, double charge) {
+      if (charge > 0.0)
+        table.add({"", "", escaped(what), "", "", fmt::format("{:.2f}", charge), "", escaped(name), "", ""});
+    };
+    add(t("parts.shipping"), order.shipping_fee);
+    add(t("parts.top_up"), order.top_up);
   }
   if (cost >= 0.005 || mass >= 5e-4)
     table.add({"",

@@ -26,7 +26,9 @@ Json part_of(const evaluation::PartLine& part) {
             {"mass_kg", number(part.mass)},
             {"estimate", part.estimate},
             {"row", part.where}};
+  if (part.spares > 0.0) json["spares"] = number(part.spares);
   if (part.owned > 0.0) json["owned"] = number(part.owned);
+  if (!part.supplier.empty()) json["supplier"] = part.supplier;
   if (!part.origin.empty()) json["origin"] = part.origin;
   return json;
 }
@@ -95,7 +97,15 @@ Json build_of(const Design& design) {
   for (const evaluation::DimensionLine& line : design.dimensions)
     dimensions.push_back(
         {{"axis", line.axis}, {"name", line.name}, {"value", number(line.value)}, {"unit", line.unit}});
-  return Json{{"parts", parts}, {"dimensions", dimensions}};
+  Json json{{"parts", parts}, {"dimensions", dimensions}};
+  for (const evaluation::ShopOrder& order : design.orders)
+    json["orders"].push_back({{"supplier", order.supplier},
+                              {"goods", number(order.goods)},
+                              {"shipping_fee", number(order.shipping_fee)},
+                              {"minimum_order", number(order.minimum_order)},
+                              {"top_up", number(order.top_up)},
+                              {"currency", design.currency}});
+  return json;
 }
 
 Json checks_json(const MachineResult& result, const Design& design) {

@@ -44,6 +44,7 @@ std::string made_to_measure(const Design& design) {
     cost -= part.price;
     mass -= part.mass;
   }
+  for (const evaluation::ShopOrder& order : design.orders) cost -= order.shipping_fee + order.top_up;
   if (cost < 0.005 && mass < 5e-4) return {};
   return fmt::format("  Members made to measure, by their mass: {:.2f} {}, {:.3f} kg\n", cost, design.currency, mass);
 }
@@ -71,6 +72,34 @@ std::string in_stock_text(const Design& design) {
     if (part.owned > 0.0)
       out += fmt::format(
           "  In stock: {} of {} ({}.{})\n", scalar::format_number(part.owned), part_name(part), part.axis, part.slot);
+  return out;
+}
+
+/// "Spare: 1 more of Acme M23 (y.motor)", a line for each part.
+std::string spares_text(const Design& design) {
+  std::string out;
+  for (const PartLine& part : design.parts)
+    if (part.spares > 0.0)
+      out += fmt::format("  Spare: {} more of {} ({}.{})\n",
+                         scalar::format_number(part.spares),
+                         part_name(part),
+                         part.axis,
+                         part.slot);
+  return out;
+}
+
+/// "Order from Shop A: goods 38.20, shipping 12.00 USD", a line for each supplier that charges for the order.
+std::string orders_text(const Design& design) {
+  std::string out;
+  for (const evaluation::ShopOrder& order : design.orders) {
+    out += fmt::format("  Order {}: goods {:.2f}, shipping {:.2f}",
+                       order.supplier.empty() ? "of what names no supplier" : "from " + order.supplier,
+                       order.goods,
+                       order.shipping_fee);
+    if (order.top_up > 0.0)
+      out += fmt::format(", filled up to the minimum of {:.2f} by {:.2f}", order.minimum_order, order.top_up);
+    out += fmt::format(" {}\n", design.currency);
+  }
   return out;
 }
 
@@ -139,7 +168,7 @@ std::string parts_text(const MachineResult& result, const Design& design, const 
     }
   }
   out += table.str(2, style) + made_to_measure(design);
-  out += in_stock_text(design);
+  out += in_stock_text(design) + spares_text(design) + orders_text(design);
   out += fmt::format("  Total: {}\n", totals_text(design));
   if (estimates) out += "  ~ the price, or a figure of the part that matters, is an estimate\n";
   return out + "\n";

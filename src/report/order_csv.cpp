@@ -24,10 +24,24 @@ std::string text_cell(const std::string& text) {
   return csv_cell(formula ? "'" + text : text);
 }
 
+std::string supplier_name(const std::string& supplier) {
+  return supplier.empty() ? std::string("supplier not stated") : supplier;
+}
+
 }  // namespace
 
-std::string total_label(const SupplierTotal& total) {
-  return "Total, " + (total.supplier.empty() ? std::string("supplier not stated") : total.supplier);
+std::string total_label(const SupplierTotal& total) { return "Total, " + supplier_name(total.supplier); }
+
+std::vector<std::pair<std::string, double>> charges(const SupplierTotal& total, const std::string& currency) {
+  std::vector<std::pair<std::string, double>> result;
+  if (total.shipping_fee > 0.0) result.emplace_back("Shipping, " + supplier_name(total.supplier), total.shipping_fee);
+  if (total.top_up > 0.0)
+    result.emplace_back(fmt::format("To the minimum order of {} {}, {}",
+                                    plain_number(total.minimum_order),
+                                    currency,
+                                    supplier_name(total.supplier)),
+                        total.top_up);
+  return result;
 }
 
 std::string order_csv(const OrderList& list) {
@@ -54,8 +68,10 @@ std::string order_csv(const OrderList& list) {
   const auto sum = [&](const std::string& label, double total) {
     out += fmt::format(",,,{},,,,,{},,,{},\n", text_cell(label), currency, plain_number(total));
   };
-  if (list.supplier_totals.size() > 1)
-    for (const SupplierTotal& each : list.supplier_totals) sum(total_label(each), each.total);
+  for (const SupplierTotal& each : list.supplier_totals) {
+    for (const auto& [label, charge] : charges(each, list.currency)) sum(label, charge);
+    if (list.supplier_totals.size() > 1) sum(total_label(each), each.charged());
+  }
   sum("Total", list.total);
   return out;
 }

@@ -116,6 +116,7 @@ void add_part(OrderList& list, const PartLine& part) {
   line.price_date = price_date(part.price_basis);
   line.price_estimate = part.price_estimate;
   line.used_for = part.axis + "." + part.slot;
+  if (part.spares > 0.0) line.used_for += fmt::format(" and {} spare", scalar::format_number(part.spares));
   double metres = 0.0;
   for (const Cut& cut : part.cuts) metres += cut.count * cut.length;
   const auto add = [&](bool cut, std::string_view unit, double quantity, double total) {
@@ -132,7 +133,7 @@ void add_part(OrderList& list, const PartLine& part) {
   }
   // A guide's carriages and rails are one line of a build. What is only cut has no pieces beside.
   if (part.cuts.empty() || part.family == "linear_guides")
-    add(false, "pcs", part.quantity - part.owned, part.price - part.length_price);
+    add(false, "pcs", part.quantity + part.spares - part.owned, part.price - part.length_price);
   if (!part.cuts.empty()) add(true, "m", metres, part.length_price);
   // What is there is listed, so that nobody looks for it in vain, and costs nothing.
   line.supplier = in_stock;
@@ -172,8 +173,9 @@ void settle(OrderList& list, const evaluation::Purchase& purchase) {
     const bool is_of_family =
         line.family < catalogue::family_count && catalogue::families[line.family].name == purchase.family;
     return is_of_family && line.manufacturer == purchase.manufacturer && line.part_number == purchase.part_number &&
-           line.supplier != in_stock;
+           line.supplier == purchase.supplier && line.supplier != in_stock;
   };
+  if (!(purchase.bought > 0.0)) return;
   const auto first = std::find_if(list.lines.begin(), list.lines.end(), is_of);
   if (first == list.lines.end()) return;
   for (auto other = std::next(first); other != list.lines.end(); ++other)
@@ -204,6 +206,19 @@ void sort(OrderList& list) {
   std::stable_sort(list.cuts.begin(), list.cuts.end(), [](const CutLine& a, const CutLine& b) {
     return stock_of(a) != stock_of(b) ? stock_of(a) < stock_of(b) : a.length > b.length;
   });
+}
+
+/// Without lines as yet.
+SupplierTotal supplier_total(const Design& design, const std::string& supplier) {
+  SupplierTotal total;
+  total.supplier = supplier;
+  for (const evaluation::ShopOrder& order : design.orders) {
+    if (order.supplier != supplier) continue;
+    total.shipping_fee = order.shipping_fee;
+    total.minimum_order = order.minimum_order;
+    total.top_up = order.top_up;
+  }
+  return total;
 }
 
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
@@ -243,7 +258,7 @@ OrderList order_list(const Design& design, const std::string& title) {
   for (const OrderLine& line : list.lines) {
     if (line.supplier == in_stock) continue;
     if (list.supplier_totals.empty() || list.supplier_totals.back().supplier != line.supplier)
-      list.supplier_totals.push_back({line.supplier, 0.0});
+      list.supplier_totals.push_back(supplier_total(design, line.supplier));
     list.supplier_totals.back().total += line.total;
   }
   for (const CutLine& cut : list.cuts) {

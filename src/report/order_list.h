@@ -28,7 +28,11 @@ struct OrderLine {
 
 struct SupplierTotal {
   std::string supplier;  ///< empty for what has none
-  double total = 0.0;
+  double total = 0.0;    ///< of the lines
+  double shipping_fee = 0.0;
+  double minimum_order = 0.0;
+  double top_up = 0.0;  ///< what the lines lack of the minimum
+  [[nodiscard]] double charged() const { return total + shipping_fee + top_up; }
 };
 
 /// Equal pieces of one stock part for one slot.
@@ -51,7 +55,7 @@ struct OrderList {
   std::string title, currency;
   std::vector<OrderLine> lines;                ///< by supplier (none last), kind, maker and part number
   std::vector<SupplierTotal> supplier_totals;  ///< in the order of the lines
-  double total = 0.0;                          ///< the cost of the build, which the lines add up to
+  double total = 0.0;                          ///< the cost of the build, which lines, shipping and top-ups add up to
   std::vector<CutLine> cuts;                   ///< by stock part; the longest first
   std::vector<StockTotal> stock;               ///< in the order of the cuts
 };

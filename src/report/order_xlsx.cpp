@@ -118,23 +118,32 @@ void write_order(const OrderList& list, lxw_workbook* book, const Formats& forma
     sheet.formula(row, 11, fmt::format("=B{0}*H{0}", row + 1), line.total, formats.money);
     sheet.text(row, 12, line.used_for);
   }
-  const auto sum =
-      [&](std::size_t at_row, const std::string& label, std::size_t first, std::size_t last, double total) {
-        sheet.text(at_row, 3, label, formats.bold);
-        sheet.text(at_row, 8, list.currency, formats.bold);
-        sheet.formula(at_row, 11, fmt::format("=SUM(L{}:L{})", first, last), total, formats.money_sum);
-      };
+  const auto sum = [&](std::size_t at_row, const std::string& label, const std::string& formula, double total) {
+    sheet.text(at_row, 3, label, formats.bold);
+    sheet.text(at_row, 8, list.currency, formats.bold);
+    sheet.formula(at_row, 11, formula, total, formats.money_sum);
+  };
   const std::size_t count = list.lines.size();
   if (count == 0) return;
   row = count + 2;
+  std::string charged;  // cells of what is charged beside the lines
   std::size_t first = 0;
   for (const SupplierTotal& each : list.supplier_totals) {
     std::size_t last = first;
     while (last < count && list.lines[last].supplier == each.supplier) ++last;
-    if (list.supplier_totals.size() > 1) sum(row++, total_label(each), first + 2, last + 1, each.total);
+    std::string own = fmt::format("=SUM(L{}:L{})", first + 2, last + 1);
+    for (const auto& [label, charge] : charges(each, list.currency)) {
+      sheet.text(row, 3, label);
+      sheet.text(row, 8, list.currency);
+      sheet.number(row, 11, charge, formats.money);
+      own += fmt::format("+L{}", row + 1);
+      charged += fmt::format("+L{}", row + 1);
+      ++row;
+    }
+    if (list.supplier_totals.size() > 1) sum(row++, total_label(each), own, each.charged());
     first = last;
   }
-  sum(row, "Total", 2, count + 1, list.total);
+  sum(row, "Total", fmt::format("=SUM(L2:L{}){}", count + 1, charged), list.total);
 }
 
 void write_cuts(const OrderList& list, lxw_workbook* book, const Formats& formats) {

@@ -82,13 +82,30 @@ inline Region region_of(const Stage& stage,
   return region;
 }
 
-/// Every row of every slot and the whole range of every variable.
+/// The rows of a slot that can be chosen with these shared choices.
+inline std::vector<Row> offered_rows(const Stage& stage, std::span<const Row> shared, std::size_t slot) {
+  std::vector<Row> rows;
+  for (Row row = 0; row < stage.slots()[slot].rows; ++row)
+    if (stage.offered(shared, slot, row)) rows.push_back(row);
+  return rows;
+}
+
+/// Whether every slot of every stage has a row that can be chosen with these shared choices.
+inline bool all_offered(const Problem& problem, std::span<const Row> shared) {
+  for (const Stage* stage : problem.stages)
+    for (std::size_t slot = 0; slot < stage->slots().size(); ++slot) {
+      bool any = false;
+      for (Row row = 0; row < stage->slots()[slot].rows && !any; ++row) any = stage->offered(shared, slot, row);
+      if (!any) return false;
+    }
+  return true;
+}
+
+/// Every row of every slot that can be chosen, in each at least one, and the whole range of every variable.
 inline Region whole_region(const Stage& stage, std::span<const Row> shared) {
   Region region;
   for (std::size_t slot = 0; slot < stage.slots().size(); ++slot) {
-    std::vector<Row> rows(stage.slots()[slot].rows);
-    std::iota(rows.begin(), rows.end(), Row{0});
-    region.rows.push_back(make_rows(stage, shared, slot, std::move(rows)));
+    region.rows.push_back(make_rows(stage, shared, slot, offered_rows(stage, shared, slot)));
   }
   for (const Variable& variable : stage.variables()) region.variables.emplace_back(variable.lower, variable.upper);
   return region;

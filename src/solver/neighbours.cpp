@@ -13,6 +13,8 @@ constexpr Row most_rows = 2000;  // looked at of each slot, evenly spread
 
 bool Neighbours::fits(const Build& build, std::size_t stage) const {
   const std::vector<Row>& rows = build.stages[stage].rows;
+  for (std::size_t slot = 0; slot < rows.size(); ++slot)
+    if (!problem_.stages[stage]->offered(build.shared, slot, rows[slot])) return false;
   for (std::size_t a = 0; a < rows.size(); ++a)
     for (std::size_t b = a + 1; b < rows.size(); ++b)
       if (!problem_.stages[stage]->fits(build.shared, a, rows[a], b, rows[b])) return false;

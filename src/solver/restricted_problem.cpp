@@ -130,6 +130,10 @@ void RestrictedStage::gradient(const Point& point, Input input, Answer<double>& 
   inner_.gradient({shared, point.inherited, rows, variables}, inner_input(input), answer);
 }
 
+bool RestrictedStage::offered(std::span<const Row> shared, std::size_t slot, Row row) const {
+  return inner_.offered(inner_shared(shared), slot, restriction_.allowed[slot][row]);
+}
+
 bool RestrictedStage::fits(
     std::span<const Row> shared, std::size_t slot_a, Row row_a, std::size_t slot_b, Row row_b) const {
   return inner_.fits(

@@ -43,6 +43,7 @@ class RestrictedStage final : public Stage {
   void bound(const Box& box, Answer<Interval>& answer) const override;
   void slopes(const Box& box, Input input, Answer<Interval>& answer) const override;
   void gradient(const Point& point, Input input, Answer<double>& answer) const override;
+  [[nodiscard]] bool offered(std::span<const Row> shared, std::size_t slot, Row row) const override;
   [[nodiscard]] bool fits(
       std::span<const Row> shared, std::size_t slot_a, Row row_a, std::size_t slot_b, Row row_b) const override;
 

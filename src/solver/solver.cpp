@@ -32,6 +32,7 @@ std::vector<double> quick_bound(const Problem& problem,
                                 const Criteria& criteria,
                                 std::span<const Row> shared,
                                 Desk& desk) {
+  if (!all_offered(problem, shared)) return {};
   std::vector<Interval> state(problem.first_state.begin(), problem.first_state.end());
   std::vector<double> total(criteria.size(), 0.0);
   std::vector<Interval> score(criteria.size());

@@ -132,6 +132,12 @@ class Stage {
   /// Exact derivatives at one design: the same as `slopes` on a degenerate box, but in double (for local solvers).
   virtual void gradient(const Point& point, Input input, Answer<double>& answer) const = 0;
 
+  /// Whether a row can be chosen at all with these shared choices. The search looks at no other; `evaluate` and `bound`
+  /// may say about others what they like. Default: all can.
+  [[nodiscard]] virtual bool offered(std::span<const Row> /*shared*/, std::size_t /*slot*/, Row /*row*/) const {
+    return true;
+  }
+
   /// Whether two rows of two slots can never be in one design together (a fit that needs nothing else). The search uses
   /// it to discard combinations early; `bound` must agree. Default: everything may fit.
   [[nodiscard]] virtual bool fits(std::span<const Row> /*shared*/,

@@ -335,6 +335,7 @@ std::vector<StagePlan> make_plans(const Problem& problem,
                                   const Criteria& criteria,
                                   Desk& desk) {
   std::vector<StagePlan> plans;
+  if (!all_offered(problem, shared)) return plans;
   for (const Stage* stage : problem.stages) plans.emplace_back(*stage, shared, criteria);
   if (!find_states(problem, plans, desk) || !find_limits(plans, desk)) return {};
   find_directions(plans, desk);

@@ -140,6 +140,45 @@ TEST_CASE("Order list: one part number at two prices, or of two shops, stays two
   CHECK(order_list(design, "").lines.size() == 6);
 }
 
+// The motors come from B shop, which asks 5 for shipping and 40 at least: 28.5 + 5 + 11.5 = 45. With them 112.7 + 16.5.
+TEST_CASE("Order list: shipping and what lacks of a minimum stand beside the lines of their supplier") {
+  evaluation::Design design = two_axes();
+  design.orders = {{"B shop", 28.5, 5.0, 40.0, 11.5}};
+  design.cost += 16.5;
+  const OrderList list = order_list(design, "");
+  REQUIRE(list.supplier_totals.size() == 3);
+  CHECK(list.supplier_totals[0].charged() == Approx(79.0));
+  CHECK(list.supplier_totals[1].total == Approx(28.5));
+  CHECK(list.supplier_totals[1].charged() == Approx(45.0));
+  const std::string csv = order_csv(list);
+  CHECK(csv.find(",,,\"Shipping, B shop\",,,,,USD,,,5,\n") != std::string::npos);
+  CHECK(csv.find(",,,\"To the minimum order of 40 USD, B shop\",,,,,USD,,,11.5,\n") != std::string::npos);
+  CHECK(csv.find(",,,\"Total, B shop\",,,,,USD,,,45,\n") != std::string::npos);
+  CHECK(csv.find(",,,Total,,,,,USD,,,129.2,\n") != std::string::npos);
+}
+
+// One of a part with two spares from A shop, which sells packs of two at 18; one from B shop for 8.
+TEST_CASE("Order list: what is bought of a part is settled supplier by supplier") {
+  evaluation::Design design;
+  for (const char* axis : {"x", "y"}) {
+    PartLine line = part(axis, "coupling", "couplings", "Maker", "C1");
+    line.supplier = axis == std::string("x") ? "A shop" : "B shop";
+    line.quantity = 1.0;
+    line.spares = axis == std::string("x") ? 2.0 : 0.0;
+    line.price = axis == std::string("x") ? 36.0 : 8.0;
+    design.parts.push_back(line);
+  }
+  design.purchases = {{"couplings", "Maker", "C1", "A shop", 3.0, 0.0, 4.0, 36.0}};
+  design.cost = 44.0;
+  const OrderList list = order_list(design, "");
+  REQUIRE(list.lines.size() == 2);
+  CHECK(list.lines[0].quantity == 4.0);
+  CHECK(list.lines[0].total == 36.0);
+  CHECK(list.lines[0].used_for == "x.coupling and 2 spare, 1 left over");
+  CHECK(list.lines[1].quantity == 1.0);
+  CHECK(list.lines[1].total == 8.0);
+}
+
 TEST_CASE("Cutting list: every piece with its place, the sum of each stock part") {
   const OrderList list = order_list(two_axes(), "Two axes");
   CHECK(cutting_csv(list) ==

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// What suppliers, offers and spares do to answers, bills and orders.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/program.h"
+#include "catch.h"
+
+namespace millwright::app {
+namespace {
+
+using Json = nlohmann::json;
+
+const std::string lifter = MILLWRIGHT_SOURCE_DIR "/problems/lifter.toml";
+
+Json solved(const Workshop& shop, std::vector<std::string> more) {
+  std::vector<std::string> words{"solve", lifter, "--json", "-"};
+  words.insert(words.end(), more.begin(), more.end());
+  const Outcome outcome = shop.run(words);
+  CAPTURE(outcome.err);
+  REQUIRE(outcome.exit_code == 0);
+  return Json::parse(outcome.out);
+}
+
+double cost(const Json& result) { return result.at("totals").at("cost").at("value").get<double>(); }
+
+Json motor(const Json& result) {
+  for (const Json& each : result.at("build").at("parts"))
+    if (each.at("slot") == "motor") return each;
+  return nullptr;
+}
+
+}  // namespace
+
+TEST_CASE("An order from a shop is charged with shipping and minimum, and the order list says so") {
+  const Workshop shop;
+  const Json plain = solved(shop, {});
+  CHECK_FALSE(plain.at("build").contains("orders"));
+  const std::string name = motor(plain).at("part_number");
+  const double price = motor(plain).at("price");
+  REQUIRE(price > 4.0);
+  // Half the price, 1 for shipping, filled up to a minimum that is half a dollar more: 1.5 are left of what is saved.
+  const double there = 0.5 * price;
+  shop.write(
+      "mine/suppliers.csv",
+      fmt::format("supplier,shipping_fee,minimum_order,currency\nShop A,1,{},USD\nShop B,900,,USD\n", there + 0.5));
+  shop.write("mine/offers.csv",
+             fmt::format("part_number,supplier,price,currency,price_basis\n{0},Shop A,{1},USD,quoted 2026-09-03\n"
+                         "{0},Shop B,0,USD,quoted 2026-09-03\n",
+                         name,
+                         there));
+  const Json offered = solved(shop, {"--catalogue", "mine", "--order", "order.csv", "--report", "page.html"});
+  CHECK(motor(offered).at("part_number") == name);
+  CHECK(motor(offered).at("supplier") == "Shop A");
+  CHECK(motor(offered).at("price").get<double>() == Approx(there));
+  CHECK(cost(offered) == Approx(cost(plain) - there + 1.5));
+  const Json& orders = offered.at("build").at("orders");
+  REQUIRE(orders.size() == 1);
+  CHECK(orders[0].at("supplier") == "Shop A");
+  CHECK(orders[0].at("shipping_fee") == 1);
+  CHECK(orders[0].at("top_up").get<double>() == Approx(0.5));
+  const std::string order = shop.read("order.csv");
+  CHECK(order.find("Shop A") != std::string::npos);
+  CHECK(order.find(",,,\"Shipping, Shop A\",,,,,USD,,,1,") != std::string::npos);
+  CHECK(order.find(fmt::format("To the minimum order of {} USD, Shop A", there + 0.5)) != std::string::npos);
+  CHECK(order.find("2026-09-03") != std::string::npos);
+  CHECK(shop.read("page.html").find("Filling up to the minimum order") != std::string::npos);
+  const Outcome text = shop.run({"solve", lifter, "--catalogue", "mine"});
+  CHECK(text.prints("Order from Shop A: goods "));
+  CHECK(text.prints("shipping 1.00, filled up to the minimum"));
+  // What solve writes, check reads back at the same cost.
+  REQUIRE(shop.run({"solve", lifter, "--catalogue", "mine", "--bom", "bom.csv", "--quiet"}).exit_code == 0);
+  const Outcome checked = shop.run({"check", lifter, "bom.csv", "--catalogue", "mine", "--json", "-"});
+  CAPTURE(checked.err);
+  REQUIRE(checked.exit_code == 0);
+  CHECK(cost(Json::parse(checked.out)) == Approx(cost(offered)));
+}
+
+TEST_CASE("A supplier who charges in a currency without a rate is an error") {
+  const Workshop shop;
+  shop.write("mine/suppliers.csv", "supplier,shipping_fee,currency\n,1,CHF\n");
+  const Outcome outcome = shop.run({"solve", lifter, "--catalogue", "mine"});
+  CHECK(outcome.exit_code == 2);
+  CHECK(outcome.says("suppliers.csv:2:"));
+  CHECK(outcome.says("the problem gives no rate for CHF"));
+}
+
+TEST_CASE("Spares are priced and ordered, and weigh nothing") {
+  const Workshop shop;
+  const Json plain = solved(shop, {});
+  const Json result = solved(shop, {"--set", "spares.motor=2", "--order", "order.csv"});
+  const Json own = motor(result);
+  CHECK(own.at("spares") == 2);
+  CHECK(own.at("quantity") == 1);
+  CHECK(own.at("price").get<double>() == Approx(3.0 * own.at("unit_price").get<double>()));
+  CHECK(cost(result) > cost(plain));
+  CHECK(cost(result) <= cost(plain) + 2.0 * motor(plain).at("price").get<double>() + 1e-9);
+  CHECK(shop.read("order.csv").find("z.motor and 2 spare") != std::string::npos);
+  const Outcome text = shop.run({"solve", lifter, "--set", "spares.motor=2"});
+  CHECK(text.prints("Spare: 2 more of "));
+  const Outcome wrong = shop.run({"solve", lifter, "--set", "spares.motr=2"});
+  CHECK(wrong.exit_code == 2);
+  CHECK(wrong.says("did you mean 'motor'?"));
+}
+
+}  // namespace millwright::app

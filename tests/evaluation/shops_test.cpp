@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: Apache-2.0
+// Machines whose parts several shops sell, each with its shipping and its minimum: the best builds against all builds,
+// each ordered in every way there is.
+#include <fmt/format.h>
+
+#include <map>
+#include <random>
+
+#include "catch.h"
+#include "evaluation/exhaustive.h"
+#include "evaluation/synthesis.h"
+#include "evaluation/tiny_catalogue.h"
+#include "sanitized.h"
+
+using namespace millwright;
+using evaluation::Design;
+using evaluation::MachineModel;
+using evaluation::Synthesis;
+
+namespace {
+
+/// Two like axes, so that both may take the same motor, driver and coupling.
+machine::Problem two_axes(double load) {
+  const auto axis = [&](const char* name, const char* carries, double force) {
+    return fmt::format(R"(
+[[axis]]
+name = "{}"
+{}
+stroke = "300 mm"
+structure_mass = "{} kg"
+guide_friction = 0.05
+acceleration_time = ["0.02 s", "0.5 s"]
+mechanism = {{ kind = "screw", screw = ["ball_screws", "lead_screws"], ends = "fixed-supported" }}
+motor = {{ microsteps = 8 }}
+[[axis.moves]]
+distance = "200 mm"
+time = "6 s"
+force = "{} N"
+)",
+                       name,
+                       carries,
+                       load,
+                       force);
+  };
+  return problem_of_text("[currency]\nUSD = 1.0\n[supply]\nvoltage = [\"24 V\", \"36 V\"]\n" + axis("x", "", 60.0) +
+                         axis("y", "carries = [\"x\"]", 40.0));
+}
+
+struct Shop {
+  std::string name;
+  double fee = 0.0, minimum = 0.0;
+};
+
+/// Who sells what. The shop without a name sells everything at the catalogue's price.
+struct Market {
+  std::vector<Shop> shops = {{"", 0.0, 0.0}};
+  std::map<std::string, std::map<std::size_t, double>> offers;  ///< [part][shop]: price
+  std::map<std::string, int> owned;
+
+  void write(const TemporaryFolder& folder) const {
+    std::string text = "supplier,shipping_fee,minimum_order,currency\n";
+    for (const Shop& shop : shops) text += fmt::format("{},{},{},USD\n", shop.name, shop.fee, shop.minimum);
+    folder.write("suppliers.csv", text);
+    text = "part_number,supplier,price,currency\n";
+    for (const auto& [part, by] : offers)
+      for (const auto& [shop, price] : by) text += fmt::format("{},{},{},USD\n", part, shops[shop].name, price);
+    folder.write("offers.csv", text);
+    text = "part_number,owned\n";
+    for (const auto& [part, pieces] : owned) text += fmt::format("{},{}\n", part, pieces);
+    if (!owned.empty()) folder.write("stock.csv", text);
+  }
+};
+
+/// A piece that a build takes, and what it costs by the catalogue.
+using Piece = std::pair<std::string, double>;
+
+/// The cheapest way to have these pieces: every piece from every shop and from the drawer, every set of orders.
+class Cheapest {
+ public:
+  Cheapest(const Market& market, std::vector<Piece> pieces)
+      : market_(market),
+        pieces_(std::move(pieces)),
+        left_(market.owned),
+        spent_(market.shops.size(), 0.0),
+        count_(spent_.size(), 0) {
+    take(0);
+  }
+  double price = std::numeric_limits<double>::infinity();
+
+ private:
+  void take(std::size_t at) {
+    if (at == pieces_.size()) {
+      double sum = 0.0;
+      for (std::size_t i = 0; i < spent_.size(); ++i)
+        if (count_[i] > 0) sum += market_.shops[i].fee + std::max(spent_[i], market_.shops[i].minimum);
+      price = std::min(price, sum);
+      return;
+    }
+    const auto& [part, usual] = pieces_[at];
+    const auto buy = [&](std::size_t shop, double price_there) {
+      const double before = spent_[shop];
+      spent_[shop] += price_there;
+      ++count_[shop];
+      take(at + 1);
+      --count_[shop];
+      spent_[shop] = before;
+    };
+    if (const auto there = left_.find(part); there != left_.end() && there->second > 0) {
+      --there->second;
+      take(at + 1);
+      ++there->second;
+    }
+    buy(0, usual);
+    if (const auto offered = market_.offers.find(part); offered != market_.offers.end())
+      for (const auto& [shop, price_there] : offered->second) buy(shop, price_there);
+  }
+
+  const Market& market_;
+  std::vector<Piece> pieces_;
+  std::map<std::string, int> left_;
+  std::vector<double> spent_;
+  std::vector<int> count_;
+};
+
+/// What a build costs less than the sum of the catalogue's prices.
+Discount saving(const MachineModel& model, const Market& market) {
+  const auto known = std::make_shared<std::map<std::vector<Piece>, double>>();
+  return [&model, &market, known](const std::vector<std::vector<solver::Row>>& rows) {
+    std::vector<Piece> pieces;
+    double others = 0.0;  // nobody else sells them
+    for (std::size_t stage = 0; stage < rows.size(); ++stage)
+      for (std::size_t slot = 0; slot < rows[stage].size(); ++slot)
+        for (const evaluation::PartUse& use : model.candidate(stage, slot, rows[stage][slot]).parts) {
+          const std::string part(model.catalogue().table(use.family).part_number(use.row));
+          if (market.offers.contains(part) || market.owned.contains(part))
+            pieces.emplace_back(part, use.price);
+          else
+            others += use.price;
+        }
+    std::sort(pieces.begin(), pieces.end());
+    double usual = others;
+    for (const Piece& piece : pieces) usual += piece.second;
+    // Together with what only the shop without a name sells, as one piece.
+    pieces.emplace_back("", others);
+    const auto [found, is_new] = known->try_emplace(pieces, 0.0);
+    if (is_new) found->second = Cheapest(market, pieces).price;
+    return usual - found->second;
+  };
+}
+
+Synthesis solved(const MachineModel& model, std::vector<std::string> objectives, unsigned threads = 1) {
+  evaluation::SearchOptions options;
+  options.objectives = std::move(objectives);
+  options.threads = threads;
+  return evaluation::synthesise(model, options);
+}
+
+/// Lines and orders of a design add up to its cost, and every order is what its lines say.
+void require_sound(const Design& design, const Market& market) {
+  double cost = 0.0;
+  std::map<std::string, double> goods;
+  for (const evaluation::PartLine& part : design.parts) {
+    cost += part.price;
+    if (part.owned < part.quantity) goods[part.supplier] += part.price;
+  }
+  for (const evaluation::ShopOrder& order : design.orders) {
+    const auto shop = std::find_if(
+        market.shops.begin(), market.shops.end(), [&](const Shop& each) { return each.name == order.supplier; });
+    REQUIRE(shop != market.shops.end());
+    CHECK(order.shipping_fee == shop->fee);
+    REQUIRE(goods.count(order.supplier) == 1);
+    CHECK(order.goods == Approx(goods[order.supplier]).margin(1e-9));
+    CHECK(order.top_up == Approx(std::max(0.0, shop->minimum - order.goods)).margin(1e-9));
+    cost += order.shipping_fee + order.top_up;
+  }
+  CHECK(design.cost == Approx(cost).epsilon(1e-12));
+}
+
+std::size_t shops_used(const Design& design) {
+  return static_cast<std::size_t>(std::count_if(
+      design.orders.begin(), design.orders.end(), [](const auto& order) { return !order.supplier.empty(); }));
+}
+
+Market random_market(std::mt19937& random, unsigned seed) {
+  const auto between = [&](double low, double high) {
+    return std::round(100.0 * (low + (high - low) * static_cast<double>(random() >> 8U) / 16777216.0)) / 100.0;
+  };
+  Market market;
+  market.shops.push_back({"Shop A", between(0.0, 6.0), 0.0});
+  market.shops.push_back({"Shop B", between(0.0, 3.0), seed % 3 == 0 ? 0.0 : between(5.0, 40.0)});
+  if (seed % 4 == 1) market.shops[0] = {"", between(1.0, 8.0), 0.0};
+  if (seed % 4 == 2) market.shops[0] = {"", between(1.0, 4.0), between(50.0, 200.0)};
+  const std::map<std::string, double> usual = {{"M17", 9.0}, {"M23", 16.0}, {"D2", 6.0}, {"D4", 20.0}, {"K8", 2.0}};
+  for (const auto& [part, price] : usual)
+    for (const std::size_t shop : {std::size_t{1}, std::size_t{2}})
+      if (random() % 3 != 0) market.offers[part][shop] = std::round(100.0 * between(0.5, 1.1) * price) / 100.0;
+  for (const char* part : {"M17", "D2", "K8"})
+    if (random() % 4 == 0) market.owned[part] = 1 + static_cast<int>(random() % 2);
+  return market;
+}
+
+}  // namespace
+
+TEST_CASE("With several shops the cheapest build and the front equal those of all builds and orders") {
+  std::size_t compared = 0, topped_up = 0;
+  std::map<std::size_t, std::size_t> used;
+  for (unsigned seed = 0; seed < (sanitized ? 3 : 12); ++seed) {
+    std::mt19937 random(seed);
+    const Market market = random_market(random, seed);
+    const TinyCatalogue tiny({}, {"ball_screws"});
+    TemporaryFolder overlay;
+    market.write(overlay);
+    const catalogue::Catalogue offered = catalogue_of({tiny.path(), overlay.path()});
+    const machine::Problem problem = two_axes(4.0 + 8.0 * (seed % 3));
+    machine::Problem everything = problem;
+    for (machine::Axis& axis : everything.axes) axis.keep_every_candidate = true;
+    const MachineModel plain(everything, tiny.parts());
+    const Exhaustive all(plain, saving(plain, market));
+    const MachineModel model(problem, offered);
+    INFO("machine " << seed << ", " << all.builds.size() << " compliant builds");
+    const Synthesis cost = solved(model, {"cost"});
+    const Synthesis front = solved(model, {"cost", "mass"});
+    REQUIRE(cost.designs.size() == (all.builds.empty() ? 0 : 1));
+    if (all.builds.empty()) continue;
+    ++compared;
+    CHECK(cost.status == solver::Status::optimal);
+    CHECK(cost.designs[0].cost == Approx(all.least(&BuildValue::cost)).epsilon(2e-6));
+    CHECK(cost.lower_bound <= cost.designs[0].cost * (1.0 + 1e-9));
+    require_sound(cost.designs[0], market);
+    ++used[shops_used(cost.designs[0])];
+    const auto expected = all.front();
+    REQUIRE(front.designs.size() == expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      CHECK(front.designs[i].cost == Approx(expected[i].cost).epsilon(1e-9));
+      CHECK(front.designs[i].mass == Approx(expected[i].mass).epsilon(1e-9));
+      require_sound(front.designs[i], market);
+      for (const evaluation::ShopOrder& order : front.designs[i].orders) topped_up += order.top_up > 0.0;
+    }
+    if (sanitized) continue;
+    const Synthesis again = solved(model, {"cost", "mass"}, 2);
+    REQUIRE(again.designs.size() == front.designs.size());
+    for (std::size_t i = 0; i < again.designs.size(); ++i) CHECK(again.designs[i].cost == front.designs[i].cost);
+  }
+  CHECK(compared >= 2);
+  if (sanitized) return;
+  // No shop, one, and both pay somewhere, and so does an order that has to be filled up.
+  CHECK(used[0] > 0);
+  CHECK(used[1] > 0);
+  CHECK(used[2] > 0);
+  CHECK(topped_up > 0);
+}
+
+// Two motors M17 (9 USD) and two drivers D2 (6 USD): 30 USD. Shop A asks 5 for shipping and has the motors for 7, Shop
+// B asks 5 and has the drivers for 4: each alone saves 4 of what its shipping costs 5. With both at Shop A they save 8.
+TEST_CASE("A second shop is ordered from only if it saves more than its shipping") {
+  const TinyCatalogue tiny;
+  const auto cost_with = [&](const char* drivers_from) {
+    Market market;
+    market.shops.push_back({"Shop A", 5.0, 0.0});
+    market.shops.push_back({"Shop B", 5.0, 0.0});
+    market.offers["M17"][1] = 7.0;
+    market.offers["D2"][drivers_from == std::string("Shop A") ? 1 : 2] = 4.0;
+    TemporaryFolder overlay;
+    market.write(overlay);
+    const catalogue::Catalogue offered = catalogue_of({tiny.path(), overlay.path()});
+    const Synthesis found = solved(MachineModel(two_axes(1.0), offered), {"cost"});
+    REQUIRE(found.designs.size() == 1);
+    require_sound(found.designs[0], market);
+    return std::pair(found.designs[0].cost, shops_used(found.designs[0]));
+  };
+  const Synthesis plain = solved(MachineModel(two_axes(1.0), tiny.parts()), {"cost"});
+  REQUIRE(plain.designs.size() == 1);
+  const auto apart = cost_with("Shop B");
+  CHECK(apart.second == 0);
+  CHECK(apart.first == Approx(plain.designs[0].cost));
+  const auto together = cost_with("Shop A");
+  CHECK(together.second == 1);
+  CHECK(together.first == Approx(plain.designs[0].cost - 3.0));
+}
+
+// The best builds of a machine with a shop: none stands there twice for a shop that nothing is bought from.
+TEST_CASE("The next best builds differ in their parts or in who sells them") {
+  const TinyCatalogue tiny({}, {"ball_screws"});
+  Market market;
+  market.shops.push_back({"Shop A", 1.0, 0.0});
+  market.shops.push_back({"Shop B", 2.0, 10.0});
+  market.offers["M17"] = {{1, 8.0}, {2, 7.0}};
+  market.offers["K8"] = {{1, 1.0}};
+  TemporaryFolder overlay;
+  market.write(overlay);
+  const catalogue::Catalogue offered = catalogue_of({tiny.path(), overlay.path()});
+  evaluation::ModelOptions every;
+  every.every_candidate = true;
+  const MachineModel model(two_axes(1.0), offered, {}, every);
+  evaluation::SearchOptions options;
+  options.builds = 6;
+  const Synthesis found = evaluation::synthesise(model, options);
+  REQUIRE(found.designs.size() == 6);
+  std::set<std::vector<std::string>> seen;
+  double last = 0.0;
+  for (const Design& design : found.designs) {
+    require_sound(design, market);
+    CHECK(design.cost >= last);
+    last = design.cost;
+    std::vector<std::string> names;
+    for (const evaluation::PartLine& part : design.parts)
+      names.push_back(part.axis + part.slot + part.part_number + " " + part.supplier);
+    names.push_back(fmt::format("{}", design.supply_voltage));
+    CHECK(seen.insert(names).second);
+  }
+  CHECK(found.designs[0].cost == Approx(solved(MachineModel(two_axes(1.0), offered), {"cost"}).designs[0].cost));
+}
