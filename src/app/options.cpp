@@ -212,6 +212,8 @@ class CommandLine {
             "--alternatives", options_.builds, "the best K builds, not only the best one (1 to 100); by cost or mass")
         ->type_name("K")
         ->check(CLI::Range(1U, 100U));
+    solve.add_flag(
+        "--robust", options_.robust, "compliant for every value within the tolerances that the catalogues state");
     CLI::App& pareto = add(app_,
                            "pareto",
                            Verb::pareto,
@@ -224,6 +226,9 @@ class CommandLine {
     add_machine_options(check, options_);
     check.add_option("BOM", options_.bom, "bill of materials (.csv)")->required();
     add_order_option(check, options_);
+    check.add_flag("--robust",
+                   options_.robust,
+                   "exit code 1 unless compliant for every value within the tolerances that the catalogues state");
     check.add_flag("--complete", options_.complete, "choose what the bill of materials leaves open");
     check.add_option("--hold-origin", options_.hold_origin, "hold only the lines of this origin, choose the rest")
         ->type_name("ORIGIN");

@@ -76,6 +76,7 @@ struct Options {
   std::string locked;                                           ///< lock that has to hold, empty for none
   bool complete = false;
   std::string hold_origin;
+  bool robust = false;        ///< of solve and check: for every value within the stated tolerances
   bool force = false;         ///< of new and import: overwrite
   std::string first, second;  ///< of compare: results or bills of materials; of catalogue diff: catalogues
   // audit, calc, formulas, catalogue

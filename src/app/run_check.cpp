@@ -47,6 +47,7 @@ report::MachineResult check(const Options& options,
   const Stopwatch watch;
   evaluation::SearchOptions how = search_options(options, result.objectives);
   how.worksheets = !options.report.empty();
+  how.tolerances = true;
   const StopSignal stop;
   how.stop = stop.stopped();
   evaluation::BomCheck outcome;
@@ -68,6 +69,13 @@ report::MachineResult check(const Options& options,
   set_designs(result, input.problem, std::move(designs));
   result.timing.solve = watch.seconds();
   return result;
+}
+
+/// No tolerance stated is none to break.
+bool is_robust(const evaluation::Design& design) {
+  using enum evaluation::ToleranceVerdict;
+  const auto& check = design.tolerances;
+  return check && (check->verdict == compliant || check->verdict == none_stated);
 }
 
 }  // namespace
@@ -97,7 +105,8 @@ int run_check(const Options& options) {
   std::vector<const evaluation::Design*> designs;
   for (const evaluation::Design& design : result.designs) designs.push_back(&design);
   if (!write_lock(options, *input, designs, {text})) return exit_bad_input;
-  const bool satisfied = !result.designs.empty() && result.designs.front().satisfied();
+  const bool satisfied = !result.designs.empty() && result.designs.front().satisfied() &&
+                         (!options.robust || is_robust(result.designs.front()));
   const std::string json = report::check_json(result);
   const std::string page =
       options.report.empty()

@@ -52,6 +52,8 @@ int run_search(const Options& options) {
   const auto input = read_machine(options, diagnostics);
   std::optional<evaluation::MachineModel> model;
   if (input) check_alternatives(options, *input, diagnostics);
+  if (options.robust && options.builds > 1)
+    diagnostics.error("--robust: there is one best build, and no next best", "leave --alternatives or --robust out");
   if (!options.csv.empty())
     diagnostics.error("--csv: the table is of a range", "give --set a range, e.g. axis.x.moves[0].time='0.2:0.5:7 s'");
   if (input) {

@@ -27,6 +27,17 @@ std::vector<std::string> objectives_of(const Options& options, const MachineInpu
   return options.objectives.empty() ? std::vector<std::string>{input.problem.objective} : options.objectives;
 }
 
+evaluation::Synthesis robust_synthesis(const MachineInput& input,
+                                       const evaluation::SearchOptions& how,
+                                       report::MachineResult& result) {
+  evaluation::RobustSynthesis found =
+      evaluation::synthesise_robustly(input.problem, input.catalogue, {.fixed = input.steering.fixed}, how);
+  result.robust = true;
+  result.robust_scenarios = found.scenarios;
+  result.robust_without = found.without;
+  return std::move(found.best);
+}
+
 }  // namespace
 
 std::string objective_unit_of(const Options& options, const MachineInput& input) {
@@ -45,12 +56,14 @@ report::MachineResult search_machine(const Options& options,
   how.stop = stop.stopped();
   how.builds = options.builds;
   how.worksheets = !options.report.empty() && options.verb == Verb::solve;
+  how.tolerances = options.verb == Verb::solve;
   if (line.active()) how.progress = [&line](const solver::Progress& progress) { line.show(progress); };
-  evaluation::Synthesis synthesis = evaluation::synthesise(model, how);
+  evaluation::Synthesis synthesis =
+      options.robust ? robust_synthesis(input, how, result) : evaluation::synthesise(model, how);
   line.clear();
   result.status = status_of(synthesis.status);
   result.missing = missing_slots(synthesis.empty_slots);
-  if (result.status == report::Status::infeasible && result.missing.empty())
+  if (result.status == report::Status::infeasible && result.missing.empty() && !options.robust)
     result.unmet = evaluation::unmet_checks(model);
   result.lower_bound = synthesis.lower_bound;
   result.gap = synthesis.gap;
@@ -70,7 +83,7 @@ void add_ways_out(const Options& options,
                   const evaluation::MachineModel& model,
                   const StopSignal& stop,
                   report::MachineResult& result) {
-  if (result.status != report::Status::infeasible || !result.missing.empty()) return;
+  if (result.status != report::Status::infeasible || !result.missing.empty() || options.robust) return;
   const Stopwatch watch;
   evaluation::SearchOptions how = search_options(options, result.objectives);
   how.stop = stop.stopped();

@@ -47,6 +47,8 @@ class Catalogue {
   static Catalogue load(const std::vector<std::filesystem::path>& places, text::Diagnostics& diagnostics);
 
   const Table& table(Family family) const { return tables_[static_cast<std::size_t>(family)]; }
+  /// To take figures otherwise than they stand (Table::set_number, set_range).
+  Table& table(Family family) { return tables_[static_cast<std::size_t>(family)]; }
   /// What the overlays say about parts beside their figures.
   const Stock& stock() const { return stock_; }
   /// What the overlays say about who sells them.

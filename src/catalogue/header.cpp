@@ -69,6 +69,11 @@ std::optional<Header> match_header(const text::CsvTable& csv, Family family, tex
     const std::optional<Column> known = find_column(family, cell.name);
     if (!known) {
       if (is_own_column(cell.name)) continue;
+      if (is_companion(cell.name)) {
+        if (const auto companion = match_companion(csv, field, family, diagnostics))
+          header.companions.push_back(*companion);
+        continue;
+      }
       diagnostics.warning(
           cell.name_span,
           fmt::format("{} have no column {}; it is ignored", declaration(family).name, text::quoted(cell.name)),

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "catalogue/companions.h"
 #include "catalogue/family.h"
 #include "scalar/unit.h"
 #include "text/csv.h"
@@ -16,6 +17,7 @@ namespace millwright::catalogue {
 struct Header {
   std::vector<int> field_of_column;
   std::vector<std::optional<scalar::Unit>> units;
+  std::vector<Companion> companions;
 };
 
 /// Matches the header cells to the family's columns; every problem is reported. Nothing if the file cannot be read with

@@ -127,7 +127,9 @@ PartSheet show(const Table& table, int row) {
       figure.standing = table.standing(row, each);
       figure.estimate = table.is_estimate(row, each);
       figure.tolerance = table.tolerance(row, each);
-      if (!declared.basis.empty()) figure.basis = table.text(declared.basis, row);
+      figure.confidence = table.figure_confidence(row, each);
+      figure.basis = table.figure_source(row, each);
+      if (figure.basis.empty() && !declared.basis.empty()) figure.basis = table.text(declared.basis, row);
     }
     sheet.figures.push_back(std::move(figure));
   });

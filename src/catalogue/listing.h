@@ -56,9 +56,10 @@ struct Figure {
   double si = 0.0;    ///< NaN for texts
   bool estimate = false;
   Standing standing = Standing::unstated;
-  std::string_view basis;  ///< what the catalogue says about where the figure comes from
-  double tolerance = 0.0;  ///< relative, NaN if not stated
-  std::string place;       ///< file:line:column
+  std::string_view basis;       ///< what the catalogue says about where the figure comes from
+  std::string_view confidence;  ///< in this figure alone; empty: that of the row
+  double tolerance = 0.0;       ///< relative, NaN if not stated
+  std::string place;            ///< file:line:column
 };
 
 /// All that is known about a row; columns that are not given are left out.

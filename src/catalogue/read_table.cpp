@@ -38,6 +38,7 @@ class TableFileReader {
       if (declaration(each).need == Need::required) check_required(each);
     }
     check_prices();
+    read_companions();
     columns_.file.text = csv_.text();
     columns_.file.layer = layer;
     columns_.file.separator = csv_.separator();
@@ -229,6 +230,47 @@ class TableFileReader {
         diagnostics_.warning(csv_.cell_span(row, cell_column(availability)),
                              fmt::format("availability {} changes nothing", text::quoted(word)),
                              "write unavailable if it cannot be had; what is owned goes into owned_quantity");
+    }
+  }
+
+  void read_companions() {
+    columns_.tolerances.resize(column_count(family_));
+    columns_.sources.resize(column_count(family_));
+    columns_.confidences.resize(column_count(family_));
+    for (const Companion& companion : header_.companions) {
+      if (companion.kind == CompanionKind::tolerance) {
+        read_tolerances(companion);
+        continue;
+      }
+      auto& all = companion.kind == CompanionKind::source ? columns_.sources : columns_.confidences;
+      std::vector<TextCell>& cells = all[companion.figure.index];
+      cells.resize(csv_.row_count());
+      for (std::size_t row = 0; row < cells.size(); ++row) cells[row] = text_cell(csv_.cell(row, companion.field));
+    }
+  }
+
+  void read_tolerances(const Companion& companion) {
+    std::vector<double>& widths = columns_.tolerances[companion.figure.index];
+    widths.assign(csv_.row_count(), std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t row = 0; row < widths.size(); ++row) {
+      const double figure = columns_.numbers[companion.figure.index][row];
+      if (csv_.is_empty(row, companion.field) || std::isnan(figure)) continue;
+      std::string reason;
+      const std::string_view cell = csv_.cell(row, companion.field);
+      if (const auto width = parse_tolerance(cell, companion, figure, reason)) {
+        widths[row] = *width;
+        continue;
+      }
+      keep_[row] = false;
+      if (diagnostics_.is_full(csv_.text().get())) {
+        diagnostics_.error(text::whole(csv_.text()), reason);
+      } else {
+        diagnostics_.error(
+            csv_.cell_span(row, companion.field),
+            fmt::format("tolerance {} of {}: {}", text::quoted(cell), declaration(companion.figure).name, reason),
+            companion.unit ? "a plain number, in the unit of the column"
+                           : "a share such as 25 %, or a width with its unit");
+      }
     }
   }
 

@@ -100,16 +100,28 @@ void keep_in(std::vector<T>& values, const std::vector<bool>& keep) {
 
 }  // namespace
 
-Table::Table(Family family) : family_(family), numbers_(column_count(family)), texts_(column_count(family)) {}
+Table::Table(Family family)
+    : family_(family),
+      numbers_(column_count(family)),
+      texts_(column_count(family)),
+      tolerances_(column_count(family)),
+      figure_sources_(column_count(family)),
+      figure_confidences_(column_count(family)) {}
 
 Table::Table(Family family, TableColumns columns)
     : family_(family),
       numbers_(std::move(columns.numbers)),
       texts_(std::move(columns.texts)),
+      tolerances_(std::move(columns.tolerances)),
+      figure_sources_(std::move(columns.sources)),
+      figure_confidences_(std::move(columns.confidences)),
       offsets_(std::move(columns.offsets)),
       file_of_(offsets_.size(), 0) {
   numbers_.resize(column_count(family));
   texts_.resize(column_count(family));
+  tolerances_.resize(column_count(family));
+  figure_sources_.resize(column_count(family));
+  figure_confidences_.resize(column_count(family));
   files_.push_back(std::move(columns.file));
   fill_absent_columns();
 }
@@ -135,7 +147,10 @@ std::optional<bool> Table::flag(Column column, int row) const {
 
 std::string_view Table::text(Column column, int row) const {
   check(column, true);
-  const std::vector<TextCell>& cells = texts_[column.index];
+  return content(texts_[column.index], row);
+}
+
+std::string_view Table::content(const std::vector<TextCell>& cells, int row) const {
   const auto at = static_cast<std::size_t>(row);
   if (cells.empty() || cells[at].length == 0) return {};
   const TextCell cell = cells[at];
@@ -173,20 +188,6 @@ PiecePrice Table::piece_price(int row) const {
   return price;
 }
 
-std::string_view Table::basis(int row, Column column) const {
-  const std::string_view name = declaration(column).basis;
-  return name.empty() ? std::string_view() : text(name, row);
-}
-
-Standing Table::standing(int row, Column column) const { return standing_of(basis(row, column)); }
-
-bool Table::is_estimate(int row, Column column) const {
-  if (is_text(declaration(column))) return false;
-  return counts_as_estimate(standing(row, column), confidence(row));
-}
-
-double Table::tolerance(int row, Column column) const { return stated_tolerance(basis(row, column)); }
-
 text::SourceSpan Table::where(int row) const { return where(row, Column{family_, part_number_index}); }
 
 text::SourceSpan Table::where(int row, Column column) const {
@@ -220,6 +221,10 @@ std::uint64_t Table::part_hash(int row, Identity level) const {
 void Table::keep_only(const std::vector<bool>& keep) {
   for (auto& values : numbers_) keep_in(values, keep);
   for (auto& values : texts_) keep_in(values, keep);
+  for (auto& values : tolerances_) keep_in(values, keep);
+  for (auto& values : figure_sources_) keep_in(values, keep);
+  for (auto& values : figure_confidences_) keep_in(values, keep);
+  ranges_.clear();
   keep_in(offsets_, keep);
   keep_in(file_of_, keep);
   keep_in(ownership_, keep);
@@ -232,12 +237,16 @@ void Table::append(Table&& other) {
   for (std::size_t index = 0; index < numbers_.size(); ++index) {
     append_column(numbers_[index], std::move(other.numbers_[index]), rows, more, not_known);
     append_column(texts_[index], std::move(other.texts_[index]), rows, more, TextCell());
+    append_column(tolerances_[index], std::move(other.tolerances_[index]), rows, more, not_known);
+    append_column(figure_sources_[index], std::move(other.figure_sources_[index]), rows, more, TextCell());
+    append_column(figure_confidences_[index], std::move(other.figure_confidences_[index]), rows, more, TextCell());
   }
   offsets_.insert(offsets_.end(), other.offsets_.begin(), other.offsets_.end());
   const auto first_file = static_cast<std::uint32_t>(files_.size());
   for (const std::uint32_t file : other.file_of_) file_of_.push_back(first_file + file);
   for (SourceFile& file : other.files_) files_.push_back(std::move(file));
   fill_absent_columns();
+  ranges_.clear();
   parts_.forget();
 }
 

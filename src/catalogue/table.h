@@ -17,6 +17,7 @@
 #include "catalogue/part_index.h"
 #include "catalogue/piece_price.h"
 #include "catalogue/standing.h"
+#include "scalar/interval.h"
 #include "text/source_text.h"
 
 namespace millwright::catalogue {
@@ -79,6 +80,9 @@ enum class Ownership : std::uint8_t {
 struct TableColumns {
   std::vector<std::vector<double>> numbers;  ///< SI; flags 1 and 0; NaN = not known
   std::vector<std::vector<TextCell>> texts;
+  /// What companions say of single figures, by the figure's Column.index; empty = there is no such companion.
+  std::vector<std::vector<double>> tolerances;  ///< half widths, SI; NaN = not stated
+  std::vector<std::vector<TextCell>> sources, confidences;
   std::vector<std::uint32_t> offsets;  ///< byte where each record begins
   SourceFile file;
 };
@@ -111,12 +115,29 @@ class Table {
   /// Of what is sold by the piece: with price breaks and packs.
   PiecePrice piece_price(int row) const;
 
-  /// Where the figure comes from, by the column's own basis column, else unstated.
+  /// What is said about where the figure comes from: its own companion `_source`, else its basis column; empty if
+  /// nothing is.
+  std::string_view basis(int row, Column column) const;
+  /// The same as a standing.
   Standing standing(int row, Column column) const;
   /// Whether the figure must be shown as an estimate, see counts_as_estimate(). False for texts.
   bool is_estimate(int row, Column column) const;
-  /// Stated relative tolerance of the figure, NaN if none.
+  /// Stated relative tolerance of the figure, by its own companion or else in its basis; NaN if none.
   double tolerance(int row, Column column) const;
+  /// The same as half its width [SI]; NaN too where the figure is not known, or cannot be off (takes_tolerance()).
+  double half_width(int row, Column column) const;
+  /// What is said of the figure alone, by its companions; empty where nothing is.
+  std::string_view figure_source(int row, Column column) const;
+  std::string_view figure_confidence(int row, Column column) const;
+
+  /// Takes another number [SI] for a figure: what if. Rows keep their places.
+  void set_number(int row, Column column, double value);
+  /// Lets a figure be anywhere in an interval: bounds of what is made of it have to hold for all of it, while number()
+  /// stays what it is. Forgotten when rows are dropped or added.
+  void set_range(int row, Column column, const scalar::Interval& range);
+  /// The interval of a figure: itself where none was set.
+  scalar::Interval range(Column column, int row) const;
+  bool has_ranges() const { return !ranges_.empty(); }
 
   /// The place of the row (its part number) or of one cell; of the whole row if the file has no such column.
   text::SourceSpan where(int row) const;
@@ -155,11 +176,19 @@ class Table {
   void fill_absent_columns();
   std::vector<int> rows_of(std::string_view part_number) const;
   std::vector<int> rows_by_alias(std::string_view name) const;
-  std::string_view basis(int row, Column column) const;
+  std::string_view content(const std::vector<TextCell>& cells, int row) const;
 
+  struct Range {
+    int row = 0;
+    std::uint8_t column = 0;
+    scalar::Interval values;
+  };
   Family family_;
   std::vector<std::vector<double>> numbers_;
   std::vector<std::vector<TextCell>> texts_;
+  std::vector<std::vector<double>> tolerances_;
+  std::vector<std::vector<TextCell>> figure_sources_, figure_confidences_;
+  std::vector<Range> ranges_;
   std::vector<std::uint32_t> offsets_;
   std::vector<std::uint32_t> file_of_;
   std::vector<SourceFile> files_;

@@ -46,10 +46,14 @@ BoltStage::BoltStage(const machine::Axis& axis,
     if (!chosen(pattern.sizes, t.text(column(Family::screws, "designation"), row)) ||
         !chosen(pattern.property_classes, t.text(column(Family::screws, "property_class"), row)))
       continue;
-    const std::array<double, machine::bolt_reading_fields> readings{number("nominal_diameter"),
-                                                                    number("tensile_stress_area"),
-                                                                    number("proof_strength"),
-                                                                    pattern.fitted ? number("yield_strength") : 0.0};
+    const auto readings_of = [&](auto figure) {
+      using T = decltype(figure("proof_strength"));
+      return std::array<T, machine::bolt_reading_fields>{figure("nominal_diameter"),
+                                                         figure("tensile_stress_area"),
+                                                         figure("proof_strength"),
+                                                         pattern.fitted ? figure("yield_strength") : T(0.0)};
+    };
+    const std::array<double, machine::bolt_reading_fields> readings = readings_of(number);
     Candidate candidate = candidate_of({{member.name,
                                          Family::screws,
                                          row,
@@ -58,6 +62,12 @@ BoltStage::BoltStage(const machine::Axis& axis,
                                          prices.line(t, row, pieces, 0.0),
                                          pieces * screw_mass(readings[0])}},
                                        0.0);
+    if (t.has_ranges())  // the size of a screw is exact, and with it its mass
+      candidate.ranges =
+          candidate_ranges(readings_of([&](const char* name) { return t.range(column(Family::screws, name), row); }),
+                           candidate.price,
+                           {},
+                           candidate.mass);
     if (std::isnan(candidate.price) ||
         std::any_of(readings.begin(), readings.end(), [](double x) { return std::isnan(x); }))
       continue;

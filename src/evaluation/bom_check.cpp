@@ -203,7 +203,10 @@ BomCheck check(const machine::Problem& problem,
   const solver::RestrictedProblem restricted(model.problem(), restriction_of(model, held));
   const solver::Summary summary = solver::solve(restricted.problem(), solver_options(model, options));
   if (!summary.builds.empty()) {
-    result.design = model.design(restricted.whole_build(summary.builds.front()), options.worksheets);
+    const solver::Build build = restricted.whole_build(summary.builds.front());
+    result.design = model.design(build, options.worksheets);
+    if (options.tolerances)
+      result.design.tolerances = std::make_shared<const ToleranceCheck>(check_tolerances(model, build, result.design));
     result.complete_is_optimal = summary.status == solver::Status::optimal;
   } else {
     Design best;

@@ -29,7 +29,7 @@ ConditionTrials::ConditionTrials(const machine::Asked& asked,
       patience_(patience),
       started_(now()) {
   options_.builds = 1;
-  options_.worksheets = false;
+  options_.worksheets = options_.tolerances = false;
 }
 
 double ConditionTrials::seconds() const { return now() - started_; }
@@ -83,8 +83,10 @@ std::optional<Design> ConditionTrials::solve(const SearchOptions& options, const
   return std::move(found.designs.front());
 }
 
-std::optional<Design> ConditionTrials::best(const std::string& what, const Change& change) {
-  return solve(begin(what), change);
+std::optional<Design> ConditionTrials::best(const std::string& what, const Change& change, bool tolerances) {
+  SearchOptions options = begin(what);
+  options.tolerances = tolerances;
+  return solve(options, change);
 }
 
 std::optional<Design> ConditionTrials::best_soon(const std::string& what, const Change& change) {

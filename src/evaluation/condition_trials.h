@@ -33,8 +33,8 @@ class ConditionTrials {
   using Change = std::function<void(machine::Asked&)>;
 
   /// The best build by the options' objective with a change of what is asked; none if nothing is compliant. Throws
-  /// TimeIsUp.
-  std::optional<Design> best(const std::string& what, const Change& change);
+  /// TimeIsUp. `tolerances`: with the check of its stated tolerances.
+  std::optional<Design> best(const std::string& what, const Change& change, bool tolerances = false);
   /// The same with no more time than the patience; throws Unsettled too.
   std::optional<Design> best_soon(const std::string& what, const Change& change);
   /// The same by another objective.

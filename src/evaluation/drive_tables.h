@@ -25,6 +25,17 @@ struct ScrewTable {
 };
 ScrewTable screw_table(const catalogue::Catalogue& catalogue, const machine::Axis& axis, const PriceBook& prices);
 
+/// A motor with its driver at one voltage of which figures are intervals.
+struct MotorRanges {
+  machine::MotorFigures<scalar::Interval> figures;
+  /// What may govern the torque: published curves, each at its lowest and highest, and the model.
+  struct Curve {
+    mechanics::PullOutCurve lowest, highest;
+  };
+  std::vector<Curve> curves;
+  bool model_may_govern = false;
+};
+
 /// A motor with a driver at each supply voltage of the problem.
 struct MotorPair {
   double shaft = 0.0;                                                 ///< m
@@ -33,6 +44,7 @@ struct MotorPair {
   std::vector<machine::MotorFigures<double>> at_voltage;              ///< per voltage
   std::vector<std::shared_ptr<const mechanics::PullOutCurve>> curve;  ///< per voltage, null where the model governs
   std::vector<bool> fits_voltage;                                     ///< driver runs at this voltage
+  std::vector<MotorRanges> ranges;  ///< per voltage; empty where every figure is what it is
 };
 struct MotorTable {
   SlotTable table;  ///< no readings of its own: they depend on the voltage

@@ -134,16 +134,35 @@ class ElementStage : public solver::Stage {
             std::vector<scalar::Interval>& readings) const final {
     const SlotTable& table = tables_[slot];
     readings.clear();
-    for (std::size_t field = 0; field < table.fields(); ++field)
-      readings.push_back(range_of(rows, [&](solver::Row row) { return table.reading(row, field); }));
-    for (std::size_t i = 0; i < total_count; ++i)
-      readings.push_back(
-          range_of(rows, [&](solver::Row row) { return total_of(table.candidate(row), static_cast<Total>(i)); }));
+    if (table.has_ranges())
+      read_ranges(table, rows, readings);
+    else
+      read_numbers(table, rows, readings);
     const auto& derived = static_cast<const Derived&>(*this);
     if constexpr (requires { derived.read_more(shared, slot, rows, readings); })
       derived.read_more(shared, slot, rows, readings);
     for (const PieceCount& count : piece_counts_)
       if (count.slot == slot) readings.push_back(range_of(rows, [&](solver::Row row) { return count.of_row[row]; }));
+  }
+
+  static void read_numbers(const SlotTable& table,
+                           std::span<const solver::Row> rows,
+                           std::vector<scalar::Interval>& readings) {
+    for (std::size_t field = 0; field < table.fields(); ++field)
+      readings.push_back(range_of(rows, [&](solver::Row row) { return table.reading(row, field); }));
+    for (std::size_t i = 0; i < total_count; ++i)
+      readings.push_back(
+          range_of(rows, [&](solver::Row row) { return total_of(table.candidate(row), static_cast<Total>(i)); }));
+  }
+
+  static void read_ranges(const SlotTable& table,
+                          std::span<const solver::Row> rows,
+                          std::vector<scalar::Interval>& readings) {
+    for (std::size_t field = 0; field < table.fields(); ++field)
+      readings.push_back(hull_of_ranges(rows, [&](solver::Row row) { return table.range(row, field); }));
+    for (std::size_t i = 0; i < total_count; ++i)
+      readings.push_back(hull_of_ranges(
+          rows, [&](solver::Row row) { return range_of_total(table.candidate(row), static_cast<Total>(i)); }));
   }
 
   void evaluate(const solver::Point& point, solver::Answer<double>& answer) const final {

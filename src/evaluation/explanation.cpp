@@ -11,6 +11,7 @@
 #include "evaluation/machine_stages.h"
 #include "evaluation/rates.h"
 #include "evaluation/slot_choices.h"
+#include "evaluation/tolerance_choices.h"
 
 namespace millwright::evaluation {
 
@@ -163,13 +164,14 @@ Explanation explain(const Asked& asked,
   result.objective = options.objectives.front();
   ConditionTrials trials(asked, catalogue, result.conditions, options, progress, patience);
   try {
-    result.design = trials.best("the machine as it is asked for", {});
+    result.design = trials.best("the machine as it is asked for", {}, true);
     if (result.design) {
       result.status = solver::Status::optimal;
       find_rates(trials, result);
       const BestBuild best = find_best(trials, result.objective);
       find_choices(trials, best, result);
       find_prices(trials, best, result);
+      find_figure_ends(trials, patience_with_tolerances, result);
     } else {
       Contradictions(trials, result).find();
     }

@@ -55,6 +55,16 @@ struct Rate {
   double slope = 0.0;  ///< d objective / d value of the condition (SI), to the looser side, with the same parts
 };
 
+/// What would be chosen if an estimated figure of a chosen part were at an end of its tolerance.
+struct FigureEnd {
+  enum class Outcome { same, other, nothing };
+  std::size_t figure = 0;  ///< of the design's tolerance check
+  double value = 0.0;      ///< SI
+  Outcome outcome = Outcome::same;
+  double worse = 0.0;                ///< of the objective then
+  std::vector<std::string> changes;  ///< "x.motor 17HS4401S"
+};
+
 struct Explanation {
   solver::Status status = solver::Status::infeasible;  ///< limit: time was up, what is said holds but is not all
   std::vector<machine::Condition> conditions;
@@ -77,6 +87,8 @@ struct Explanation {
   std::vector<Rate> rates;            ///< what 1 % is worth most first; the others are 0
   ConditionSet rough;                 ///< conditions where no derivative was borne out by solving: steps, kinks
   bool rates_undetermined = false;    ///< what holds the dimensions is no regular optimum
+  std::vector<FigureEnd> ends;        ///< by the design's tolerance check
+  std::size_t ends_not_tried = 0;
   std::size_t solves = 0;
   double seconds = 0.0;
 };
@@ -84,6 +96,8 @@ struct Explanation {
 /// s, for each question about a choice or a price: some are far harder than the machine itself, and the rest shall not
 /// wait for them.
 inline constexpr double usual_patience = 10.0;
+/// s, for all questions about ends of tolerances together.
+inline constexpr double patience_with_tolerances = 30.0;
 /// Of a factor or limit, as a ratio: less is not told.
 inline constexpr double smallest_change = 1.01;
 

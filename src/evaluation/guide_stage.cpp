@@ -27,38 +27,45 @@ GuideStage::GuideStage(const machine::Axis& axis,
   const catalogue::Table& t = catalogue.table(Family::linear_guides);
   const machine::GuideChoice& choice = *axis.guide;
   for (int row = 0; row < t.rows(); ++row) {
-    const auto number = [&](catalogue::Column c) { return t.number(c, row); };
     const std::string_view kind = t.text(column(Family::linear_guides, "kind"), row);
     if (!wanted(choice.kinds, kind)) continue;
     const bool bush = kind.find("bush") != std::string_view::npos;
     // A single bushing cannot take a moment.
     if (bush && choice.carriages < 2.0) continue;
-    const double rail_length = axis.stroke + 2.0 * axis.require(machine::Requirement::overtravel) +
-                               choice.carriage_spacing + number(column(Family::linear_guides, "block_length"));
-    const double carriages = choice.carriages * number(column(Family::linear_guides, "carriage_mass"));
-    const double rails = choice.rails * rail_length * number(column(Family::linear_guides, "rail_mass_per_length"));
-    double roll = number(column(Family::linear_guides, "roll_moment_rating"));
-    double pitch = number(column(Family::linear_guides, "pitch_moment_rating"));
-    double yaw = number(column(Family::linear_guides, "yaw_moment_rating"));
-    if (choice.carriages > 1.0) roll = pitch = yaw = 0.0;  // not read: pairs of carriages take the moments
-    const std::array<double, machine::guide_reading_fields> readings{
-        number(column(Family::linear_guides, "dynamic_load_rating")),
-        number(column(Family::linear_guides, "static_load_rating")),
-        number(column(Family::linear_guides, "rating_distance")),
-        roll,
-        pitch,
-        yaw,
-        carriages,
-        rails,
-        rail_length,
-        number(column(Family::linear_guides, "maximum_rail_length")),
-        bush ? number(column(Family::linear_guides, "size")) : 0.0,
-        number(column(Family::linear_guides, "friction_coefficient")),
-        number(column(Family::linear_guides, "radial_stiffness"))};
+    const auto readings_of = [&](auto figure) {
+      using T = decltype(figure(column(Family::linear_guides, "size")));
+      const T rail_length = axis.stroke + 2.0 * axis.require(machine::Requirement::overtravel) +
+                            choice.carriage_spacing + figure(column(Family::linear_guides, "block_length"));
+      // Moments of a single carriage; otherwise not read: pairs of carriages take them.
+      const bool single = !(choice.carriages > 1.0);
+      return std::array<T, machine::guide_reading_fields>{
+          figure(column(Family::linear_guides, "dynamic_load_rating")),
+          figure(column(Family::linear_guides, "static_load_rating")),
+          figure(column(Family::linear_guides, "rating_distance")),
+          single ? figure(column(Family::linear_guides, "roll_moment_rating")) : T(0.0),
+          single ? figure(column(Family::linear_guides, "pitch_moment_rating")) : T(0.0),
+          single ? figure(column(Family::linear_guides, "yaw_moment_rating")) : T(0.0),
+          choice.carriages * figure(column(Family::linear_guides, "carriage_mass")),
+          choice.rails * rail_length * figure(column(Family::linear_guides, "rail_mass_per_length")),
+          rail_length,
+          figure(column(Family::linear_guides, "maximum_rail_length")),
+          bush ? figure(column(Family::linear_guides, "size")) : T(0.0),
+          figure(column(Family::linear_guides, "friction_coefficient")),
+          figure(column(Family::linear_guides, "radial_stiffness"))};
+    };
+    constexpr std::size_t carriages_field = 6, rails_field = 7, length_field = 8;
+    const std::array<double, machine::guide_reading_fields> readings =
+        readings_of([&](catalogue::Column c) { return t.number(c, row); });
+    const double carriages = readings[carriages_field], rails = readings[rails_field];
+    const double rail_length = readings[length_field];
     // Carriage and rail are one line: the carriages by piece, each rail cut to length.
     const double price = prices.line(t, row, choice.carriages, choice.rails * rail_length);
     Candidate candidate = candidate_of(
         {{"guide", Family::linear_guides, row, choice.carriages, rail_length, price, carriages + rails}}, carriages);
+    if (t.has_ranges()) {
+      const auto ranges = readings_of([&](catalogue::Column c) { return t.range(c, row); });
+      candidate.ranges = candidate_ranges(ranges, price, ranges[carriages_field], ranges[rails_field]);
+    }
     const bool known = std::none_of(
         readings.begin(), readings.begin() + machine::guide_readings_needed, [](double x) { return std::isnan(x); });
     if (std::isnan(price) || !known || (place.tool && std::isnan(readings.back()))) continue;

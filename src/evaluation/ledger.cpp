@@ -297,7 +297,7 @@ void add_dimensions(const StageEntry& entry, const solver::StageChoice& choice, 
 }  // namespace
 
 Design MachineModel::design(const solver::Build& found, bool with_worksheet) const {
-  const solver::Build build = restricted_ ? restricted_->whole_build(found) : found;
+  const solver::Build build = whole_build(found);
   Design design;
   design.currency = problem_.currency;
   for (const machine::Quantity quantity : problem_.counted) design.counted.push_back({quantity, 0.0});

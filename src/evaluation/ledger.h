@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "evaluation/tolerance_check.h"
 #include "evaluation/worksheet.h"
 #include "machine/constraint.h"
 #include "machine/objective.h"
@@ -121,7 +122,8 @@ struct Design {
   std::vector<CountedTotal> counted;
   std::string currency;
   double supply_voltage = 0.0;
-  std::shared_ptr<const Worksheet> worksheet;  ///< null unless it was asked for
+  std::shared_ptr<const Worksheet> worksheet;        ///< null unless it was asked for
+  std::shared_ptr<const ToleranceCheck> tolerances;  ///< null unless it was asked for
   /// Total of a quantity, or of the weighted sum of an objective; NaN for what was not counted.
   [[nodiscard]] double total(machine::Quantity quantity) const;
   [[nodiscard]] double total(const machine::Objective& objective) const;

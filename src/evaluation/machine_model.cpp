@@ -58,6 +58,13 @@ bool is_fixed(const machine::BillOfMaterials& fixed, const std::string& axis, co
   });
 }
 
+bool has_tolerances(const catalogue::Table& table) {
+  for (std::size_t index = 0; index < catalogue::column_count(table.family()); ++index)
+    for (int row = 0; row < table.rows(); ++row)
+      if (table.half_width(row, {table.family(), static_cast<std::uint8_t>(index)}) > 0.0) return true;
+  return false;
+}
+
 }  // namespace
 
 MachineModel::MachineModel(const machine::Problem& given,
@@ -78,7 +85,9 @@ MachineModel::MachineModel(const machine::Problem& given,
   for (int row = 0; row < drivers.rows(); ++row)
     counts_drivers = counts_drivers || known_prices.is_counted(drivers, row);
   // Which of two drivers is cheaper is not known before it is known how many are taken.
-  for (machine::Axis& axis : problem_.axes) axis.keep_every_candidate = axis.keep_every_candidate || counts_drivers;
+  const bool drivers_differ = !options_.scenarios.empty() && has_tolerances(drivers);
+  for (machine::Axis& axis : problem_.axes)
+    axis.keep_every_candidate = axis.keep_every_candidate || counts_drivers || drivers_differ;
   const machine::Problem& problem = problem_;
   const PriceBook prices(problem, catalogue);
   solver_problem_.shared.push_back({"supply_voltage", static_cast<solver::Row>(problem.supply_voltages.size())});
@@ -116,6 +125,7 @@ MachineModel::MachineModel(const machine::Problem& given,
                                {"mass", problem.mass_limit.value_or(infinity)}};
   for (const machine::Quantity quantity : problem.counted)
     solver_problem_.resources.push_back({std::string(machine::declaration(quantity).name), infinity});
+  if (!options_.scenarios.empty()) add_scenarios(given, given_slots);
   if (!options_.fixed.lines.empty()) fix();
 }
 
@@ -180,6 +190,22 @@ void MachineModel::set_suppliers(solver::Build& build) const {
   build.shared.push_back(needed);
 }
 
+void MachineModel::add_scenarios(const machine::Problem& given, const GivenSlots& given_slots) {
+  machine::Problem problem = given;
+  for (std::size_t i = 0; i < problem.axes.size(); ++i) {
+    problem.axes[i].keep_every_candidate = problem_.axes[i].keep_every_candidate;
+    problem.axes[i].keep_covered_candidates = problem_.axes[i].keep_covered_candidates;
+    problem.axes[i].motor.currents = problem_.axes[i].motor.currents;
+  }
+  problem.supply_voltages = problem_.supply_voltages;
+  std::vector<const solver::Problem*> versions{&solver_problem_};
+  for (const auto& scenario : options_.scenarios) {
+    scenarios_.push_back(std::make_unique<MachineModel>(problem, *scenario, given_slots));
+    versions.push_back(&scenarios_.back()->solver_problem_);
+  }
+  scenario_problem_.emplace(versions);
+}
+
 void MachineModel::fix() {
   const HeldParts held = hold_parts(*this, options_.fixed, {}, true);
   const std::vector<BomProblem> values = values_out_of_range(*this, options_.fixed);
@@ -187,7 +213,7 @@ void MachineModel::fix() {
   problems_.insert(problems_.end(), values.begin(), values.end());
   if (!problems_.empty()) return;
   restriction_ = restriction_of(*this, held);
-  restricted_.emplace(solver_problem_, restriction_);
+  restricted_.emplace(searched_problem(), restriction_);
 }
 
 const Candidate& MachineModel::candidate(std::size_t stage, std::size_t slot, solver::Row row) const {

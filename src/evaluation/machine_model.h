@@ -20,6 +20,7 @@
 #include "machine/bill_of_materials.h"
 #include "machine/problem.h"
 #include "solver/restricted_problem.h"
+#include "solver/scenario_problem.h"
 #include "solver/solver.h"
 
 namespace millwright::evaluation {
@@ -76,6 +77,9 @@ using GivenSlots = std::set<std::pair<std::string, std::string>>;
 /// What is asked of a model beside its problem.
 struct ModelOptions {
   machine::BillOfMaterials fixed = {};  ///< parts and settings that every build has; the problem's wishes still count
+  /// Other catalogues of the same rows, with other figures, that every build has to be compliant with too. They must
+  /// outlive the model.
+  std::vector<std::shared_ptr<const catalogue::Catalogue>> scenarios = {};
   bool every_candidate = false;  ///< also candidates that another one covers: no best build has one, the next best may
 };
 
@@ -92,7 +96,7 @@ class MachineModel {
 
   /// With what is fixed; builds are in its rows.
   [[nodiscard]] const solver::Problem& problem() const {
-    return restricted_ ? restricted_->problem() : solver_problem_;
+    return restricted_ ? restricted_->problem() : searched_problem();
   }
   [[nodiscard]] const machine::Problem& machine() const { return problem_; }
   /// With a row for every offer of a part.
@@ -111,6 +115,11 @@ class MachineModel {
   /// The resource that holds a quantity; throws std::invalid_argument if the problem does not count it.
   [[nodiscard]] std::size_t resource(machine::Quantity quantity) const;
 
+  /// A build in the rows of the stages themselves, where something is fixed.
+  [[nodiscard]] solver::Build whole_build(const solver::Build& build) const {
+    return restricted_ ? restricted_->whole_build(build) : build;
+  }
+
   /// Evaluates a build from scratch, stage after stage, and writes the ledger. Nothing of what the search computed is
   /// reused. `with_worksheet`: with the calculation behind every check too.
   [[nodiscard]] Design design(const solver::Build& build, bool with_worksheet = false) const;
@@ -120,6 +129,10 @@ class MachineModel {
   void count_parts(const PriceBook& prices);
   void add_axis(std::size_t index, const PriceBook& prices);
   void fix();
+  void add_scenarios(const machine::Problem& given, const GivenSlots& given_slots);
+  [[nodiscard]] const solver::Problem& searched_problem() const {
+    return scenario_problem_ ? scenario_problem_->problem() : solver_problem_;
+  }
 
   ModelOptions options_;
   std::vector<BomProblem> problems_;
@@ -131,6 +144,8 @@ class MachineModel {
   std::vector<CountedPart> counted_parts_;
   Shops shops_;
   solver::Problem solver_problem_;
+  std::vector<std::unique_ptr<MachineModel>> scenarios_;
+  std::optional<solver::ScenarioProblem> scenario_problem_;
   solver::Restriction restriction_;  ///< with something fixed
   std::optional<solver::RestrictedProblem> restricted_;
 };

@@ -97,13 +97,12 @@ void MemberStage::take_sections(const catalogue::Catalogue& catalogue, const Pri
       if (family == Family::steel_sections &&
           !wanted(m.section_kinds, t.text(column(Family::steel_sections, "kind"), row)))
         continue;
-      const std::array<double, machine::section_reading_fields> readings{t.number(area, row),
-                                                                         t.number(x, row),
-                                                                         t.number(y, row),
-                                                                         t.number(height, row),
-                                                                         t.number(width, row),
-                                                                         t.number(mass, row),
-                                                                         t.number(torsion, row)};
+      const auto readings_of = [&](auto figure) {
+        return std::array{
+            figure(area), figure(x), figure(y), figure(height), figure(width), figure(mass), figure(torsion)};
+      };
+      const std::array<double, machine::section_reading_fields> readings =
+          readings_of([&](catalogue::Column c) { return t.number(c, row); });
       // A portal frame is cut of one length: two columns and a beam.
       const bool twisted =
           place_.tool && place_.tool->height_arm + place_.tool->across_arm + place_.tool->along_arm > 0.0;
@@ -111,6 +110,11 @@ void MemberStage::take_sections(const catalogue::Catalogue& catalogue, const Pri
       const double length = m.count * piece;
       Candidate candidate = candidate_of(
           {{m.name, family, row, m.count, piece, prices.line(t, row, 0.0, length), readings[5] * length}}, 0.0);
+      if (t.has_ranges())
+        candidate.ranges = candidate_ranges(readings_of([&](catalogue::Column c) { return t.range(c, row); }),
+                                            candidate.price,
+                                            {},
+                                            length * t.range(mass, row));
       if (std::isnan(candidate.price) ||
           std::any_of(readings.begin(),
                       readings.begin() + (twisted ? machine::section_reading_fields : machine::section_readings_needed),

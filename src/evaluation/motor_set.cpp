@@ -49,7 +49,27 @@ Interval MotorSet::torque_in_range(std::span<const solver::Row> rows, std::size_
   return torque;
 }
 
+void MotorSet::read_ranges(std::size_t voltage, const MotorPair& pair, std::vector<Interval>& readings) const {
+  const MotorRanges& ranges = pair.ranges[voltage];
+  const double published = require_(Requirement::torque_margin);
+  const double estimated = require_(require_.given(Requirement::torque_margin) ? Requirement::torque_margin
+                                                                               : Requirement::torque_margin_estimate);
+  Interval margin = ranges.model_may_govern ? estimated : published;
+  if (ranges.model_may_govern && !ranges.curves.empty()) margin = hull(margin, published);
+  machine::MotorReading<Interval> reading = machine::motor_reading(ranges.figures, margin);
+  const auto keep = [&](const Interval& x) { readings.push_back(x); };
+  visit_motor_reading(reading, keep);
+  visit_shown_motor_reading(reading, keep);
+  readings.emplace_back(pair.shaft);
+}
+
 void MotorSet::read(std::size_t voltage, std::span<const solver::Row> rows, std::vector<Interval>& readings) const {
+  const MotorPair& only = motors_.pairs[rows.front()];
+  if (rows.size() == 1 && !only.ranges.empty()) {  // its torque is asked for at a speed
+    read_ranges(voltage, only, readings);
+    readings.push_back(range_of_total(motors_.table.candidate(rows.front()), Total::standing_mass));
+    return;
+  }
   for (std::size_t field = 0; field < fields; ++field)
     readings.push_back(range_of(rows, [&](solver::Row row) { return readings_[voltage][row * fields + field]; }));
   readings.push_back(range_of(rows, [&](solver::Row row) { return motors_.pairs[row].shaft; }));

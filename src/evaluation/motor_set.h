@@ -7,6 +7,7 @@
 #pragma once
 
 #include <mutex>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -45,6 +46,33 @@ T available_torque(const MotorPair& pair, std::size_t voltage, const T& angular_
       [&] { return smaller(model(), last); });
 }
 
+/// The same over the figures of one motor that are intervals.
+template <class T>
+T available_torque(const MotorRanges& ranges, const T& angular_speed) {
+  using namespace scalar;
+  const machine::MotorFigures<Interval>& figures = ranges.figures;
+  machine::MotorFigures<T> f;
+  f.holding_torque = T(figures.holding_torque);
+  f.rated_current = T(figures.rated_current);
+  f.resistance = T(figures.resistance);
+  f.inductance = T(figures.inductance);
+  f.rotor_teeth = T(figures.rotor_teeth);
+  f.voltage = T(figures.voltage);
+  const T current = T(smaller(figures.driver_peak_current, figures.asked_current));
+  const auto model = [&] { return machine::modelled_torque(f, current, angular_speed); };
+  std::optional<T> result;
+  const auto take = [&](const T& torque) { result = result ? hull(*result, torque) : torque; };
+  if (ranges.model_may_govern) take(model());
+  for (const MotorRanges::Curve& curve : ranges.curves)
+    for (const mechanics::PullOutCurve* end : {&curve.lowest, &curve.highest})
+      take(step_below(
+          angular_speed,
+          T(end->last_speed()),
+          [&] { return (*end)(angular_speed); },
+          [&] { return smaller(model(), T(end->points().back().torque)); }));
+  return result.value();
+}
+
 class MotorSet {
  public:
   /// `speeds`: the angular speeds [rad/s] that can occur on the axis, ascending edges of the ranges of the torque
@@ -55,7 +83,7 @@ class MotorSet {
   [[nodiscard]] std::size_t voltages() const { return readings_.size(); }
 
   /// Adds to the readings of a set of motors what is read of it here: fields, shaft, mass, torque in each range of
-  /// speed.
+  /// speed. Ranges of figures (MotorPair::ranges) count where one motor alone is asked for.
   void read(std::size_t voltage, std::span<const solver::Row> rows, std::vector<scalar::Interval>& readings) const;
 
   template <class T>
@@ -84,6 +112,10 @@ class MotorSet {
 
   template <class T>
   [[nodiscard]] T torque(const RowsAlive& alive, std::size_t voltage, const T& angular_speed) const {
+    if constexpr (std::is_same_v<T, scalar::Interval>) {
+      const MotorPair& first = motors_.pairs[alive.front()];
+      if (alive.size() == 1 && !first.ranges.empty()) return available_torque(first.ranges[voltage], angular_speed);
+    }
     if (alive.size() == 1) return available_torque<T>(motors_.pairs[alive.front()], voltage, angular_speed);
     if constexpr (std::is_same_v<T, scalar::Interval>) {
       return torque_bounds(alive, voltage, angular_speed);
@@ -108,6 +140,9 @@ class MotorSet {
   [[nodiscard]] scalar::Interval torque_bounds(const RowsAlive& alive,
                                                std::size_t voltage,
                                                const scalar::Interval& speed) const;
+
+  /// Fields and shaft of a motor with ranges.
+  void read_ranges(std::size_t voltage, const MotorPair& pair, std::vector<scalar::Interval>& readings) const;
 
   MotorTable motors_;
   machine::Requirements require_;

@@ -62,33 +62,46 @@ double amplitude(double current, std::string_view kind) {
   return kind.find("rms") != std::string_view::npos ? current * std::sqrt(2.0) : current;
 }
 
-Curves read_curves(const Table& t) {
+/// `torque`: of a row.
+template <class Torque>
+Curves read_curves(const Table& t, Torque torque) {
   Curves curves;
   for (int row = 0; row < t.rows(); ++row) {
     const Curves::Key key{t.number(column(Family::stepper_curves, "drive_voltage"), row),
                           amplitude(t.number(column(Family::stepper_curves, "phase_current"), row),
                                     t.text(column(Family::stepper_curves, "current_kind"), row))};
     curves.of_motor[{std::string(t.manufacturer(row)), std::string(t.part_number(row))}][key].emplace_back(
-        t.number(column(Family::stepper_curves, "speed"), row),
-        t.number(column(Family::stepper_curves, "torque"), row));
+        t.number(column(Family::stepper_curves, "speed"), row), torque(row));
   }
   return curves;
 }
 
 /// The curve that governs: published at no more than this voltage and current; of several the one at the highest
 /// voltage, then current.
-std::shared_ptr<const mechanics::PullOutCurve> governing_curve(
+std::optional<Curves::Key> governing_key(
     const Curves& curves, const std::string& maker, const std::string& part, double voltage, double current) {
   const auto motor = curves.of_motor.find({maker, part});
-  if (motor == curves.of_motor.end()) return nullptr;
+  if (motor == curves.of_motor.end()) return std::nullopt;
   for (auto curve = motor->second.rbegin(); curve != motor->second.rend(); ++curve) {
     if (curve->first.voltage > voltage * (1.0 + 1e-9) || curve->first.current > current * (1.0 + 1e-9)) continue;
-    if (curve->second.size() < 2) continue;  // a single point is not a curve
-    std::vector<mechanics::PullOutCurve::Point> points;
-    for (const auto& [speed, torque] : curve->second) points.push_back({speed, torque});
-    return std::make_shared<const mechanics::PullOutCurve>(std::move(points));
+    if (curve->second.size() >= 2) return curve->first;  // a single point is not a curve
   }
-  return nullptr;
+  return std::nullopt;
+}
+
+mechanics::PullOutCurve curve_of(const Curves& curves,
+                                 const std::string& maker,
+                                 const std::string& part,
+                                 const Curves::Key& key) {
+  std::vector<mechanics::PullOutCurve::Point> points;
+  for (const auto& [speed, torque] : curves.of_motor.at({maker, part}).at(key)) points.push_back({speed, torque});
+  return mechanics::PullOutCurve(std::move(points));
+}
+
+std::shared_ptr<const mechanics::PullOutCurve> governing_curve(
+    const Curves& curves, const std::string& maker, const std::string& part, double voltage, double current) {
+  const auto key = governing_key(curves, maker, part, voltage, current);
+  return key ? std::make_shared<const mechanics::PullOutCurve>(curve_of(curves, maker, part, *key)) : nullptr;
 }
 
 struct Driver {
@@ -141,6 +154,8 @@ bool is_never_better(
   return a.price < b.price || a.mass < b.mass || a.row < b.row;
 }
 
+constexpr catalogue::Column curve_torque = column(Family::stepper_curves, "torque");
+
 /// A motor of the catalogue, without driver and voltage.
 struct Motor {
   int row;
@@ -148,21 +163,31 @@ struct Motor {
   double shaft, mass, price;
 };
 
+/// What the motor says; `figure` reads a column of its row, as a number or as an interval.
+template <class Figure>
+auto motor_figures(const Table& motors, int row, Figure figure) {
+  using T = decltype(figure("rated_current"));
+  machine::MotorFigures<T> f;
+  f.holding_torque = figure("holding_torque") * both_phases(motors.number(column(Family::steppers, "phases_on"), row));
+  f.detent_torque = std::isnan(motors.number(column(Family::steppers, "detent_torque"), row))
+                        ? detent_share * f.holding_torque
+                        : figure("detent_torque");
+  f.rated_current = figure("rated_current");
+  f.resistance = figure("phase_resistance");
+  f.inductance = figure("phase_inductance");
+  f.rotor_inertia = figure("rotor_inertia");
+  f.rotor_teeth =
+      std::round(2.0 * 3.14159265358979323846 / motors.number(column(Family::steppers, "step_angle"), row) / 4.0);
+  return f;
+}
+
 /// Nothing if the axis takes no such frame, or a figure is missing.
 std::optional<Motor> motor_of(const Table& motors, int row, const machine::Axis& axis, const PriceBook& prices) {
   const auto number = [&](const char* name) { return motors.number(column(Family::steppers, name), row); };
   const std::string_view frame = motors.text(column(Family::steppers, "frame"), row);
   const std::vector<std::string>& frames = axis.motor.frames;
   if (!frames.empty() && std::find(frames.begin(), frames.end(), frame) == frames.end()) return std::nullopt;
-  machine::MotorFigures<double> f;
-  f.holding_torque = number("holding_torque") * both_phases(number("phases_on"));
-  f.detent_torque = number("detent_torque");
-  if (std::isnan(f.detent_torque)) f.detent_torque = detent_share * f.holding_torque;
-  f.rated_current = number("rated_current");
-  f.resistance = number("phase_resistance");
-  f.inductance = number("phase_inductance");
-  f.rotor_inertia = number("rotor_inertia");
-  f.rotor_teeth = std::round(2.0 * 3.14159265358979323846 / number("step_angle") / 4.0);
+  const machine::MotorFigures<double> f = motor_figures(motors, row, number);
   const Motor motor{row, f, number("shaft_diameter"), number("mass"), prices.line(motors, row, 1.0, 0.0)};
   const bool complete = !std::isnan(f.holding_torque + f.rated_current + f.resistance + f.inductance + f.rotor_inertia +
                                     f.rotor_teeth + motor.shaft + motor.mass + motor.price);
@@ -179,8 +204,10 @@ class MotorPairs {
       : motors_(catalogue.table(Family::steppers)),
         axis_(axis),
         voltages_(voltages),
-        drivers_(eligible_drivers(catalogue.table(Family::drivers), axis, prices)),
-        curves_(read_curves(catalogue.table(Family::stepper_curves))),
+        driver_table_(catalogue.table(Family::drivers)),
+        curve_table_(catalogue.table(Family::stepper_curves)),
+        drivers_(eligible_drivers(driver_table_, axis, prices)),
+        curves_(read_curves(curve_table_, [&](int row) { return curve_table_.number(curve_torque, row); })),
         voltage_factor_(axis.require(machine::Requirement::driver_voltage_factor)) {}
 
   void add(const Motor& motor) {
@@ -233,9 +260,53 @@ class MotorPairs {
                                         {"driver", Family::drivers, driver.row, 1.0, 0.0, driver.price, driver.mass}},
                                        0.0,
                                        driver.mass);
+    if (motors_.has_ranges() || driver_table_.has_ranges() || curve_table_.has_ranges())
+      add_ranges(motor, driver, current, pair, candidate);
     if (!axis_.motor.currents.empty()) candidate.settings.push_back({"motor_current", current, "A"});
     table.table.add(std::move(candidate), {});
     table.pairs.push_back(std::move(pair));
+  }
+
+  /// The same with figures that are intervals. Which curve governs hangs on the current that is set.
+  void add_ranges(const Motor& motor, const Driver& driver, double current, MotorPair& pair, Candidate& candidate) {
+    using scalar::Interval;
+    const auto range = [&](const char* name) { return motors_.range(column(Family::steppers, name), motor.row); };
+    MotorRanges of_pair;
+    machine::MotorFigures<Interval>& f = of_pair.figures;
+    f = motor_figures(motors_, motor.row, range);
+    f.asked_current = axis_.motor.currents.empty()
+                          ? axis_.require(machine::Requirement::current_factor) * f.rated_current
+                          : Interval(current);
+    f.driver_peak_current = driver_table_.range(column(Family::drivers, "peak_current"), driver.row);
+    f.driver_largest_voltage = driver_table_.range(column(Family::drivers, "maximum_voltage"), driver.row);
+    f.driver_least_voltage = driver_table_.range(column(Family::drivers, "minimum_voltage"), driver.row);
+    for (const double v : voltages_) {
+      f.voltage = v;
+      take_curves(motor, v, smaller(f.driver_peak_current, f.asked_current), of_pair);
+      pair.ranges.push_back(of_pair);
+    }
+    candidate.ranges = candidate_ranges(
+        {}, candidate.price, {}, range("mass"), driver_table_.range(column(Family::drivers, "mass"), driver.row));
+  }
+
+  void take_curves(const Motor& motor, double voltage, const scalar::Interval& current, MotorRanges& of_pair) const {
+    const std::string maker(motors_.manufacturer(motor.row)), part(motors_.part_number(motor.row));
+    std::vector<double> currents{current.lower, current.upper};
+    if (const auto known = curves_.of_motor.find({maker, part}); known != curves_.of_motor.end())
+      for (const auto& [key, points] : known->second)
+        if (current.lower <= key.current && key.current <= current.upper) currents.push_back(key.current);
+    const Curves lowest =
+        read_curves(curve_table_, [&](int row) { return curve_table_.range(curve_torque, row).lower; });
+    const Curves highest =
+        read_curves(curve_table_, [&](int row) { return curve_table_.range(curve_torque, row).upper; });
+    of_pair.curves.clear();
+    of_pair.model_may_govern = false;
+    for (const double each : currents) {
+      if (const auto key = governing_key(curves_, maker, part, voltage, each))
+        of_pair.curves.push_back({curve_of(lowest, maker, part, *key), curve_of(highest, maker, part, *key)});
+      else
+        of_pair.model_may_govern = true;
+    }
   }
 
   void note_covers(std::size_t first, const std::vector<const Driver*>& kept, double current) {
@@ -250,6 +321,8 @@ class MotorPairs {
   const Table& motors_;
   const machine::Axis& axis_;
   const std::vector<double>& voltages_;
+  const Table& driver_table_;
+  const Table& curve_table_;
   std::vector<Driver> drivers_;
   Curves curves_;
   double voltage_factor_;

@@ -34,17 +34,26 @@ SlotTable rack_table(const catalogue::Catalogue& catalogue, const machine::Axis&
     const double needed = travel + 2.0 * 3.14159265358979323846 * module;
     // A remainder of less than a tenth of a tooth is not worth another piece.
     const double pieces = std::max(1.0, std::ceil((needed - 0.3 * module) / piece));
-    const double mass = pieces * piece * number(column(Family::racks, "mass_per_length"));
-    double error = number(column(Family::racks, "pitch_error_per_1000mm"));  // m over 1 m
-    if (!error_counts && std::isnan(error)) error = 0.0;
-    const std::array<double, machine::rack_reading_fields> readings{module,
-                                                                    number(column(Family::racks, "pressure_angle")),
-                                                                    number(column(Family::racks, "face_width")),
-                                                                    number(column(Family::racks, "allowable_stress")),
-                                                                    error,
-                                                                    mass};
+    constexpr catalogue::Column pitch_error = column(Family::racks, "pitch_error_per_1000mm");  // m over 1 m
+    const bool no_error = !error_counts && std::isnan(number(pitch_error));
+    const auto readings_of = [&](auto figure) {
+      using T = decltype(figure(pitch_error));
+      return std::array<T, machine::rack_reading_fields>{
+          T(module),
+          figure(column(Family::racks, "pressure_angle")),
+          figure(column(Family::racks, "face_width")),
+          figure(column(Family::racks, "allowable_stress")),
+          no_error ? T(0.0) : figure(pitch_error),
+          pieces * piece * figure(column(Family::racks, "mass_per_length"))};
+    };
+    const std::array<double, machine::rack_reading_fields> readings = readings_of(number);
+    const double mass = readings.back();
     Candidate candidate = candidate_of(
         {{"rack", Family::racks, row, pieces, piece, prices.line(t, row, 0.0, pieces * piece), mass}}, 0.0);
+    if (t.has_ranges()) {
+      const auto ranges = readings_of([&](catalogue::Column c) { return t.range(c, row); });
+      candidate.ranges = candidate_ranges(ranges, candidate.price, {}, ranges.back());
+    }
     if (known(readings, candidate)) result.add(std::move(candidate), readings);
   }
   return result;
@@ -56,17 +65,24 @@ SlotTable pinion_table(const catalogue::Catalogue& catalogue, const PriceBook& p
   for (int row = 0; row < t.rows(); ++row) {
     const auto number = [&](catalogue::Column c) { return t.number(c, row); };
     const double mass = number(column(Family::pinions, "mass"));
-    const std::array<double, machine::pinion_reading_fields> readings{
-        number(column(Family::pinions, "module")),
-        number(column(Family::pinions, "pressure_angle")),
-        number(column(Family::pinions, "teeth")),
-        number(column(Family::pinions, "face_width")),
-        number(column(Family::pinions, "bore")),
-        number(column(Family::pinions, "allowable_stress")),
-        mass,
-        number(column(Family::pinions, "inertia"))};
+    const auto readings_of = [](auto figure) {
+      return std::array{figure(column(Family::pinions, "module")),
+                        figure(column(Family::pinions, "pressure_angle")),
+                        figure(column(Family::pinions, "teeth")),
+                        figure(column(Family::pinions, "face_width")),
+                        figure(column(Family::pinions, "bore")),
+                        figure(column(Family::pinions, "allowable_stress")),
+                        figure(column(Family::pinions, "mass")),
+                        figure(column(Family::pinions, "inertia"))};
+    };
+    const std::array<double, machine::pinion_reading_fields> readings = readings_of(number);
     Candidate candidate =
         candidate_of({{"pinion", Family::pinions, row, 1.0, 0.0, prices.line(t, row, 1.0, 0.0), mass}}, 0.0);
+    if (t.has_ranges())
+      candidate.ranges = candidate_ranges(readings_of([&](catalogue::Column c) { return t.range(c, row); }),
+                                          candidate.price,
+                                          {},
+                                          t.range(column(Family::pinions, "mass"), row));
     if (known(readings, candidate)) result.add(std::move(candidate), readings);
   }
   return result;

@@ -3,6 +3,7 @@
 // Which screws, each with a nut that runs on it, an axis may use. Screw and nut are one candidate: a ball nut comes
 // with its screw, and a lead nut fits one thread.
 #include <cmath>
+#include <optional>
 
 #include "evaluation/drive_tables.h"
 #include "machine/screw.h"
@@ -25,9 +26,10 @@ bool all_known(std::span<const double> values) {
   return std::none_of(values.begin(), values.end(), [](double x) { return std::isnan(x); });
 }
 
-std::vector<double> flat(const machine::ScrewReading<double>& reading) {
-  std::vector<double> values;
-  const auto keep = [&](const double& field) { values.push_back(field); };
+template <class T>
+std::vector<T> flat(const machine::ScrewReading<T>& reading) {
+  std::vector<T> values;
+  const auto keep = [&](const T& field) { values.push_back(field); };
   visit_screw_reading(reading, keep);
   visit_shown_screw_reading(reading, keep);
   return values;
@@ -45,9 +47,13 @@ machine::ScrewSite site_of(const machine::Axis& axis, ScrewKind kind) {
           .load_sharing_turns = axis.require(machine::Requirement::load_sharing_turns)};
 }
 
+using scalar::Interval;
+
+/// `ranges`: the same figures as intervals, null where they are what they are.
 void finish(ScrewTable& result,
             ScrewKind kind,
             const ScrewFigures<double>& figures,
+            const ScrewFigures<Interval>* ranges,
             Candidate candidate,
             const machine::Axis& axis) {
   const machine::ScrewSite site = site_of(axis, kind);
@@ -58,6 +64,10 @@ void finish(ScrewTable& result,
     return;
   for (PartUse& part : candidate.parts)
     if (part.slot == "screw") part.length = reading.cut_length;
+  if (ranges != nullptr) {
+    const machine::ScrewReading<Interval> intervals = screw_reading(*ranges, site);
+    candidate.ranges = candidate_ranges(flat(intervals), candidate.price, intervals.nut_mass, intervals.screw_mass);
+  }
   result.table.add(std::move(candidate), values);
   result.kinds.push_back(kind);
   result.figures.push_back(figures);
@@ -69,45 +79,57 @@ double supported_length(const machine::Axis& axis, double nut_length) {
                                         nut_length);
 }
 
+/// `figure` reads a column of the row, as a number or as an interval.
+template <class Figure>
+auto ball_screw_figures(const Table& t, int row, const machine::Axis& axis, Figure figure) {
+  using T = decltype(figure(column(Family::ball_screws, "lead")));
+  ScrewFigures<T> f;
+  f.nominal_diameter = figure(column(Family::ball_screws, "nominal_diameter"));
+  f.root_diameter = figure(column(Family::ball_screws, "root_diameter"));
+  f.mean_diameter = 0.5 * (figure(column(Family::ball_screws, "outside_diameter")) + f.root_diameter);
+  f.lead = figure(column(Family::ball_screws, "lead"));
+  f.pitch = f.lead;
+  f.friction = axis.mechanism.ball_friction;
+  f.yield_strength = ball_screw_yield;
+  f.mass_per_length = figure(column(Family::ball_screws, "screw_mass_per_length"));
+  f.nut_mass = figure(column(Family::ball_screws, "nut_mass"));
+  f.nut_length = figure(column(Family::ball_screws, "nut_length"));
+  f.lead_error_300 = figure(column(Family::ball_screws, "lead_error_per_300mm"));
+  // A nut without preload has play; makers of the rolled class state up to 0.05 mm.
+  f.backlash =
+      t.flag(column(Family::ball_screws, "preloaded"), row).value_or(false) || axis.mechanism.preload_fraction > 0.0
+          ? 0.0
+          : 5e-5;
+  f.dynamic_rating = figure(column(Family::ball_screws, "dynamic_load_rating"));
+  f.static_rating = figure(column(Family::ball_screws, "static_load_rating"));
+  const bool stiffness_known = !std::isnan(t.number(column(Family::ball_screws, "nut_stiffness"), row));
+  f.nut_stiffness =
+      !stiffness_matters(axis) && !stiffness_known ? T(0.0) : figure(column(Family::ball_screws, "nut_stiffness"));
+  f.speed_value_limit = figure(column(Family::ball_screws, "dn_limit"));
+  f.largest_length = figure(column(Family::ball_screws, "maximum_length"));
+  f.elastic_modulus = steel_modulus;
+  f.shear_modulus = steel_shear_modulus;
+  f.density = steel_density;
+  return f;
+}
+
 void add_ball_screws(const catalogue::Catalogue& catalogue,
                      const machine::Axis& axis,
                      const PriceBook& prices,
                      ScrewTable& result) {
   const Table& t = catalogue.table(Family::ball_screws);
   for (int row = 0; row < t.rows(); ++row) {
-    const auto number = [&](catalogue::Column c) { return t.number(c, row); };
-    ScrewFigures<double> f;
-    f.nominal_diameter = number(column(Family::ball_screws, "nominal_diameter"));
-    f.root_diameter = number(column(Family::ball_screws, "root_diameter"));
-    f.mean_diameter = 0.5 * (number(column(Family::ball_screws, "outside_diameter")) + f.root_diameter);
-    f.lead = number(column(Family::ball_screws, "lead"));
-    f.pitch = f.lead;
-    f.friction = axis.mechanism.ball_friction;
-    f.yield_strength = ball_screw_yield;
-    f.mass_per_length = number(column(Family::ball_screws, "screw_mass_per_length"));
-    f.nut_mass = number(column(Family::ball_screws, "nut_mass"));
-    f.nut_length = number(column(Family::ball_screws, "nut_length"));
-    f.lead_error_300 = number(column(Family::ball_screws, "lead_error_per_300mm"));
-    // A nut without preload has play; makers of the rolled class state up to 0.05 mm.
-    f.backlash =
-        t.flag(column(Family::ball_screws, "preloaded"), row).value_or(false) || axis.mechanism.preload_fraction > 0.0
-            ? 0.0
-            : 5e-5;
-    f.dynamic_rating = number(column(Family::ball_screws, "dynamic_load_rating"));
-    f.static_rating = number(column(Family::ball_screws, "static_load_rating"));
-    f.nut_stiffness = number(column(Family::ball_screws, "nut_stiffness"));
-    if (!stiffness_matters(axis) && std::isnan(f.nut_stiffness)) f.nut_stiffness = 0.0;
-    f.speed_value_limit = number(column(Family::ball_screws, "dn_limit"));
-    f.largest_length = number(column(Family::ball_screws, "maximum_length"));
-    f.elastic_modulus = steel_modulus;
-    f.shear_modulus = steel_shear_modulus;
-    f.density = steel_density;
+    const ScrewFigures<double> f =
+        ball_screw_figures(t, row, axis, [&](catalogue::Column c) { return t.number(c, row); });
+    std::optional<ScrewFigures<Interval>> ranges;
+    if (t.has_ranges()) ranges = ball_screw_figures(t, row, axis, [&](catalogue::Column c) { return t.range(c, row); });
     const double cut = supported_length(axis, f.nut_length) + axis.mechanism.end_allowance;
     const double shaft_price = prices.line(t, row, 0.0, cut);
     const double nut_price = prices.line(t, row, 1.0, 0.0);
     finish(result,
            ScrewKind::ball,
            f,
+           ranges ? &*ranges : nullptr,
            candidate_of({{"screw", Family::ball_screws, row, 1.0, cut, shaft_price, f.mass_per_length * cut},
                          {"nut", Family::ball_screws, row, 1.0, 0.0, nut_price, f.nut_mass}},
                         f.nut_mass),
@@ -145,27 +167,50 @@ double wear_rate_of(std::string_view material, bool greased) {
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-ScrewFigures<double> lead_screw_figures(const Table& screws, int row) {
-  const auto number = [&](catalogue::Column c) { return screws.number(c, row); };
-  ScrewFigures<double> f;
-  f.nominal_diameter = number(column(Family::lead_screws, "major_diameter"));
-  f.mean_diameter = number(column(Family::lead_screws, "pitch_diameter"));
-  f.root_diameter = number(column(Family::lead_screws, "minor_diameter"));
+/// What the screw says; `figure` as above.
+template <class Figure>
+auto lead_screw_figures(const Table& screws, int row, Figure figure) {
+  using T = decltype(figure(column(Family::lead_screws, "lead")));
+  ScrewFigures<T> f;
+  f.nominal_diameter = figure(column(Family::lead_screws, "major_diameter"));
+  f.mean_diameter = figure(column(Family::lead_screws, "pitch_diameter"));
+  f.root_diameter = figure(column(Family::lead_screws, "minor_diameter"));
   f.nut_thread_diameter = f.nominal_diameter;
-  f.pitch = number(column(Family::lead_screws, "pitch"));
-  f.lead = number(column(Family::lead_screws, "lead"));
-  f.flank_angle = number(column(Family::lead_screws, "flank_half_angle"));
+  f.pitch = figure(column(Family::lead_screws, "pitch"));
+  f.lead = figure(column(Family::lead_screws, "lead"));
+  f.flank_angle = figure(column(Family::lead_screws, "flank_half_angle"));
   const std::string_view form = screws.text(column(Family::lead_screws, "thread_form"), row);
   // Engaged depth: half the pitch, or 0.5413 pitch for the metric 60 degree thread (ISO 724).
   f.thread_depth = form.find("metric") != std::string_view::npos ? 0.541266 * f.pitch : 0.5 * f.pitch;
-  f.yield_strength = number(column(Family::lead_screws, "yield_strength"));
-  f.mass_per_length = number(column(Family::lead_screws, "screw_mass_per_length"));
-  f.lead_error_300 = number(column(Family::lead_screws, "lead_error_per_300mm"));
-  f.largest_length = number(column(Family::lead_screws, "maximum_length"));
+  f.yield_strength = figure(column(Family::lead_screws, "yield_strength"));
+  f.mass_per_length = figure(column(Family::lead_screws, "screw_mass_per_length"));
+  f.lead_error_300 = figure(column(Family::lead_screws, "lead_error_per_300mm"));
+  f.largest_length = figure(column(Family::lead_screws, "maximum_length"));
   f.elastic_modulus = steel_modulus;
   f.shear_modulus = steel_shear_modulus;
   f.density = steel_density;
   return f;
+}
+
+/// What the nut adds.
+template <class T, class Figure>
+void add_nut_figures(
+    ScrewFigures<T>& f, std::string_view material, const Table& materials, const machine::Axis& axis, Figure figure) {
+  f.friction = axis.mechanism.thread_friction
+                   ? T(*axis.mechanism.thread_friction)
+                   : figure(axis.mechanism.greased ? column(Family::lead_nuts, "friction_greased")
+                                                   : column(Family::lead_nuts, "friction_dry"));
+  f.nut_yield_strength = yield_of(materials, material);
+  f.wear_rate = axis.require.known(machine::Requirement::nut_wear_rate)
+                    ? axis.require(machine::Requirement::nut_wear_rate)
+                    : wear_rate_of(material, axis.mechanism.greased);
+  f.nut_mass = figure(column(Family::lead_nuts, "mass"));
+  f.nut_length = figure(column(Family::lead_nuts, "length"));
+  f.backlash = figure(column(Family::lead_nuts, "backlash"));
+  f.drag_torque = figure(column(Family::lead_nuts, "preload_drag_torque"));
+  f.allowable_pressure = figure(column(Family::lead_nuts, "allowable_pressure"));
+  f.pv_limit = figure(column(Family::lead_nuts, "maximum_pv"));
+  f.sliding_speed_limit = figure(column(Family::lead_nuts, "maximum_sliding_speed"));
 }
 
 void add_lead_screws(const catalogue::Catalogue& catalogue,
@@ -174,35 +219,29 @@ void add_lead_screws(const catalogue::Catalogue& catalogue,
                      ScrewTable& result) {
   const Table& screws = catalogue.table(Family::lead_screws);
   const Table& nuts = catalogue.table(Family::lead_nuts);
+  const Table& materials = catalogue.table(Family::materials);
   for (int row = 0; row < screws.rows(); ++row) {
     if (!wanted(axis.mechanism.thread_forms, screws.text(column(Family::lead_screws, "thread_form"), row))) continue;
-    const ScrewFigures<double> base = lead_screw_figures(screws, row);
+    const ScrewFigures<double> base =
+        lead_screw_figures(screws, row, [&](catalogue::Column c) { return screws.number(c, row); });
     for (int nut = 0; nut < nuts.rows(); ++nut) {
       const std::string_view runs_on = nuts.text(column(Family::lead_nuts, "for_screw"), nut);
       if (runs_on != screws.part_number(row) && runs_on != screws.text(column(Family::lead_screws, "designation"), row))
         continue;
       const std::string_view material = nuts.text(column(Family::lead_nuts, "material"), nut);
       if (!wanted(axis.mechanism.nut_materials, material)) continue;
-      const auto number = [&](catalogue::Column c) { return nuts.number(c, nut); };
       ScrewFigures<double> f = base;
-      f.friction = axis.mechanism.thread_friction.value_or(number(axis.mechanism.greased
-                                                                      ? column(Family::lead_nuts, "friction_greased")
-                                                                      : column(Family::lead_nuts, "friction_dry")));
-      f.nut_yield_strength = yield_of(catalogue.table(Family::materials), material);
-      f.wear_rate = axis.require.known(machine::Requirement::nut_wear_rate)
-                        ? axis.require(machine::Requirement::nut_wear_rate)
-                        : wear_rate_of(material, axis.mechanism.greased);
-      f.nut_mass = number(column(Family::lead_nuts, "mass"));
-      f.nut_length = number(column(Family::lead_nuts, "length"));
-      f.backlash = number(column(Family::lead_nuts, "backlash"));
-      f.drag_torque = number(column(Family::lead_nuts, "preload_drag_torque"));
-      f.allowable_pressure = number(column(Family::lead_nuts, "allowable_pressure"));
-      f.pv_limit = number(column(Family::lead_nuts, "maximum_pv"));
-      f.sliding_speed_limit = number(column(Family::lead_nuts, "maximum_sliding_speed"));
+      add_nut_figures(f, material, materials, axis, [&](catalogue::Column c) { return nuts.number(c, nut); });
+      std::optional<ScrewFigures<Interval>> ranges;
+      if (screws.has_ranges() || nuts.has_ranges()) {
+        ranges = lead_screw_figures(screws, row, [&](catalogue::Column c) { return screws.range(c, row); });
+        add_nut_figures(*ranges, material, materials, axis, [&](catalogue::Column c) { return nuts.range(c, nut); });
+      }
       const double cut = supported_length(axis, f.nut_length) + axis.mechanism.end_allowance;
       finish(result,
              ScrewKind::sliding,
              f,
+             ranges ? &*ranges : nullptr,
              candidate_of({{"screw",
                             Family::lead_screws,
                             row,

@@ -6,7 +6,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -42,6 +44,17 @@ struct Setting {
   std::string unit;    ///< SI unit
 };
 
+/// What is added up over the slots of a stage.
+enum class Total : std::size_t { price, mass, riding_mass, standing_mass, burden };
+/// The readings of every slot are its table's fields, then these, then what the stage adds.
+inline constexpr std::size_t total_count = 5;
+
+/// The intervals of a candidate of which figures are only known within a tolerance (catalogue::Table::range).
+struct CandidateRanges {
+  std::vector<scalar::Interval> readings;                 ///< as many as fields
+  std::array<scalar::Interval, total_count> totals = {};  ///< by Total
+};
+
 struct Candidate {
   std::vector<PartUse> parts;
   std::vector<Setting> settings;
@@ -51,12 +64,10 @@ struct Candidate {
   double standing_mass = 0.0;  ///< kg on the axis's parent; the rest (a driver in its cabinet) burdens nobody
   /// Rows of the same table that are never worse, whatever else is chosen; where such rows are left out there are none.
   std::vector<solver::Row> covered_by;
+  /// Null where every figure is what it is: then the numbers above and the readings say all.
+  std::shared_ptr<const CandidateRanges> ranges = {};
 };
 
-/// What is added up over the slots of a stage.
-enum class Total : std::size_t { price, mass, riding_mass, standing_mass, burden };
-/// The readings of every slot are its table's fields, then these, then what the stage adds.
-inline constexpr std::size_t total_count = 5;
 inline double total_of(const Candidate& candidate, Total what) {
   switch (what) {
     case Total::price:
@@ -73,8 +84,31 @@ inline double total_of(const Candidate& candidate, Total what) {
   return 0.0;
 }
 
+/// The interval of a total: the number itself where no range is given.
+inline scalar::Interval range_of_total(const Candidate& candidate, Total what) {
+  return candidate.ranges ? candidate.ranges->totals[static_cast<std::size_t>(what)]
+                          : scalar::Interval(total_of(candidate, what));
+}
+
+/// The ranges of a candidate with these readings: masses [kg] that ride, that stand on the parent, and of the rest.
+inline std::shared_ptr<const CandidateRanges> candidate_ranges(std::span<const scalar::Interval> readings,
+                                                               double price,
+                                                               const scalar::Interval& riding,
+                                                               const scalar::Interval& standing,
+                                                               const scalar::Interval& cabinet = {}) {
+  auto ranges = std::make_shared<CandidateRanges>();
+  ranges->readings.assign(readings.begin(), readings.end());
+  ranges->totals = {price, riding + standing + cabinet, riding, standing, riding + standing};
+  return ranges;
+}
+
 /// So many of a candidate.
 inline Candidate times(double count, Candidate candidate) {
+  if (candidate.ranges) {
+    auto ranges = std::make_shared<CandidateRanges>(*candidate.ranges);
+    for (scalar::Interval& total : ranges->totals) total = count * total;
+    candidate.ranges = std::move(ranges);
+  }
   for (PartUse& part : candidate.parts) {
     part.quantity *= count;
     part.price *= count;
@@ -93,6 +127,7 @@ class SlotTable {
 
   /// Adds a candidate with its readings, as many as fields.
   void add(Candidate candidate, std::span<const double> readings) {
+    has_ranges_ = has_ranges_ || candidate.ranges != nullptr;
     candidates_.push_back(std::move(candidate));
     readings_.insert(readings_.end(), readings.begin(), readings.end());
   }
@@ -103,6 +138,13 @@ class SlotTable {
   [[nodiscard]] std::size_t rows() const { return candidates_.size(); }
   [[nodiscard]] const Candidate& candidate(std::size_t row) const { return candidates_[row]; }
   [[nodiscard]] double reading(std::size_t row, std::size_t field) const { return readings_[row * fields_ + field]; }
+  /// The interval of a reading: the number itself where no range is given.
+  [[nodiscard]] scalar::Interval range(std::size_t row, std::size_t field) const {
+    const auto& ranges = candidates_[row].ranges;
+    return ranges ? ranges->readings[field] : scalar::Interval(reading(row, field));
+  }
+  /// Whether a candidate has ranges.
+  [[nodiscard]] bool has_ranges() const { return has_ranges_; }
   [[nodiscard]] std::size_t fields() const { return fields_; }
   /// Of a reading over rows alive.
   template <class T>
@@ -134,6 +176,7 @@ class SlotTable {
  private:
   std::string name_;
   std::size_t fields_ = 0;
+  bool has_ranges_ = false;
   std::vector<Candidate> candidates_;
   std::vector<double> readings_;
 };
@@ -153,6 +196,14 @@ scalar::Interval range_of(std::span<const solver::Row> rows, Value&& value) {
     upper = std::max(upper, x);
   }
   return {lower, upper};
+}
+
+/// The same of a quantity that is an interval of each row.
+template <class Value>
+scalar::Interval hull_of_ranges(std::span<const solver::Row> rows, Value&& value) {
+  scalar::Interval result = value(rows.front());
+  for (const solver::Row row : rows.subspan(1)) result = hull(result, value(row));
+  return result;
 }
 
 /// The hull of one quantity over the rows alive: what was read of them as number `reading`, if they were read. For

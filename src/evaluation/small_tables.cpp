@@ -27,15 +27,19 @@ SlotTable coupling_table(const catalogue::Catalogue& catalogue, const PriceBook&
   const Table& t = catalogue.table(Family::couplings);
   for (int row = 0; row < t.rows(); ++row) {
     const auto number = [&](catalogue::Column c) { return t.number(c, row); };
-    const std::array<double, 9> readings{number(column(Family::couplings, "inertia")),
-                                         number(column(Family::couplings, "rated_torque")),
-                                         number(column(Family::couplings, "torsional_stiffness")),
-                                         number(column(Family::couplings, "maximum_speed")),
-                                         number(column(Family::couplings, "minimum_bore")),
-                                         number(column(Family::couplings, "maximum_bore")),
-                                         number(column(Family::couplings, "parallel_misalignment")),
-                                         number(column(Family::couplings, "angular_misalignment")),
-                                         number(column(Family::couplings, "axial_misalignment"))};
+    const auto range = [&](catalogue::Column c) { return t.range(c, row); };
+    const auto readings_of = [](auto figure) {
+      return std::array{figure(column(Family::couplings, "inertia")),
+                        figure(column(Family::couplings, "rated_torque")),
+                        figure(column(Family::couplings, "torsional_stiffness")),
+                        figure(column(Family::couplings, "maximum_speed")),
+                        figure(column(Family::couplings, "minimum_bore")),
+                        figure(column(Family::couplings, "maximum_bore")),
+                        figure(column(Family::couplings, "parallel_misalignment")),
+                        figure(column(Family::couplings, "angular_misalignment")),
+                        figure(column(Family::couplings, "axial_misalignment"))};
+    };
+    const std::array<double, 9> readings = readings_of(number);
     Candidate candidate = candidate_of({{"coupling",
                                          Family::couplings,
                                          row,
@@ -44,6 +48,9 @@ SlotTable coupling_table(const catalogue::Catalogue& catalogue, const PriceBook&
                                          prices.line(t, row, 1.0, 0.0),
                                          number(column(Family::couplings, "mass"))}},
                                        0.0);
+    if (t.has_ranges())
+      candidate.ranges =
+          candidate_ranges(readings_of(range), candidate.price, {}, range(column(Family::couplings, "mass")));
     if (known(std::span(readings).first(needed), candidate)) result.add(std::move(candidate), readings);
   }
   return result;
@@ -61,14 +68,21 @@ SlotTable support_table(const catalogue::Catalogue& catalogue,
     const bool block = role == "pillow block" || role == "flange block";
     if (fixed ? role != "fixed" : role != "supported" && !block) continue;
     const auto number = [&](catalogue::Column c) { return t.number(c, row); };
-    std::array<double, 5> readings{number(column(Family::support_bearings, "bore")),
-                                   number(column(Family::support_bearings, "permissible_axial_load")),
-                                   number(column(Family::support_bearings, "axial_stiffness")),
-                                   number(column(Family::support_bearings, "maximum_speed")),
-                                   block ? 1.0 : 0.0};
-    // A free end takes no thrust: no constraint reads its axial load or stiffness.
-    if (!fixed) readings[1] = readings[2] = 0.0;
-    if (!stiffness_needed && std::isnan(readings[2])) readings[2] = 0.0;
+    const auto range = [&](catalogue::Column c) { return t.range(c, row); };
+    const bool stiffness_known = !std::isnan(number(column(Family::support_bearings, "axial_stiffness")));
+    const auto readings_of = [&](auto figure) {
+      using T = decltype(figure(column(Family::support_bearings, "bore")));
+      std::array<T, 5> readings{figure(column(Family::support_bearings, "bore")),
+                                figure(column(Family::support_bearings, "permissible_axial_load")),
+                                figure(column(Family::support_bearings, "axial_stiffness")),
+                                figure(column(Family::support_bearings, "maximum_speed")),
+                                T(block ? 1.0 : 0.0)};
+      // A free end takes no thrust: no constraint reads its axial load or stiffness.
+      if (!fixed) readings[1] = readings[2] = T(0.0);
+      if (!stiffness_needed && !stiffness_known) readings[2] = T(0.0);
+      return readings;
+    };
+    const std::array<double, 5> readings = readings_of(number);
     Candidate candidate = candidate_of({{slot,
                                          Family::support_bearings,
                                          row,
@@ -77,6 +91,9 @@ SlotTable support_table(const catalogue::Catalogue& catalogue,
                                          prices.line(t, row, 1.0, 0.0),
                                          number(column(Family::support_bearings, "mass"))}},
                                        0.0);
+    if (t.has_ranges())
+      candidate.ranges =
+          candidate_ranges(readings_of(range), candidate.price, {}, range(column(Family::support_bearings, "mass")));
     if (known(readings, candidate)) result.add(std::move(candidate), readings);
   }
   return result;
@@ -110,26 +127,31 @@ SlotTable belt_table(const catalogue::Catalogue& catalogue, const machine::Axis&
         const auto belt = [&](catalogue::Column c) { return belts.number(c, b); };
         const auto drive = [&](catalogue::Column c) { return pulleys.number(c, d); };
         const auto idle = [&](catalogue::Column c) { return pulleys.number(c, i); };
-        const double drive_diameter = drive(column(Family::pulleys, "pitch_diameter"));
-        const double idler_diameter = idle(column(Family::pulleys, "pitch_diameter"));
-        const double length = 2.0 * span + 0.5 * 3.14159265358979323846 * (drive_diameter + idler_diameter);
-        const double belt_mass = belt(column(Family::belts, "mass_per_length")) * length;
-        const std::array<double, machine::belt_reading_fields> readings{
-            belt(column(Family::belts, "mass_per_length")),
-            belt(column(Family::belts, "allowable_tension")),
-            belt(column(Family::belts, "tensile_stiffness")),
-            belt(column(Family::belts, "minimum_pulley_teeth")),
-            belt(column(Family::belts, "maximum_speed")),
-            length,
-            belt_mass,
-            span,
-            drive(column(Family::pulleys, "teeth")),
-            drive_diameter,
-            drive(column(Family::pulleys, "inertia")),
-            idle(column(Family::pulleys, "inertia")),
-            idler_diameter,
-            drive(column(Family::pulleys, "bore")),
-            width};
+        const auto readings_of = [&](auto belt_figure, auto drive_figure, auto idler_figure) {
+          using T = decltype(belt_figure(column(Family::belts, "width")));
+          const T drive_diameter = drive_figure(column(Family::pulleys, "pitch_diameter"));
+          const T idler_diameter = idler_figure(column(Family::pulleys, "pitch_diameter"));
+          const T length = 2.0 * span + 0.5 * 3.14159265358979323846 * (drive_diameter + idler_diameter);
+          return std::array<T, machine::belt_reading_fields>{
+              belt_figure(column(Family::belts, "mass_per_length")),
+              belt_figure(column(Family::belts, "allowable_tension")),
+              belt_figure(column(Family::belts, "tensile_stiffness")),
+              belt_figure(column(Family::belts, "minimum_pulley_teeth")),
+              belt_figure(column(Family::belts, "maximum_speed")),
+              length,
+              belt_figure(column(Family::belts, "mass_per_length")) * length,
+              T(span),
+              drive_figure(column(Family::pulleys, "teeth")),
+              drive_diameter,
+              drive_figure(column(Family::pulleys, "inertia")),
+              idler_figure(column(Family::pulleys, "inertia")),
+              idler_diameter,
+              drive_figure(column(Family::pulleys, "bore")),
+              T(width)};
+        };
+        constexpr std::size_t length_field = 5, mass_field = 6;
+        const std::array<double, machine::belt_reading_fields> readings = readings_of(belt, drive, idle);
+        const double length = readings[length_field], belt_mass = readings[mass_field];
         // The belt moves with the carriage (a reading of the drive) and hangs on the parent (its standing mass).
         Candidate candidate =
             candidate_of({{"belt", Family::belts, b, 1.0, length, prices.line(belts, b, 0.0, length), belt_mass},
@@ -148,6 +170,14 @@ SlotTable belt_table(const catalogue::Catalogue& catalogue, const machine::Axis&
                            prices.line(pulleys, i, 1.0, 0.0),
                            idle(column(Family::pulleys, "mass"))}},
                          0.0);
+        if (belts.has_ranges() || pulleys.has_ranges()) {
+          constexpr catalogue::Column mass = column(Family::pulleys, "mass");
+          const auto ranges = readings_of([&](catalogue::Column c) { return belts.range(c, b); },
+                                          [&](catalogue::Column c) { return pulleys.range(c, d); },
+                                          [&](catalogue::Column c) { return pulleys.range(c, i); });
+          candidate.ranges = candidate_ranges(
+              ranges, candidate.price, {}, ranges[mass_field] + pulleys.range(mass, d) + pulleys.range(mass, i));
+        }
         if (known(readings, candidate)) result.add(std::move(candidate), readings);
       }
     }

@@ -26,6 +26,13 @@ SupplyStage::SupplyStage(const std::vector<double>& voltages,
     const double mass = t.number(column(Family::power_supplies, "mass"), row);
     Candidate candidate =
         candidate_of({{"supply", Family::power_supplies, row, 1.0, 0.0, prices.line(t, row, 1.0, 0.0), mass}}, 0.0);
+    if (t.has_ranges())
+      candidate.ranges = candidate_ranges(std::array{t.range(column(Family::power_supplies, "power"), row),
+                                                     t.range(column(Family::power_supplies, "output_voltage"), row),
+                                                     t.range(column(Family::power_supplies, "output_current"), row)},
+                                          candidate.price,
+                                          {},
+                                          t.range(column(Family::power_supplies, "mass"), row));
     if (std::isnan(candidate.price + mass + readings[0] + readings[1])) continue;
     table.add(std::move(candidate), readings);
   }

@@ -185,6 +185,11 @@ Synthesis synthesise(const MachineModel& model, const SearchOptions& options) {
   synthesis.status = summary.status;
   for (const solver::Build& build : summary.builds)
     synthesis.designs.push_back(model.design(build, options.worksheets));
+  if (options.tolerances && !summary.builds.empty()) {
+    Design& best = synthesis.designs.front();
+    best.tolerances = std::make_shared<const ToleranceCheck>(check_tolerances(model, summary.builds.front(), best));
+  }
+  synthesis.builds = std::move(summary.builds);
   synthesis.lower_bound = summary.lower_bound;
   synthesis.gap = summary.gap;
   synthesis.combinations = summary.combinations;

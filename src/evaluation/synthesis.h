@@ -20,14 +20,16 @@ struct SearchOptions {
   unsigned threads = 1;
   std::size_t builds = 1;  ///< of one objective: the best, the second best, ...; more need a model with every candidate
   bool worksheets = false;  ///< with the calculation behind every check of the designs
+  bool tolerances = false;  ///< whether the best design holds for every value within the stated tolerances
   const std::atomic<bool>* stop = nullptr;
   std::function<void(const solver::Progress&)> progress;
 };
 
 struct Synthesis {
   solver::Status status = solver::Status::infeasible;
-  std::vector<Design> designs;  ///< one, or the front ascending in the first objective, or the best first
-  std::size_t proved = 0;       ///< of several builds asked for: so many, from the first on, are the next best for sure
+  std::vector<solver::Build> builds;  ///< of the designs, in rows of the model's problem
+  std::vector<Design> designs;        ///< one, or the front ascending in the first objective, or the best first
+  std::size_t proved = 0;  ///< of several builds asked for: so many, from the first on, are the next best for sure
   std::vector<EmptySlot> empty_slots;   ///< why nothing can be built at all
   double lower_bound = 0.0, gap = 0.0;  ///< of a single objective
   double combinations = 0.0;
@@ -44,6 +46,22 @@ solver::Options solver_options(const MachineModel& model, const SearchOptions& o
 
 /// The best compliant build by one objective, or as many of the best as are asked for, or the front of several.
 Synthesis synthesise(const MachineModel& model, const SearchOptions& options);
+
+/// The best build that is compliant for every value within the stated tolerances.
+struct RobustSynthesis {
+  Synthesis best;        ///< of the last round; its status is a limit too where the check of a build is not settled
+  double without = 0.0;  ///< the objective of the best build with the figures as stated; NaN if there is none
+  std::size_t scenarios = 0;  ///< values that broke a build on the way: every later one is compliant with them
+};
+
+/// Solves with the figures as stated; as long as values within the tolerances break the best build, they are asked of
+/// every build too (of all parts: as far off as those that broke), and it is solved again. What is found in the end is
+/// the best of all that are compliant for every value: it is compliant with fewer wishes than those, and proved to be
+/// compliant with all. Nothing being compliant with the values asked so far proves that nothing is for all.
+RobustSynthesis synthesise_robustly(const machine::Problem& problem,
+                                    const catalogue::Catalogue& catalogue,
+                                    const ModelOptions& model_options,
+                                    const SearchOptions& options);
 
 /// What a bill of materials amounts to.
 struct BomCheck {

@@ -78,7 +78,8 @@ std::string sheet_text(const catalogue::PartSheet& sheet, const Style& style) {
     const bool is_text = std::isnan(figure.si);
     std::string origin =
         figure.standing == catalogue::Standing::unstated ? "" : std::string(to_string(figure.standing));
-    if (!std::isnan(figure.tolerance)) origin += fmt::format(" ±{:.0f} %", 100.0 * figure.tolerance);
+    if (!std::isnan(figure.tolerance)) origin += fmt::format(" ±{:.3g} %", 100.0 * figure.tolerance);
+    if (!figure.confidence.empty()) origin += fmt::format(", {}", figure.confidence);
     table.add({std::string(figure.column),
                is_text ? "" : (figure.estimate ? "~" : "") + figure.value,
                figure.unit == "1" ? "" : figure.unit,

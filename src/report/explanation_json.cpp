@@ -5,6 +5,7 @@
 #include "report/explanation_text.h"
 #include "report/json_value.h"
 #include "report/steering.h"
+#include "report/tolerance_json.h"
 
 namespace millwright::report {
 
@@ -104,6 +105,7 @@ void add_feasible(const MachineResult& result, const Explanation& explanation, J
     json["rates_hold_for"].push_back(
         {{"axis", each.axis}, {"name", each.name}, {"value", number(each.value)}, {"unit", each.unit}});
   json["costless"] = explanation.costless;
+  add_tolerances(result, explanation, json);
 }
 
 }  // namespace

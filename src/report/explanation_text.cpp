@@ -8,6 +8,7 @@
 
 #include "report/design_text.h"
 #include "report/machine_text.h"
+#include "report/tolerance_text.h"
 #include "scalar/unit.h"
 
 namespace millwright::report {
@@ -360,6 +361,7 @@ std::string explanation_text(const MachineResult& result, const Explanation& exp
            "\n\n";
     out += governing_text(result, design, style) + choices_text(explanation, result.currency, style);
     out += rates_text(explanation, result.currency, style);
+    out += tolerance_choices_text(result, explanation, style);
     if (!limited || !explanation.prices.empty()) out += prices_text(explanation, result.currency, style);
   } else if (!limited || !explanation.conflicts.empty() || !explanation.unmet.empty() ||
              !explanation.empty_slots.empty()) {

@@ -59,6 +59,7 @@ Json figure_of(const catalogue::Figure& figure) {
               {"estimate", figure.estimate},
               {"standing", catalogue::to_string(figure.standing)},
               {"basis", figure.basis},
+              {"confidence", figure.confidence},
               {"tolerance", number(figure.tolerance)},
               {"place", figure.place}};
 }

@@ -4,6 +4,7 @@
 #include "report/json.h"
 #include "report/json_value.h"
 #include "report/steering.h"
+#include "report/tolerance_json.h"
 
 namespace millwright::report {
 
@@ -142,6 +143,7 @@ void add_design(const MachineResult& result, const Design& design, Json& json) {
   json["outside_validity"] = outside_validity_of(design);
   json["formulas_watched"] = design.formulas_watched;
   json["governing"] = governing_of(result, design);
+  add_tolerances(result, design, json);
   json["requirements"] = requirements_of(result);
 }
 

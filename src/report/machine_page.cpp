@@ -12,6 +12,7 @@
 #include "report/page.h"
 #include "report/page_parts.h"
 #include "report/steering.h"
+#include "report/tolerance_text.h"
 #include "scalar/unit.h"
 
 namespace millwright::report {
@@ -109,6 +110,13 @@ std::string alternatives_html(const MachineResult& result, const Texts& t) {
   return section("alternatives", t("alternatives"), "<pre>" + escaped(text.substr(line + 1)) + "</pre>\n");
 }
 
+std::string tolerances_html(const MachineResult& result, const Design& design, const Texts& t) {
+  const std::string text = tolerances_text(result, design, Style{});
+  const std::size_t line = text.find('\n');
+  if (line == std::string::npos) return {};
+  return section("tolerances", t("tolerances"), "<pre>" + escaped(text.substr(line + 1)) + "</pre>\n");
+}
+
 std::string settings_table(const Design& design, const Texts& t) {
   HtmlTable table("<<>", {t("axis"), t("settings.name"), t("check.value")});
   for (const evaluation::DimensionLine& line : design.dimensions)
@@ -175,7 +183,8 @@ std::string machine_page(const MachineResult& result,
     body += section("machine", t("drawing.title"), machine_drawing(problem, design, t));
     body += section("parts", t("parts"), parts_table(result, design, t));
     body += section("settings", t("settings"), settings_table(design, t));
-    body += alternatives_html(result, t) + axis_sections(result, design, t) + basis_sections(result, design, t);
+    body += alternatives_html(result, t) + axis_sections(result, design, t) + tolerances_html(result, design, t) +
+            basis_sections(result, design, t);
     charts["axes"] = axis_charts(result, design, t);
   }
   body += catalogues_section(result, t);

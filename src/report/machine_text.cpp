@@ -11,6 +11,7 @@
 #include "report/design_difference.h"
 #include "report/design_text.h"
 #include "report/steering.h"
+#include "report/tolerance_text.h"
 #include "scalar/unit.h"
 
 namespace millwright::report {
@@ -163,6 +164,13 @@ std::string nothing_text(const MachineResult& result, const Style& style) {
   }
   if (result.status == Status::limit)
     return "The limit was reached before a compliant build was found; whether there is one is open.\n";
+  if (result.robust)
+    return style.bad("No build is compliant for every value within the stated tolerances") +
+           fmt::format(" in these catalogues{}{}.\n",
+                       as_asked(result),
+                       std::isnan(result.robust_without)
+                           ? ", nor with the figures as they stand; without --robust more is said"
+                           : "; with the figures as they stand there is one");
   return style.bad("No compliant build exists") +
          fmt::format(" in these catalogues{}: every combination of parts fails at least one check.\n",
                      as_asked(result)) +
@@ -238,10 +246,11 @@ std::string solve_text(const MachineResult& result, const Style& style) {
   out += parts_text(result, design, style) + dimensions_text(design, style) + alternatives_text(result, style);
   if (style.brief) return out;
   if (!style.full)
-    return out + closest_checks_text(result, design, style) + certificate_text(result, style) + more_text(design);
+    return out + closest_checks_text(result, design, style) + tolerances_text(result, design, style) +
+           certificate_text(result, style) + more_text(design);
   return out + governing_text(result, design, style) + checks_text(result, design, style) +
-         outside_validity_text(design, style) + requirements_text(result, style) + assumptions_text(design, style) +
-         certificate_text(result, style);
+         tolerances_text(result, design, style) + outside_validity_text(design, style) +
+         requirements_text(result, style) + assumptions_text(design, style) + certificate_text(result, style);
 }
 
 std::string front_text(const MachineResult& result, const Style& style) {
@@ -304,8 +313,8 @@ std::string check_text(const MachineResult& result, const Style& style) {
   out += failures_text(result, design, style);
   if (style.brief) return out;
   return out + governing_text(result, design, style) + parts_text(result, design, style) +
-         dimensions_text(design, style) + checks_text(result, design, style) + outside_validity_text(design, style) +
-         requirements_text(result, style) + assumptions_text(design, style);
+         dimensions_text(design, style) + checks_text(result, design, style) + tolerances_text(result, design, style) +
+         outside_validity_text(design, style) + requirements_text(result, style) + assumptions_text(design, style);
 }
 
 }  // namespace millwright::report

@@ -189,6 +189,7 @@ const std::vector<PageText>& page_texts() {
       {"settings", "Dimensions and settings", "Ukuran dan pengaturan"},
       {"settings.name", "Name", "Nama"},
       {"alternatives", "Alternatives", "Alternatif"},
+      {"tolerances", "Tolerances", "Toleransi"},
 
       {"sheet", "Calculation sheet", "Lembar perhitungan"},
       {"sheet.element", "Calculation: {}", "Perhitungan: {}"},

@@ -75,7 +75,10 @@ struct MachineResult {
   std::size_t proved = 0;                   ///< of several asked for: so many designs, from the first on
   double lower_bound = 0.0;                 ///< of a single objective, in currency, SI or, weighted, neither
   double gap = 0.0;
-  bool fixed_objective = false;               ///< the same for every build, which is then the cheapest
+  bool robust = false;               ///< compliance for every value within the stated tolerances was asked for
+  std::size_t robust_scenarios = 0;  ///< sets of values that were asked of every part
+  double robust_without = 0.0;       ///< the objective with the figures as they stand; NaN if nothing is compliant
+  bool fixed_objective = false;      ///< the same for every build, which is then the cheapest
   std::vector<RequirementLine> requirements;  ///< of the first design
   std::vector<MissingSlot> missing;
   std::vector<evaluation::UnmetCheck> unmet;  ///< why nothing is compliant, where single checks say so

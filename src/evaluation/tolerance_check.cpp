@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "evaluation/tolerance_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+
+#include "evaluation/ledger.h"
+#include "evaluation/toleranced_machine.h"
+
+namespace millwright::evaluation {
+
+using scalar::Interval;
+
+const char* to_string(ToleranceVerdict verdict) {
+  switch (verdict) {
+    case ToleranceVerdict::none_stated:
+      return "none_stated";
+    case ToleranceVerdict::compliant:
+      return "compliant";
+    case ToleranceVerdict::broken:
+      return "broken";
+    case ToleranceVerdict::unsettled:
+      return "unsettled";
+    case ToleranceVerdict::not_asked:
+      break;
+  }
+  return "not_asked";
+}
+
+namespace {
+
+using Box = std::vector<Interval>;
+
+bool counts(const Check& check) { return check.kind != machine::ConstraintKind::soft; }
+
+/// Utilisations of the checks that count, in their order; what is missing or broken without a number is useless.
+std::vector<double> utilisations(const Design& design) {
+  std::vector<double> result;
+  for (const Check& check : design.checks)
+    if (counts(check))
+      result.push_back(!std::isnan(check.utilisation)       ? check.utilisation
+                       : check.verdict == Verdict::violated ? machine::useless_utilisation
+                                                            : 0.0);
+  return result;
+}
+
+class ToleranceSearch {
+ public:
+  ToleranceSearch(const TolerancedMachine& machine, const ToleranceEffort& effort, ToleranceCheck& result)
+      : machine_(machine), effort_(effort), result_(result) {
+    for (const TolerancedFigure& figure : machine.figures()) {
+      stated_.push_back(figure.value);
+      whole_.emplace_back(figure.value - figure.half_width, figure.value + figure.half_width);
+    }
+  }
+
+  void run() {
+    result_.verdict = ToleranceVerdict::compliant;
+    if (proved(whole_)) return;
+    nominal_ = utilisations(evaluate(stated_));
+    one_at_a_time();
+    if (result_.single.empty()) corners();
+    if (result_.single.empty() && !result_.combination) subdivide();
+    if (!result_.single.empty() || result_.combination) result_.verdict = ToleranceVerdict::broken;
+  }
+
+ private:
+  bool proved(const Box& box) {
+    ++result_.boxes;
+    return machine_.holds(box);
+  }
+  Design evaluate(const std::vector<double>& values) {
+    ++result_.evaluations;
+    return machine_.design(values);
+  }
+
+  /// What breaks with these values, if anything does.
+  std::optional<ToleranceBreak> break_of(const Design& design, const std::vector<double>& values) const {
+    if (design.satisfied()) return std::nullopt;
+    ToleranceBreak found;
+    for (const Check& check : design.checks)
+      if (counts(check) && check.verdict == Verdict::violated &&
+          (found.check.empty() || check.utilisation > found.utilisation)) {
+        found.axis = check.axis;
+        found.check = check.id;
+        found.title = check.title;
+        found.utilisation = check.utilisation;
+      }
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (values[i] != stated_[i]) found.values.emplace_back(i, values[i]);
+    return found;
+  }
+
+  void one_at_a_time() {
+    for (std::size_t i = 0; i < stated_.size(); ++i) {
+      std::optional<ToleranceBreak> worst;
+      std::vector<std::vector<double>> ends;
+      for (const double end : {whole_[i].lower, whole_[i].upper}) {
+        std::vector<double> values = stated_;
+        values[i] = end;
+        const Design design = evaluate(values);
+        ends.push_back(utilisations(design));
+        const auto found = break_of(design, values);
+        if (found && (!worst || found->utilisation > worst->utilisation)) worst = found;
+      }
+      lower_.push_back(std::move(ends[0]));
+      upper_.push_back(std::move(ends[1]));
+      if (!worst) continue;
+      worst->from = first_break(i, worst->values.front().second);
+      result_.single.push_back(std::move(*worst));
+    }
+    std::stable_sort(result_.single.begin(), result_.single.end(), [&](const auto& a, const auto& b) {
+      return deviation(a) < deviation(b);
+    });
+  }
+
+  /// How far from its stated value the figure must be to break the build, as a share of its tolerance.
+  double deviation(const ToleranceBreak& single) const {
+    const TolerancedFigure& figure = machine_.figures()[single.values.front().first];
+    return std::abs(*single.from - figure.value) / figure.half_width;
+  }
+
+  /// Between the stated value, which is compliant, and one that is not, to a thousandth of the tolerance.
+  double first_break(std::size_t figure, double broken) {
+    double good = stated_[figure];
+    std::vector<double> values = stated_;
+    for (int halving = 0; halving < 10; ++halving) {
+      values[figure] = 0.5 * (good + broken);
+      (evaluate(values).satisfied() ? good : broken) = values[figure];
+    }
+    return broken;
+  }
+
+  /// The end of every interval of a box that, alone, makes a check worse.
+  std::vector<double> worst_corner(const Box& box, std::size_t check) const {
+    std::vector<double> values = stated_;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const double rise = upper_[i][check] - lower_[i][check];
+      if (rise != 0.0)
+        values[i] = rise > 0.0 ? box[i].upper : box[i].lower;
+      else
+        values[i] = std::clamp(stated_[i], box[i].lower, box[i].upper);
+    }
+    return values;
+  }
+
+  /// For every check the corner that should be worst for it, if what the figures do alone adds up to anything near.
+  void corners() {
+    std::vector<std::vector<double>> tried;
+    for (std::size_t check = 0; check < nominal_.size(); ++check) {
+      double worst = nominal_[check];
+      for (std::size_t i = 0; i < stated_.size(); ++i)
+        worst += std::max({0.0, upper_[i][check] - nominal_[check], lower_[i][check] - nominal_[check]});
+      if (worst < 0.8) continue;
+      const std::vector<double> values = worst_corner(whole_, check);
+      if (std::find(tried.begin(), tried.end(), values) != tried.end()) continue;
+      tried.push_back(values);
+      keep_worse(break_of(evaluate(values), values));
+    }
+  }
+
+  void keep_worse(std::optional<ToleranceBreak> found) {
+    if (!found || (result_.combination && result_.combination->utilisation >= found->utilisation)) return;
+    result_.combination = std::move(found);
+  }
+
+  /// By how much a figure moves any check over its whole tolerance.
+  double influence(std::size_t figure) const {
+    double most = 0.0;
+    for (std::size_t check = 0; check < nominal_.size(); ++check)
+      most = std::max(most, std::min(1.0, std::abs(upper_[figure][check] - lower_[figure][check])));
+    return most;
+  }
+
+  /// Halves what is not proved, the figure first whose piece matters most, until all is proved, something breaks, or
+  /// the effort is spent.
+  void subdivide() {
+    std::vector<double> influences;
+    for (std::size_t i = 0; i < stated_.size(); ++i) influences.push_back(influence(i));
+    std::deque<Box> open{whole_};
+    while (!open.empty()) {
+      if (result_.boxes + 2 > effort_.boxes) {
+        result_.verdict = ToleranceVerdict::unsettled;
+        return;
+      }
+      const Box box = std::move(open.front());
+      open.pop_front();
+      std::size_t widest = 0;
+      double most = -1.0;
+      for (std::size_t i = 0; i < box.size(); ++i) {
+        const double matters =
+            (influences[i] + 1e-9) * (box[i].upper - box[i].lower) / (2.0 * machine_.figures()[i].half_width);
+        if (matters > most) {
+          most = matters;
+          widest = i;
+        }
+      }
+      const double middle = 0.5 * (box[widest].lower + box[widest].upper);
+      for (const Interval& half : {Interval(box[widest].lower, middle), Interval(middle, box[widest].upper)}) {
+        Box piece = box;
+        piece[widest] = half;
+        if (proved(piece)) continue;
+        std::vector<double> values;
+        for (const Interval& x : piece) values.push_back(0.5 * (x.lower + x.upper));
+        const Design design = evaluate(values);
+        result_.combination = break_of(design, values);
+        if (result_.combination) return;
+        const std::vector<double> here = utilisations(design);
+        const auto worst = static_cast<std::size_t>(std::max_element(here.begin(), here.end()) - here.begin());
+        values = worst_corner(piece, worst);
+        result_.combination = break_of(evaluate(values), values);
+        if (result_.combination) return;
+        open.push_back(std::move(piece));
+      }
+    }
+  }
+
+  const TolerancedMachine& machine_;
+  const ToleranceEffort& effort_;
+  ToleranceCheck& result_;
+  std::vector<double> stated_, nominal_;
+  Box whole_;
+  std::vector<std::vector<double>> lower_, upper_;  ///< utilisations with one figure at an end, by figure
+};
+
+}  // namespace
+
+ToleranceCheck check_tolerances(const MachineModel& model,
+                                const solver::Build& build,
+                                const Design& design,
+                                const ToleranceEffort& effort) {
+  ToleranceCheck result;
+  const TolerancedMachine machine(model, build);
+  result.figures = machine.figures();
+  result.unstated = machine.unstated();
+  if (!design.satisfied())
+    result.verdict = ToleranceVerdict::not_asked;
+  else if (!result.figures.empty())
+    ToleranceSearch(machine, effort, result).run();
+  return result;
+}
+
+}  // namespace millwright::evaluation

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "evaluation/toleranced_machine.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "catalogue/companions.h"
+#include "evaluation/ledger.h"
+
+namespace millwright::evaluation {
+
+using catalogue::Catalogue;
+using catalogue::Column;
+using catalogue::Family;
+using catalogue::Table;
+using scalar::Interval;
+
+namespace {
+
+bool same(const Interval& a, const Interval& b) {
+  const auto equal = [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); };
+  return equal(a.lower, b.lower) && equal(a.upper, b.upper);
+}
+
+/// Drops every row that keep(family, row) does not want.
+template <class Keep>
+void keep_only(Catalogue& catalogue, Keep&& keep) {
+  std::vector<catalogue::Part> dropped;
+  for (const catalogue::FamilyDeclaration& each : catalogue::families)
+    for (int row = 0; row < catalogue.table(each.family).rows(); ++row)
+      if (!keep(each.family, row)) dropped.push_back({each.family, row});
+  catalogue.drop(dropped);
+}
+
+bool same_settings(const Candidate& a, const Candidate& b) {
+  return std::equal(a.settings.begin(),
+                    a.settings.end(),
+                    b.settings.begin(),
+                    b.settings.end(),
+                    [](const Setting& x, const Setting& y) { return x.name == y.name && x.value == y.value; });
+}
+
+}  // namespace
+
+TolerancedMachine::TolerancedMachine(const MachineModel& model, const solver::Build& build)
+    : problem_(model.machine()), parts_(model.catalogue()) {
+  // What is chosen stays, whatever another driver would cost.
+  for (machine::Axis& axis : problem_.axes) axis.keep_every_candidate = axis.keep_covered_candidates = true;
+  take_parts(model, build);
+  take_figures(model.catalogue());
+  build_ = model.whole_build(build);
+  if (figures_.empty()) return;
+  std::vector<Interval> stated;
+  for (const TolerancedFigure& figure : figures_) stated.emplace_back(figure.value);
+  as_stated_ = bounds(stated);
+}
+
+const TolerancedMachine::ChosenPart* TolerancedMachine::find(Family family, int row) const {
+  for (const ChosenPart& each : chosen_parts_)
+    if (each.part.family == family && each.part.row == row) return &each;
+  return nullptr;
+}
+
+void TolerancedMachine::take_parts(const MachineModel& model, const solver::Build& build) {
+  const auto take = [&](Family family, int row, const std::string& place) {
+    for (ChosenPart& each : chosen_parts_)
+      if (each.part.family == family && each.part.row == row) {
+        each.places.push_back(place);
+        return;
+      }
+    chosen_parts_.push_back({{family, row}, 0, {place}});
+  };
+  const Table& curves = model.catalogue().table(Family::stepper_curves);
+  for (std::size_t stage = 0; stage < model.entries().size(); ++stage) {
+    const StageEntry& entry = model.entries()[stage];
+    chosen_.emplace_back();
+    for (std::size_t slot = 0; slot < entry.tables().size(); ++slot) {
+      const Candidate& candidate = model.candidate(stage, slot, build.stages[stage].rows[slot]);
+      chosen_.back().push_back(candidate);
+      for (const PartUse& use : candidate.parts) {
+        if (!use.stated.empty()) continue;
+        const std::string place = entry.axis + "." + use.slot;
+        take(use.family, use.row, place);
+        if (use.family != Family::steppers) continue;
+        const Table& motors = model.catalogue().table(Family::steppers);
+        for (int row = 0; row < curves.rows(); ++row)
+          if (curves.part_number(row) == motors.part_number(use.row) &&
+              curves.manufacturer(row) == motors.manufacturer(use.row))
+            take(Family::stepper_curves, row, place);
+      }
+    }
+  }
+  // Materials are looked up by name; they have no tolerances.
+  keep_only(parts_,
+            [&](Family family, int row) { return family == Family::materials || find(family, row) != nullptr; });
+  for (ChosenPart& each : chosen_parts_)
+    each.row = static_cast<int>(std::count_if(chosen_parts_.begin(), chosen_parts_.end(), [&](const ChosenPart& other) {
+      return other.part.family == each.part.family && other.part.row < each.part.row;
+    }));
+}
+
+void TolerancedMachine::take_figures(const Catalogue& catalogue) {
+  for (const ChosenPart& chosen : chosen_parts_) {
+    const auto [family, row] = chosen.part;
+    const Table& table = catalogue.table(family);
+    for (std::size_t index = 0; index < catalogue::column_count(family); ++index) {
+      const Column column{family, static_cast<std::uint8_t>(index)};
+      if (!catalogue::takes_tolerance(column) || std::isnan(table.number(column, row))) continue;
+      const double half_width = table.half_width(row, column);
+      if (std::isnan(half_width) && table.is_estimate(row, column)) ++unstated_;
+      if (!(half_width > 0.0)) continue;
+      TolerancedFigure figure{family, row, column, {}, chosen.places, table.number(column, row), half_width, {}, {}};
+      figure.part = std::string(table.manufacturer(row)) + " " + std::string(table.part_number(row));
+      figure.estimate = table.is_estimate(row, column);
+      figure.basis = table.basis(row, column);
+      figures_.push_back(std::move(figure));
+    }
+  }
+}
+
+solver::Build TolerancedMachine::build_in(const MachineModel& model) const {
+  solver::Build build = build_;
+  for (std::size_t stage = 0; stage < build.stages.size(); ++stage)
+    for (std::size_t slot = 0; slot < chosen_[stage].size(); ++slot) {
+      const Candidate& wanted = chosen_[stage][slot];
+      const SlotTable& table = model.entries()[stage].tables()[slot];
+      const auto is_wanted = [&](const Candidate& candidate) {
+        return same_settings(candidate, wanted) &&
+               std::equal(candidate.parts.begin(),
+                          candidate.parts.end(),
+                          wanted.parts.begin(),
+                          wanted.parts.end(),
+                          [&](const PartUse& here, const PartUse& there) {
+                            if (here.slot != there.slot || here.stated != there.stated) return false;
+                            if (!here.stated.empty()) return true;
+                            return here.family == there.family && here.row == find(there.family, there.row)->row;
+                          });
+      };
+      std::size_t row = 0;
+      while (row < table.rows() && !is_wanted(table.candidate(row))) ++row;
+      if (row == table.rows()) throw std::logic_error("a chosen part is no candidate of its own machine");
+      build.stages[stage].rows[slot] = static_cast<solver::Row>(row);
+    }
+  return build;
+}
+
+Design TolerancedMachine::design(std::span<const double> values) const {
+  Catalogue parts = parts_;
+  for (std::size_t i = 0; i < figures_.size(); ++i) {
+    const TolerancedFigure& figure = figures_[i];
+    parts.table(figure.family).set_number(find(figure.family, figure.row)->row, figure.column, values[i]);
+  }
+  const MachineModel model(problem_, parts);
+  return model.design(build_in(model));
+}
+
+TolerancedMachine::Bounds TolerancedMachine::bounds(std::span<const Interval> values) const {
+  Catalogue parts = parts_;
+  for (std::size_t i = 0; i < figures_.size(); ++i) {
+    const TolerancedFigure& figure = figures_[i];
+    parts.table(figure.family).set_range(find(figure.family, figure.row)->row, figure.column, values[i]);
+  }
+  const MachineModel model(problem_, parts);
+  const solver::Build build = build_in(model);
+  Bounds result;
+  result.totals.resize(model.problem().resources.size(), Interval(0.0));
+  std::vector<Interval> state(model.problem().first_state.begin(), model.problem().first_state.end());
+  for (std::size_t i = 0; i < build.stages.size(); ++i) {
+    const solver::Stage& stage = *model.problem().stages[i];
+    const solver::StageChoice& choice = build.stages[i];
+    std::vector<std::vector<Interval>> readings(choice.rows.size());
+    std::vector<solver::RowsAlive> rows;
+    for (std::size_t slot = 0; slot < choice.rows.size(); ++slot) {
+      const std::span<const solver::Row> row(&choice.rows[slot], 1);
+      stage.read(build.shared, slot, row, readings[slot]);
+      rows.emplace_back(row, readings[slot]);
+    }
+    const std::vector<Interval> variables(choice.variables.begin(), choice.variables.end());
+    solver::Answer<Interval> answer;
+    stage.bound({build.shared, state, rows, variables}, answer);
+    result.utilisation.insert(result.utilisation.end(), answer.utilisation.begin(), answer.utilisation.end());
+    for (std::size_t r = 0; r < result.totals.size(); ++r) result.totals[r] = result.totals[r] + answer.resources[r];
+    state = answer.handed_on;
+  }
+  return result;
+}
+
+bool TolerancedMachine::holds(std::span<const Interval> values) const {
+  const Bounds here = bounds(values);
+  for (std::size_t i = 0; i < here.utilisation.size(); ++i)
+    if (!(here.utilisation[i].upper <= 1.0) && !same(here.utilisation[i], as_stated_.utilisation[i])) return false;
+  const auto limit = problem_.mass_limit;
+  return !limit || here.totals[1].upper <= *limit || same(here.totals[1], as_stated_.totals[1]);
+}
+
+}  // namespace millwright::evaluation

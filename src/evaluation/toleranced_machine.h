@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// One build with figures of its parts that can be taken otherwise: its machine made anew from the chosen parts alone.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "catalogue/catalogue.h"
+#include "evaluation/machine_model.h"
+#include "evaluation/tolerance_check.h"
+
+namespace millwright::evaluation {
+
+class TolerancedMachine {
+ public:
+  /// `build` in rows of model.problem().
+  TolerancedMachine(const MachineModel& model, const solver::Build& build);
+
+  [[nodiscard]] const std::vector<TolerancedFigure>& figures() const { return figures_; }
+  /// Estimated figures of the chosen parts that state no tolerance.
+  [[nodiscard]] std::size_t unstated() const { return unstated_; }
+
+  /// The design with these values [SI] of the figures, evaluated from scratch.
+  [[nodiscard]] Design design(std::span<const double> values) const;
+
+  /// Whether every limit is kept with any values in these intervals: true is proved, false says nothing. What the
+  /// figures do not touch counts as it stands.
+  [[nodiscard]] bool holds(std::span<const scalar::Interval> values) const;
+
+ private:
+  struct Bounds {
+    std::vector<scalar::Interval> utilisation;
+    std::vector<scalar::Interval> totals;  ///< of the resources
+  };
+  void take_parts(const MachineModel& model, const solver::Build& build);
+  void take_figures(const catalogue::Catalogue& catalogue);
+  [[nodiscard]] solver::Build build_in(const MachineModel& model) const;
+  [[nodiscard]] Bounds bounds(std::span<const scalar::Interval> values) const;
+
+  struct ChosenPart {
+    catalogue::Part part;  ///< in the whole catalogue
+    int row = 0;           ///< among the chosen parts alone
+    std::vector<std::string> places;
+  };
+  [[nodiscard]] const ChosenPart* find(catalogue::Family family, int row) const;
+
+  machine::Problem problem_;
+  catalogue::Catalogue parts_;  ///< the chosen ones
+  solver::Build build_;         ///< in rows of the whole machine
+  std::vector<std::vector<Candidate>> chosen_;
+  std::vector<ChosenPart> chosen_parts_;
+  std::vector<TolerancedFigure> figures_;
+  std::size_t unstated_ = 0;
+  Bounds as_stated_;  ///< with every figure as stated; what does not differ from that is not touched
+};
+
+}  // namespace millwright::evaluation

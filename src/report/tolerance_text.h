@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is said about figures that are only known within a tolerance (evaluation/tolerance_check.h).
+#pragma once
+
+#include <string>
+
+#include "evaluation/explanation.h"
+#include "report/result.h"
+#include "report/text_table.h"
+
+namespace millwright::report {
+
+/// The verdict in a line or two, then what breaks the build. "" where it was not asked for.
+std::string tolerances_text(const MachineResult& result, const evaluation::Design& design, const Style& style);
+
+/// Of `explain`: which figure would break the build, and what would be chosen if one were at an end of its tolerance.
+std::string tolerance_choices_text(const MachineResult& result,
+                                   const evaluation::Explanation& explanation,
+                                   const Style& style);
+
+/// "rotor_inertia 82 g.cm2 ±25 %".
+std::string figure_text(const evaluation::TolerancedFigure& figure);
+
+}  // namespace millwright::report
