@@ -12,6 +12,7 @@
 #include "catalogue/difference.h"
 #include "catalogue/figures.h"
 #include "scalar/unit.h"
+#include "text/document.h"
 
 namespace millwright::app {
 
@@ -226,7 +227,7 @@ std::optional<Lock> verify_lock(const Options& options,
                                 Diagnostics& diagnostics,
                                 const BomTexts& boms) {
   if (options.locked.empty()) return std::nullopt;
-  const auto text = text::SourceText::load(options.locked, diagnostics);
+  const auto text = text::SourceText::load(options.locked, diagnostics, text::document_size_limit);
   auto lock = text ? report::read_lock(text, diagnostics) : std::nullopt;
   if (!lock) return std::nullopt;
   compare_question(*lock, question_of(options), diagnostics);

@@ -31,10 +31,13 @@ struct Side {
   std::optional<report::RecordedBuild> recorded;
 };
 
+/// A result has some hundred kilobytes; read, it takes ten times as much memory.
+constexpr std::uintmax_t largest_side = std::uintmax_t{8} << 20U;
+
 Side read_side(const std::string& file, Diagnostics& diagnostics) {
   Side side;
   side.file = file;
-  side.text = SourceText::load(file, diagnostics);
+  side.text = SourceText::load(file, diagnostics, largest_side);
   if (!side.text) return side;
   const std::string_view contents = side.text->contents();
   const std::size_t first = contents.find_first_not_of(" \t\r\n");

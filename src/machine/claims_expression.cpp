@@ -10,6 +10,7 @@ namespace {
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 constexpr int deepest = 100;
+constexpr std::size_t largest = 2000;  // numbers, names and operators; one below the other, they are walked down
 }  // namespace
 
 /// Recursive descent; the first failure stops it.
@@ -43,6 +44,7 @@ class ExpressionParser {
     return 0;
   }
   std::size_t add(Operation operation, std::size_t left = 0, std::size_t right = 0, double number = 0.0) {
+    if (result_.nodes_.size() == largest) return fail("the expression is too long");
     ClaimExpression::Node node;
     node.operation = operation;
     node.number = number;

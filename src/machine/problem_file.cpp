@@ -35,6 +35,20 @@ void read_supply(const Node& node, Problem& problem, Diagnostics& diagnostics) {
   table.finish();
 }
 
+/// Reports lists that are longer than anything in a machine, in which each is compared with all others. True if there
+/// is none.
+bool lists_are_short(const Node& node, Diagnostics& diagnostics) {
+  constexpr std::size_t longest = 1000;
+  bool good = node.items().size() <= longest;
+  if (!good)
+    diagnostics.error(node.items()[longest].span(),
+                      fmt::format("a list of {}: more than {} are not taken", node.items().size(), longest),
+                      "a long motion is a file of its own: profile = \"motion.csv\"");
+  for (const Node& each : node.items()) good = lists_are_short(each, diagnostics) && good;
+  for (const text::TableEntry& each : node.entries()) good = lists_are_short(each.value, diagnostics) && good;
+  return good;
+}
+
 void read_axes(const Node& axes, const AxisSurroundings& around, Problem& problem, Diagnostics& diagnostics) {
   if (axes.size() == 0) diagnostics.error(axes.span(), "axis: a machine needs at least one", "add an [[axis]]");
   std::map<std::string, SourceSpan> names;
@@ -121,7 +135,7 @@ std::vector<std::string> catalogues_of(TableReader& table, QuantityReader& q) {
 
 std::optional<Problem> problem_of(const text::Document& document, Diagnostics& diagnostics) {
   const std::size_t errors = diagnostics.error_count();
-  if (is_empty(document, diagnostics)) return std::nullopt;
+  if (is_empty(document, diagnostics) || !lists_are_short(document.root(), diagnostics)) return std::nullopt;
   Problem problem;
   problem.file = document.text()->path();
   TableReader table(document.root(), "problem", diagnostics);

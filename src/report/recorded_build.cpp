@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <limits>
+#include <set>
 
 #include "report/json_value.h"
 
@@ -177,15 +177,37 @@ void read_build(const Fields& result, evaluation::Design& design) {
 /// Axes in the order in which their checks stand, which is that of the problem.
 std::vector<std::string> axes_of(const evaluation::Design& design) {
   std::vector<std::string> axes;
+  std::set<std::string> known{"machine"};
   const auto add = [&](const std::string& axis) {
-    if (axis != "machine" && std::find(axes.begin(), axes.end(), axis) == axes.end()) axes.push_back(axis);
+    if (known.insert(axis).second) axes.push_back(axis);
   };
   for (const evaluation::Check& check : design.checks) add(check.axis);
   for (const evaluation::PartLine& part : design.parts) add(part.axis);
   return axes;
 }
 
+/// Where brackets are nested too deep: every level costs memory, and a result has few.
+std::optional<std::size_t> find_deep_bracket(std::string_view json) {
+  constexpr int deepest = 256;
+  int depth = 0;
+  for (std::size_t at = 0; at < json.size(); ++at) {
+    if (json[at] == '"') {
+      for (++at; at < json.size() && json[at] != '"'; ++at)
+        if (json[at] == '\\') ++at;
+    } else if (json[at] == '[' || json[at] == '{') {
+      if (++depth > deepest) return at;
+    } else if (json[at] == ']' || json[at] == '}') {
+      --depth;
+    }
+  }
+  return std::nullopt;
+}
+
 std::optional<Json> parse(const std::shared_ptr<const SourceText>& text, Diagnostics& diagnostics) {
+  if (const auto deep = find_deep_bracket(text->contents())) {
+    diagnostics.error(text::span_at(text, *deep, 1), "nested more than 256 levels deep", how_to_write);
+    return std::nullopt;
+  }
   try {
     return Json::parse(text->contents());
   } catch (const Json::exception& fault) {

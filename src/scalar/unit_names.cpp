@@ -273,7 +273,9 @@ int distance(std::string_view a, std::string_view b) {
 std::string nearest_name(std::string_view name) {
   std::string best;
   int least = name.size() <= 1 ? 2 : name.size() <= 2 ? 3 : name.size() <= 5 ? 4 : 5;  // exclusive
-  const auto consider = [&](const char* candidate) {
+  const auto consider = [&](std::string_view candidate) {
+    const std::size_t longer = std::max(name.size(), candidate.size()) - std::min(name.size(), candidate.size());
+    if (2 * longer >= static_cast<std::size_t>(least)) return;  // so many edits at least
     const int d = distance(name, candidate);
     if (d >= least) return;
     least = d;

@@ -23,7 +23,7 @@ std::optional<Document> read_json(const std::shared_ptr<const SourceText>& text,
 }
 
 std::optional<Document> read_document(const std::string& path, Diagnostics& diagnostics) {
-  const std::shared_ptr<const SourceText> text = SourceText::load(path, diagnostics);
+  const std::shared_ptr<const SourceText> text = SourceText::load(path, diagnostics, document_size_limit);
   if (!text) return std::nullopt;
   const bool is_json = path.size() >= 5 && path.compare(path.size() - 5, 5, ".json") == 0;
   return is_json ? read_json(text, diagnostics) : read_toml(text, diagnostics);

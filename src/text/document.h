@@ -3,6 +3,7 @@
 // know their places; a TableReader (table_reader.h) walks it.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -44,7 +45,10 @@ std::optional<Document> read_toml(const std::shared_ptr<const SourceText>& text,
 /// (reported at the second), and without null, which has no meaning in our files.
 std::optional<Document> read_json(const std::shared_ptr<const SourceText>& text, Diagnostics& diagnostics);
 
-/// Loads a file; JSON if its name ends in `.json`, else TOML.
+/// What a person writes has some kilobytes; a program may write more.
+inline constexpr std::uintmax_t document_size_limit = std::uintmax_t{4} << 20U;
+
+/// Loads a file of that size at most; JSON if its name ends in `.json`, else TOML.
 std::optional<Document> read_document(const std::string& path, Diagnostics& diagnostics);
 
 }  // namespace millwright::text

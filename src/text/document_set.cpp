@@ -11,6 +11,7 @@
 
 #include "text/document.h"
 #include "text/nearest.h"
+#include "text/toml_depth.h"
 #include "text/toml_tree.h"
 #include "text/utf8.h"
 
@@ -51,6 +52,8 @@ class PathReader {
       } else {
         good = fail("'.' or '[' is expected");
       }
+      if (good && steps.size() > most_key_parts)
+        good = fail(fmt::format("a path of more than {} parts", most_key_parts));
     }
     if (!good) steps.clear();
     return steps;

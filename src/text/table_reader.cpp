@@ -191,6 +191,7 @@ std::string TableReader::word_or(const Key& key, const std::vector<std::string>&
 void TableReader::finish() {
   for (const TableEntry& entry : table_.entries()) {
     if (std::find(known_.begin(), known_.end(), entry.key) != known_.end()) continue;
+    if (diagnostics_.only_counted(Severity::error, entry.key_span.text.get())) continue;
     // A key that is there already was not meant.
     std::vector<std::string> candidates;
     for (const std::string& key : known_) {

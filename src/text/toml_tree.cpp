@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "text/number.h"
+#include "text/toml_depth.h"
 #include "text/utf8.h"
 
 namespace millwright::text {
@@ -144,11 +145,21 @@ std::optional<Node> parse_toml_tree(std::string_view toml,
                                     const std::shared_ptr<const SourceText>& shown,
                                     Diagnostics& diagnostics) {
   TomlConverter converter(shown, diagnostics);
+  if (const auto deep = find_deep_key(toml)) {
+    // The two texts have the same lines and columns.
+    const Position place = SourceText({}, std::string(toml)).position(*deep);
+    diagnostics.error({shown, place.line, place.column, 1},
+                      "TOML: a key of more than " + std::to_string(most_key_parts) + " parts");
+    return std::nullopt;
+  }
   try {
     const toml::table table = toml::parse(toml, std::string_view(shown->path()));
     return converter.convert(table, SourceSpan{shown, 1, 1, 1});
   } catch (const toml::parse_error& error) {
-    const SourceSpan place = converter.span(error.source(), whole(shown));
+    SourceSpan place = converter.span(error.source(), whole(shown));
+    // Where the text ends, toml++ counts its last line end among the columns.
+    if (place.line > 0)
+      place.column = std::min(place.column, static_cast<int>(count_characters(shown->line(place.line))) + 1);
     report(error, at_duplicate_key(error, place), diagnostics);
     return std::nullopt;
   }

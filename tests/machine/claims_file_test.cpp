@@ -241,4 +241,9 @@ TEST_CASE("what is no expression is refused at its place") {
   CHECK(failure(".").first == 0);
   CHECK(failure(std::string(100000, '(')).second.find("brackets") != std::string::npos);
   CHECK(failure(std::string(100000, '-')).second.find("signs") != std::string::npos);
+  std::string sum = "1";
+  for (int i = 0; i < 900; ++i) sum += "+1";
+  CHECK(evaluate(sum) == 901);
+  for (int i = 0; i < 200000; ++i) sum += "+1";
+  CHECK(failure(sum).second == "the expression is too long");
 }

@@ -562,6 +562,22 @@ TEST_CASE("A range of ramps that a move has no time for is warned of at its uppe
   CHECK(said.related->line == place.line + 8);  // the second of the three moves
 }
 
+TEST_CASE("A list longer than anything in a machine is refused at once") {
+  const auto machine_of = [](int axes) {
+    std::string all = "[[axis]]\nname = \"a\"\n";
+    for (int i = 1; i < axes; ++i) all += "[[axis]]\nname = \"a" + std::to_string(i) + "\"\n";
+    return read(all);
+  };
+  CHECK(machine_of(1000).diagnostics.error_count() > 1000);
+  const Outcome many = machine_of(30000);
+  REQUIRE(many.diagnostics.count() == 1);
+  CHECK(many.diagnostics.all()[0].message == "a list of 30000: more than 1000 are not taken");
+  CHECK(many.diagnostics.all()[0].where.line == 2001);
+  std::string frames = "\"N0\"";
+  for (int i = 1; i < 2000; ++i) frames += ", \"N" + std::to_string(i) + "\"";
+  CHECK(read(replaced(sound, "[\"NEMA17\"]", "[" + frames + "]")).diagnostics.error_count() == 1);
+}
+
 TEST_CASE("All that is wrong in a file is said in one go") {
   std::string contents = sound;
   contents = replaced(contents, "\"cost\"", "\"costs\"");

@@ -110,6 +110,12 @@ TEST_CASE("assignments that lead nowhere are refused at the step") {
   CHECK(refusal("axis[99999999999999999999999].a=1").find("no element has the name") != std::string::npos);
 }
 
+TEST_CASE("a path of thousands of parts is refused") {
+  std::string path = "a";
+  for (int i = 0; i < 50000; ++i) path += ".a";
+  CHECK(refusal(path + "=1").find("a path of more than 16 parts") != std::string::npos);
+}
+
 TEST_CASE("random assignments never crash") {
   std::mt19937 generator(21);
   const std::vector<std::string> pieces = {"axis", "x", ".", "[",  "]", "0",    "9",    "=",    "\"", "'",    "moves",

@@ -150,6 +150,50 @@ TEST_CASE("TOML errors stand at their place, with a hint") {
   CHECK(errors(read_toml, "a = " + std::string(1000000, '9')).size() == 1);
 }
 
+TEST_CASE("a complaint about the end of a TOML text stands in its last line") {
+  for (const char* contents : {"a = [[\n", "a = [[", "a = [\r\n", "x = [\n\n", "x = \"\"\"\n", "a = {\n"}) {
+    Diagnostics diagnostics;
+    const auto text = SourceText::from_string("d", contents);
+    CHECK_FALSE(read_toml(text, diagnostics));
+    REQUIRE(diagnostics.error_count() == 1);
+    const SourceSpan where = diagnostics.all()[0].where;
+    INFO(contents << where.line << ":" << where.column);
+    CHECK(where.line <= text->line_count() + 1);
+    CHECK(where.column <= static_cast<int>(text->line(where.line).size()) + 1);
+  }
+}
+
+TEST_CASE("a TOML key with thousands of parts is refused, not fatal") {
+  const auto key = [](std::size_t parts) {
+    std::string all = "a";
+    for (std::size_t i = 1; i < parts; ++i) all += i % 3 == 0 ? " . \"b.c\"" : i % 3 == 1 ? ".'d'" : ".e-1";
+    return all;
+  };
+  const std::string many = " TOML: a key of more than 16 parts";
+  CHECK(first(read_toml, key(17) + " = 1\n") == "1:1" + many);
+  CHECK(first(read_toml, key(100000) + " = 1\n") == "1:1" + many);
+  CHECK(first(read_toml, "[x]\n[" + key(50000) + "]\n") == "2:2" + many);
+  CHECK(first(read_toml, "[[" + key(50000) + "]]\n") == "1:3" + many);
+  CHECK(first(read_toml, "x = [1, { " + key(50000) + " = 1 }]\n") == "1:11" + many);
+  CHECK(first(read_toml, "x = '''\n''' # \"\n" + key(50000) + " = 1\n") == "3:1" + many);
+  CHECK(first(read_toml, "x = \"\\\"\"\n" + key(50000) + " = 1\n") == "2:1" + many);
+  // As deep as it goes.
+  std::string deep = "x = ";
+  for (int i = 0; i < 250; ++i) deep += "{" + key(16) + " = ";
+  read_clean(read_toml, deep + "1" + std::string(250, '}') + "\n");
+  // What is no key.
+  std::string dots = "1";
+  for (int i = 0; i < 100; ++i) dots += ".1";
+  std::string numbers = "1.5";
+  for (int i = 0; i < 100; ++i) numbers += ", 2.5";
+  read_clean(read_toml,
+             "# " + dots + "\nx = '" + dots + "'\ny = \"\\\"" + dots + "\"\nz = '''\n'" + dots + "'''\nw = [" +
+                 numbers + "]\n");
+  std::string lines;
+  for (int i = 0; i < 40; ++i) lines += "k" + std::to_string(i) + ".a = 1\n";
+  read_clean(read_toml, lines);
+}
+
 TEST_CASE("every JSON value and key knows its place") {
   const Document document = read_clean(read_json,
                                        "\xEF\xBB\xBF{\n"

@@ -60,6 +60,16 @@ TEST_CASE("an unknown key is reported with the nearest known one") {
         "4 errors\n");
 }
 
+TEST_CASE("of very many unknown keys most are only counted") {
+  std::string text;
+  for (int i = 0; i < 20000; ++i) text += "key" + std::to_string(i) + " = 1\n";
+  const Document d = parse(text);
+  Diagnostics diagnostics;
+  TableReader(d.root(), "file", diagnostics).finish();
+  CHECK(diagnostics.error_count() == 20000);
+  CHECK(format(diagnostics).find("note: ... and 19950 more\n") != std::string::npos);
+}
+
 TEST_CASE("a value of another kind is reported where it stands") {
   const Document d =
       parse("a = 5\nb = '5'\nc = 2.0\nd = 'true'\ne = 'x'\nf = ['x', 3]\ng = 2026-01-15\nh = '1O'\ni = 'scerw'\n");
