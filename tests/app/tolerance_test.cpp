@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// --robust on the command line: exit codes, and a build that solve found and check takes.
+#include <nlohmann/json.hpp>
+
+#include "app/program.h"
+#include "catch.h"
+
+using namespace millwright::app;
+
+namespace {
+const std::string feeder = MILLWRIGHT_SOURCE_DIR "/problems/bar-feeder.toml";
+}
+
+TEST_CASE("what solve --robust finds passes check --robust, the build without it does not") {
+  const Workshop shop;
+  // Its motor's inertia and mass are estimates of +-25 % and +-15 %, and torque is what limits the ramp.
+  REQUIRE(shop.run({"solve", feeder, "--bom", "plain.csv"}).exit_code == 0);
+  CHECK(shop.run({"check", feeder, "plain.csv"}).exit_code == 0);
+  const Outcome refused = shop.run({"check", feeder, "plain.csv", "--robust", "--json", "-"});
+  CHECK(refused.exit_code == 1);
+  const auto tolerances = nlohmann::json::parse(refused.out).at("tolerances");
+  CHECK(tolerances.at("verdict") == "broken");
+  CHECK(!tolerances.at("breaks").empty());
+  REQUIRE(shop.run({"solve", feeder, "--robust", "--bom", "robust.csv"}).exit_code == 0);
+  CHECK(shop.run({"check", feeder, "robust.csv", "--robust"}).exit_code == 0);
+}
+
+TEST_CASE("a robust build has no next best") {
+  const Workshop shop;
+  const Outcome outcome = shop.run({"solve", feeder, "--robust", "--alternatives", "2"});
+  CHECK(outcome.exit_code == 2);
+  CHECK(outcome.says("--robust"));
+}
