@@ -131,6 +131,15 @@ std::vector<std::string> catalogues_of(TableReader& table, QuantityReader& q) {
   return catalogues != nullptr && catalogues->size() > 0 ? q.words(key) : table.strings(key);
 }
 
+/// What is bought beside the machine, and what all may cost and weigh.
+void read_purchase(TableReader& table, Problem& problem, Diagnostics& diagnostics) {
+  if (const Node* spares = table.table({"spares", "what is bought in addition, to lie in the drawer"});
+      spares != nullptr)
+    read_spares(*spares, problem, diagnostics);
+  if (const Node* limits = table.table({"limits", "budgets of the whole machine"}); limits != nullptr)
+    read_limits(*limits, problem, diagnostics);
+}
+
 }  // namespace
 
 std::optional<Problem> problem_of(const text::Document& document, Diagnostics& diagnostics) {
@@ -175,11 +184,7 @@ std::optional<Problem> problem_of(const text::Document& document, Diagnostics& d
   if (const Node* tool = table.table({"tool", "what presses on the tool and how far it may give way or be off"});
       tool != nullptr)
     read_tool(*tool, table.find("axis"), problem, diagnostics);
-  if (const Node* spares = table.table({"spares", "what is bought in addition, to lie in the drawer"});
-      spares != nullptr)
-    read_spares(*spares, problem, diagnostics);
-  if (const Node* limits = table.table({"limits", "budgets of the whole machine"}); limits != nullptr)
-    read_limits(*limits, problem, diagnostics);
+  read_purchase(table, problem, diagnostics);
   if (diagnostics.error_count() == errors) count_quantities(table.find("objective"), problem, diagnostics);
   table.finish();
   if (diagnostics.error_count() > errors) return std::nullopt;
