@@ -76,7 +76,7 @@ struct Options {
   std::string locked;                                           ///< lock that has to hold, empty for none
   bool complete = false;
   std::string hold_origin;
-  bool force = false;         ///< of new and import: overwrite
+  bool force = false;         ///< overwrite files that are there
   std::string first, second;  ///< of compare: results or bills of materials; of catalogue diff: catalogues
   // audit, calc, formulas, catalogue
   std::string subject;             ///< claims file, formula, word, family or template
