@@ -5,15 +5,14 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <map>
 
 #include "app/help.h"
 #include "app/output.h"
+#include "app/output_target.h"
 #include "catalogue/difference.h"
 #include "catalogue/figures.h"
 #include "scalar/unit.h"
-#include "text/output_file.h"
 #include "text/sha256.h"
 
 namespace millwright::app {
@@ -26,17 +25,6 @@ using report::LockedPart;
 
 const Catalogue& whole(const MachineInput& input) {
   return input.whole_catalogue ? *input.whole_catalogue : input.catalogue;
-}
-
-/// The measured motions of moves, as the problem names them.
-void find_profiles(const text::Node& node, bool in_moves, std::vector<std::string>& names) {
-  for (const text::TableEntry& each : node.entries()) {
-    const auto name = each.value.as_string();
-    if (in_moves && each.key == "profile" && name && std::find(names.begin(), names.end(), *name) == names.end())
-      names.push_back(*name);
-    find_profiles(each.value, in_moves || each.key == "moves", names);
-  }
-  for (const text::Node& each : node.items()) find_profiles(each, in_moves, names);
 }
 
 report::LockedInput locked(const std::string& kind, const std::string& name, const text::SourceText& text) {
@@ -134,10 +122,8 @@ std::vector<report::LockedInput> locked_inputs(const MachineInput& input, const 
   std::vector<report::LockedInput> inputs;
   const std::string& problem = input.document->text()->path();
   inputs.push_back(locked("problem", problem, *input.document->text()));
-  std::vector<std::string> profiles;
-  find_profiles(input.document->root(), false, profiles);
   text::Diagnostics unused;  // they have been read already
-  for (const std::string& name : profiles)
+  for (const std::string& name : profile_names(*input.document))
     if (const auto text =
             text::SourceText::load((std::filesystem::path(problem).parent_path() / name).string(), unused))
       inputs.push_back(locked("profile", name, *text));
@@ -184,20 +170,10 @@ bool write_lock(const Options& options,
                           file.sha256});
   lock.parts = locked_parts(input, designs);
   text::Diagnostics failures;
-  const bool written = text::write_file_atomically(options.write_lock, report::lock_toml(lock), failures);
+  const bool written =
+      write_target({options.write_lock, OutputKind::lock, options.force}, report::lock_toml(lock), failures);
   print(failures);
   return written;
-}
-
-bool may_hold_lock(const std::string& file, text::Diagnostics& diagnostics) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) return true;  // nothing there, or what the writer complains of
-  std::string beginning(report::lock_heading.size(), '\0');
-  stream.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
-  if (stream.gcount() == 0 || beginning == report::lock_heading) return true;
-  diagnostics.error(fmt::format("--write-lock: {} is there and is no lock", text::printable(file)),
-                    "name another file: only a lock is written over");
-  return false;
 }
 
 }  // namespace millwright::app

@@ -53,7 +53,4 @@ std::optional<report::Lock> verify_lock(const Options& options,
 /// Warns on standard error where the build is not the one of the lock.
 void compare_with_lock(const report::Lock& lock, const MachineInput& input, const evaluation::Design& design);
 
-/// Whether the lock can go there: not over a file that is no lock.
-bool may_hold_lock(const std::string& file, text::Diagnostics& diagnostics);
-
 }  // namespace millwright::app

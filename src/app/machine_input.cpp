@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "app/output.h"
 #include "catalogue/location.h"
 #include "machine/problem_file.h"
 #include "machine/references.h"
@@ -52,6 +55,17 @@ bool find_catalogues(const text::Document& document, text::Diagnostics& diagnost
   return all;
 }
 
+/// The measured motions of moves, as the problem names them.
+void find_profiles(const text::Node& node, bool in_moves, std::vector<std::string>& names) {
+  for (const text::TableEntry& each : node.entries()) {
+    const auto name = each.value.as_string();
+    if (in_moves && each.key == "profile" && name && std::find(names.begin(), names.end(), *name) == names.end())
+      names.push_back(*name);
+    find_profiles(each.value, in_moves || each.key == "moves", names);
+  }
+  for (const text::Node& each : node.items()) find_profiles(each, in_moves, names);
+}
+
 std::optional<machine::Problem> read_problem(const Options& options,
                                              std::optional<text::Document>& document,
                                              text::Diagnostics& diagnostics) {
@@ -81,6 +95,12 @@ std::vector<std::filesystem::path> catalogue_places(const std::vector<std::strin
   return places;
 }
 
+std::vector<std::string> profile_names(const text::Document& document) {
+  std::vector<std::string> names;
+  find_profiles(document.root(), false, names);
+  return names;
+}
+
 std::optional<MachineInput> read_machine(const Options& options, text::Diagnostics& diagnostics) {
   std::optional<text::Document> document;
   auto problem = read_problem(options, document, diagnostics);
@@ -94,6 +114,11 @@ std::optional<MachineInput> read_machine(const Options& options, text::Diagnosti
   const std::size_t errors = diagnostics.error_count();
   auto catalogue = catalogue::Catalogue::load(places, diagnostics);
   if (!problem) return std::nullopt;
+  std::vector<std::string> read;
+  for (const std::filesystem::path& place : places) read.push_back(place.string());
+  for (const std::string& name : profile_names(*document))
+    read.push_back((std::filesystem::path(options.problem).parent_path() / name).string());
+  spare_sources(options, read, diagnostics);
   machine::Steering steering;
   if (diagnostics.error_count() == errors) {  // else parts may seem unknown that only could not be read
     machine::check_references(*problem, catalogue, diagnostics);

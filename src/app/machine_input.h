@@ -29,6 +29,9 @@ struct MachineInput {
 /// nothing if there was an error.
 std::optional<MachineInput> read_machine(const Options& options, text::Diagnostics& diagnostics);
 
+/// The measured motions that a problem file names, as it names them.
+std::vector<std::string> profile_names(const text::Document& document);
+
 /// The shipped folder followed by `overlays`; reports if there is none.
 std::vector<std::filesystem::path> catalogue_places(const std::vector<std::string>& overlays,
                                                     text::Diagnostics& diagnostics);

@@ -29,6 +29,10 @@ void add_output_options(CLI::App& verb, Options& options) {
           "--json", options.json, "write the result as JSON to FILE; - : to standard output, nothing else there")
       ->type_name("FILE|-")
       ->group(shared_group);
+  verb.add_flag("--force",
+                options.force,
+                "overwrite files that are there; without it only results are renewed (JSON, pages, locks)")
+      ->group(shared_group);
   verb.add_flag("--quiet,-q", options.quiet, "the result only: no progress, no calculations, no remarks")
       ->group(shared_group);
 }

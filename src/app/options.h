@@ -77,7 +77,7 @@ struct Options {
   bool complete = false;
   std::string hold_origin;
   bool robust = false;        ///< of solve and check: for every value within the stated tolerances
-  bool force = false;         ///< of new and import: overwrite
+  bool force = false;         ///< overwrite files that are there
   std::string first, second;  ///< of compare: results or bills of materials; of catalogue diff: catalogues
   // audit, calc, formulas, catalogue
   std::string subject;             ///< claims file, formula, word, family or template

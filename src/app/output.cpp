@@ -11,9 +11,8 @@
 #include <filesystem>
 #include <string_view>
 
-#include "app/lock.h"
+#include "app/output_target.h"
 #include "report/order_files.h"
-#include "text/output_file.h"
 
 namespace millwright::app {
 
@@ -68,17 +67,17 @@ bool write_stdout(const std::string& text) {
 
 bool deliver(const Options& options, const std::string& text, const std::string& json, const std::string& page) {
   text::Diagnostics failures;
-  if (!options.report.empty() && !text::write_file_atomically(options.report, page, failures)) {
-    print(failures);
-    return false;
-  }
-  if (options.json == "-") return write_stdout(json);
-  text::Diagnostics diagnostics;
-  if (!options.json.empty() && !text::write_file_atomically(options.json, json, diagnostics)) {
-    print(diagnostics);
-    return false;
-  }
-  return write_stdout(has_lines_of_its_own(options.verb) ? text : report::fitted(text, output_width()));
+  bool good = options.report.empty() || write_target({options.report, OutputKind::page, options.force}, page, failures);
+  const bool only_json = options.json == "-";
+  if (!options.json.empty() && !only_json)
+    good = write_target({options.json, OutputKind::json, options.force}, json, failures) && good;
+  // What was computed is shown even if a file of it could not be written.
+  if (only_json)
+    good = write_stdout(json) && good;
+  else
+    good = write_stdout(has_lines_of_its_own(options.verb) ? text : report::fitted(text, output_width())) && good;
+  print(failures);
+  return good;
 }
 
 namespace {
@@ -87,7 +86,8 @@ bool is_workbook(const std::string& file) { return std::filesystem::path(file).e
 
 /// The files of `--order`: a workbook, or a table and beside it the cutting list.
 std::vector<std::string> order_files(const std::string& file) {
-  if (file.empty() || is_workbook(file)) return {file};
+  if (file.empty()) return {};
+  if (is_workbook(file)) return {file};
   const std::filesystem::path path(file);
   return {file, (path.parent_path() / (path.stem().string() + "-cutting.csv")).string()};
 }
@@ -98,13 +98,15 @@ bool write_order(const Options& options, const evaluation::Design& design, const
   if (options.order.empty()) return true;
   const report::OrderList list = report::order_list(design, title);
   text::Diagnostics failures;
+  const auto write = [&](const std::string& file, const std::string& contents) {
+    write_target({file, OutputKind::edited, options.force}, contents, failures);
+  };
   if (is_workbook(options.order)) {
-    if (const auto workbook = report::order_xlsx(list, failures))
-      text::write_file_atomically(options.order, *workbook, failures);
+    if (const auto workbook = report::order_xlsx(list, failures)) write(options.order, *workbook);
   } else {
     const std::vector<std::string> files = order_files(options.order);
-    text::write_file_atomically(files[0], report::order_csv(list), failures);
-    text::write_file_atomically(files[1], report::cutting_csv(list), failures);
+    write(files[0], report::order_csv(list));
+    write(files[1], report::cutting_csv(list));
   }
   print(failures);
   return !failures.has_errors();
@@ -113,32 +115,6 @@ bool write_order(const Options& options, const evaluation::Design& design, const
 report::Language page_language(const Options& options) {
   return report::language_of(options.language).value_or(report::Language::english);
 }
-
-namespace {
-
-/// Reports why the file could not be written, or must not be: it is one of those that are read.
-void check_target(const std::string& target, const std::vector<std::string>& sources, text::Diagnostics& diagnostics) {
-  namespace fs = std::filesystem;
-  std::error_code failure;
-  if (std::any_of(sources.begin(), sources.end(), [&](const std::string& source) {
-        return fs::equivalent(source, target, failure);
-      }))
-    diagnostics.error(fmt::format("{}: cannot be written: it is read too", text::printable(target)),
-                      "name another file for the output");
-  const fs::path parent = fs::path(target).parent_path();
-  const fs::path folder = parent.empty() ? fs::path(".") : parent;
-  if (!fs::is_directory(folder, failure))
-    diagnostics.error(
-        fmt::format(
-            "{}: cannot be written: there is no folder {}", text::printable(target), text::quoted(folder.string())),
-        "make the folder first");
-  else if (access(folder.c_str(), W_OK) != 0)
-    diagnostics.error(fmt::format("{}: cannot be written: no right to write in its folder", text::printable(target)));
-  else if (fs::is_directory(target, failure))
-    diagnostics.error(fmt::format("{}: cannot be written: it is a folder", text::printable(target)));
-}
-
-}  // namespace
 
 namespace {
 
@@ -160,35 +136,65 @@ void add_files_of(const std::string& place, std::vector<std::string>& files) {
 
 }  // namespace
 
+namespace {
+
+std::vector<OutputTarget> targets_of(const Options& options) {
+  std::vector<OutputTarget> targets;
+  const auto add = [&](const std::string& file, OutputKind kind) {
+    if (!file.empty()) targets.push_back({file, kind, options.force});
+  };
+  if (options.json != "-") add(options.json, OutputKind::json);
+  if (options.verb == Verb::solve) add(options.bom, OutputKind::edited);
+  add(options.report, OutputKind::page);
+  add(options.csv, OutputKind::edited);
+  add(options.write_lock, OutputKind::lock);
+  for (const std::string& each : order_files(options.order)) add(each, OutputKind::edited);
+  return targets;
+}
+
+std::vector<std::string> sources_of(const Options& options) {
+  std::vector<std::string> sources{options.problem, options.locked};
+  if (options.verb == Verb::check) sources.push_back(options.bom);
+  if (options.verb == Verb::audit) sources.push_back(options.subject);
+  if (options.verb == Verb::compare || options.verb == Verb::catalogue_diff)
+    for (const std::string& place : {options.first, options.second}) add_files_of(place, sources);
+  if (options.verb == Verb::catalogue_lint)
+    for (const std::string& place : options.words) add_files_of(place, sources);
+  for (const std::string& place : options.catalogues) add_files_of(place, sources);
+  return sources;
+}
+
+}  // namespace
+
 bool outputs_are_writable(const Options& options, text::Diagnostics& diagnostics) {
-  namespace fs = std::filesystem;
-  std::vector<std::string> targets;
-  if (!options.json.empty() && options.json != "-") targets.push_back(options.json);
-  if (options.verb == Verb::solve && !options.bom.empty()) targets.push_back(options.bom);
-  if (!options.report.empty()) targets.push_back(options.report);
-  if (!options.csv.empty()) targets.push_back(options.csv);
-  if (!options.write_lock.empty()) targets.push_back(options.write_lock);
   const std::size_t errors = diagnostics.error_count();
-  if (!options.write_lock.empty()) may_hold_lock(options.write_lock, diagnostics);
   if (!options.order.empty()) {
-    const std::string kind = fs::path(options.order).extension().string();
+    const std::string kind = std::filesystem::path(options.order).extension().string();
     if (kind != ".csv" && kind != ".xlsx")
       diagnostics.error(fmt::format("--order: {} is neither a .csv nor an .xlsx file", text::printable(options.order)),
                         "write for example --order order.xlsx");
-    for (const std::string& each : order_files(options.order)) targets.push_back(each);
   }
-  for (std::size_t i = 0; i < targets.size(); ++i)
-    if (std::find(targets.begin(), targets.begin() + static_cast<std::ptrdiff_t>(i), targets[i]) !=
-        targets.begin() + static_cast<std::ptrdiff_t>(i))
-      diagnostics.error(fmt::format("{}: two outputs cannot go to one file", text::printable(targets[i])),
+  const std::vector<OutputTarget> targets = targets_of(options);
+  const std::vector<std::string> sources = sources_of(options);
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    const auto is_same = [&](const OutputTarget& other) { return is_same_file(other.file, targets[i].file); };
+    if (std::any_of(targets.begin(), targets.begin() + static_cast<std::ptrdiff_t>(i), is_same))
+      diagnostics.error(fmt::format("{}: two outputs cannot go to one file", text::printable(targets[i].file)),
                         "name another file for one of them");
-  std::vector<std::string> sources{options.problem, options.locked};
-  if (options.verb == Verb::check) sources.push_back(options.bom);
-  if (options.verb == Verb::compare || options.verb == Verb::catalogue_diff)
-    sources.insert(sources.end(), {options.first, options.second});
-  for (const std::string& place : options.catalogues) add_files_of(place, sources);
-  for (const std::string& target : targets) check_target(target, sources, diagnostics);
+    else
+      check_target(targets[i], sources, diagnostics);
+  }
   return diagnostics.error_count() == errors;
+}
+
+void spare_sources(const Options& options, const std::vector<std::string>& places, text::Diagnostics& diagnostics) {
+  std::vector<std::string> sources;
+  for (const std::string& place : places) add_files_of(place, sources);
+  for (const OutputTarget& target : targets_of(options))
+    for (const std::string& source : sources)
+      if (is_same_file(source, target.file))
+        diagnostics.error(fmt::format("{}: cannot be written: it is read too", text::printable(target.file)),
+                          "name another file for the output");
 }
 
 }  // namespace millwright::app

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "app/options.h"
 #include "evaluation/ledger.h"
@@ -29,7 +30,10 @@ bool write_order(const Options& options, const evaluation::Design& design, const
 /// The language of the page.
 report::Language page_language(const Options& options);
 
-/// Refuses at once, before any work, output files that could not be written later.
+/// Refuses at once, before any work, output files that could not or must not be written later (output_target.h).
 bool outputs_are_writable(const Options& options, text::Diagnostics& diagnostics);
+
+/// Refuses outputs that are among files (or the catalogues of folders) of which it turned out that they are read.
+void spare_sources(const Options& options, const std::vector<std::string>& places, text::Diagnostics& diagnostics);
 
 }  // namespace millwright::app

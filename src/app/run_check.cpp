@@ -101,10 +101,11 @@ int run_check(const Options& options) {
   if (lock && !result.designs.empty()) compare_with_lock(*lock, *input, result.designs.front());
   result.timing.read = read;
   result.timing.total = watch.seconds();
-  if (!result.designs.empty() && !write_order(options, result.designs.front(), result.title)) return exit_bad_input;
+  // What was found is shown, and written elsewhere, even if one of the files could not be.
+  bool written = result.designs.empty() || write_order(options, result.designs.front(), result.title);
   std::vector<const evaluation::Design*> designs;
   for (const evaluation::Design& design : result.designs) designs.push_back(&design);
-  if (!write_lock(options, *input, designs, {text})) return exit_bad_input;
+  written = write_lock(options, *input, designs, {text}) && written;
   const bool satisfied = !result.designs.empty() && result.designs.front().satisfied() &&
                          (!options.robust || is_robust(result.designs.front()));
   const std::string json = report::check_json(result);
@@ -112,7 +113,8 @@ int run_check(const Options& options) {
       options.report.empty()
           ? std::string()
           : report::machine_page(result, input->problem, report::PageKind::check, json, page_language(options));
-  if (!deliver(options, report::check_text(result, output_style(options)), json, page)) return exit_bad_input;
+  const bool delivered = deliver(options, report::check_text(result, output_style(options)), json, page);
+  if (!delivered || !written) return exit_bad_input;
   return satisfied ? exit_done : exit_failed;
 }
 

@@ -4,20 +4,18 @@
 #include <unistd.h>
 
 #include <cstdio>
-#include <filesystem>
 
 #include "app/commands.h"
 #include "app/output.h"
+#include "app/output_target.h"
 #include "catalogue/import_mapping_file.h"
 #include "catalogue/import_write.h"
 #include "report/import_text.h"
-#include "text/output_file.h"
 
 namespace millwright::app {
 
 namespace {
 
-namespace fs = std::filesystem;
 using catalogue::ImportMapping;
 using catalogue::ImportRequest;
 
@@ -78,39 +76,6 @@ ImportRequest request_of(const Options& options, text::Diagnostics& diagnostics)
   return request;
 }
 
-/// Refuses a file that may not be written, before any work.
-void check_target(const std::string& file, const Options& options, text::Diagnostics& diagnostics) {
-  if (file.empty()) return;
-  const std::string shown = text::printable(file);
-  std::error_code failure;
-  const fs::file_status status = fs::symlink_status(file, failure);
-  const fs::path parent = fs::path(file).parent_path();
-  for (const std::string& source : {options.import.file, options.import.mapping})
-    if (!source.empty() && fs::equivalent(source, file, failure)) {
-      diagnostics.error(shown + ": cannot be written: it is read too", "name another file for the output");
-      return;
-    }
-  if (fs::is_symlink(status))
-    diagnostics.error(shown + ": is a symbolic link and is not written through", "name the file itself");
-  else if (fs::is_directory(status))
-    diagnostics.error(shown + ": is a folder", "name a file in it");
-  else if (fs::exists(status) && !options.force)
-    diagnostics.error(shown + ": there is such a file already", "name another one, or say --force to overwrite it");
-  else if (!parent.empty() && !fs::is_directory(parent, failure))
-    diagnostics.error(shown + ": there is no folder " + text::quoted(parent.string()), "make the folder first");
-}
-
-/// Whether two names, neither empty, are one file, which need not be there yet.
-bool is_same_file(const std::string& one, const std::string& other) {
-  if (one.empty() || other.empty()) return false;
-  std::error_code failure;
-  if (fs::equivalent(one, other, failure)) return true;
-  const fs::path first = fs::weakly_canonical(fs::absolute(one, failure), failure);
-  if (failure) return one == other;
-  const fs::path second = fs::weakly_canonical(fs::absolute(other, failure), failure);
-  return failure ? one == other : first == second;
-}
-
 bool ask(const std::string& question) {
   fmt::print("{} [y/N] ", question);
   std::fflush(stdout);
@@ -142,8 +107,8 @@ class Import {
 
   int run() {
     request_ = request_of(options_, diagnostics_);
-    check_target(said_.output, options_, diagnostics_);
-    check_target(said_.save_mapping, options_, diagnostics_);
+    for (const std::string& file : {said_.output, said_.save_mapping})
+      if (!file.empty()) check_target(target(file), {said_.file, said_.mapping}, diagnostics_);
     if (is_same_file(said_.output, said_.save_mapping))
       diagnostics_.error("--output and --save-mapping cannot be one file");
     if (diagnostics_.has_errors()) return stop();
@@ -162,6 +127,8 @@ class Import {
   }
 
  private:
+  OutputTarget target(const std::string& file) const { return {file, OutputKind::edited, options_.force}; }
+
   int stop() {
     print(diagnostics_);
     return exit_bad_input;
@@ -175,8 +142,8 @@ class Import {
   bool save(const ImportMapping& mapping, bool confirmed) {
     if (said_.save_mapping.empty()) return true;
     text::Diagnostics failures;
-    const bool saved = text::write_file_atomically(
-        said_.save_mapping, catalogue::mapping_text(mapping, request_, confirmed), failures);
+    const bool saved =
+        write_target(target(said_.save_mapping), catalogue::mapping_text(mapping, request_, confirmed), failures);
     print(failures);
     if (saved && !options_.quiet) show(fmt::format("{}: mapping written.\n", text::printable(said_.save_mapping)));
     return saved;
@@ -184,7 +151,7 @@ class Import {
 
   int write(const catalogue::ImportSheet& sheet, const ImportMapping& mapping, Consent consent) {
     std::unique_ptr<text::OutputFile> file;
-    if (consent != Consent::none) file = text::OutputFile::open(said_.output, diagnostics_);
+    if (consent != Consent::none) file = open_target(target(said_.output), diagnostics_);
     if (consent != Consent::none && !file) return stop();
     bool written = true;
     const auto summary = catalogue::write_import(

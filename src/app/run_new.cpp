@@ -7,9 +7,9 @@
 
 #include "app/commands.h"
 #include "app/output.h"
+#include "app/output_target.h"
 #include "app/templates.h"
 #include "text/nearest.h"
-#include "text/output_file.h"
 
 namespace millwright::app {
 
@@ -31,17 +31,14 @@ const Template* find_template(const std::string& name, text::Diagnostics& diagno
 }
 
 /// What is wrong with the name of the file, as far as writing itself would not find it.
-void check_target(const Options& options, text::Diagnostics& diagnostics) {
+void check_name(const Options& options, text::Diagnostics& diagnostics) {
   const std::filesystem::path path(options.problem);
   const std::string shown = text::printable(options.problem);
   std::string ending = path.extension().string();
   std::transform(
       ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  std::error_code ignored;
   if (ending == ".json")
     diagnostics.error(shown + ": templates are TOML, and a file of this name is read as JSON", "let it end in .toml");
-  else if (std::filesystem::is_regular_file(std::filesystem::symlink_status(path, ignored)) && !options.force)
-    diagnostics.error(shown + ": there is such a file already", "name another one, or say --force to overwrite it");
 }
 
 }  // namespace
@@ -49,8 +46,10 @@ void check_target(const Options& options, text::Diagnostics& diagnostics) {
 int run_new(const Options& options) {
   text::Diagnostics diagnostics;
   const Template* found = find_template(options.subject, diagnostics);
-  check_target(options, diagnostics);
-  if (!diagnostics.has_errors()) (void)text::write_file_atomically(options.problem, found->text, diagnostics);
+  check_name(options, diagnostics);
+  if (!diagnostics.has_errors()) check_target({options.problem, OutputKind::edited, options.force}, {}, diagnostics);
+  if (!diagnostics.has_errors())
+    (void)write_target({options.problem, OutputKind::edited, options.force}, found->text, diagnostics);
   print(diagnostics);
   if (diagnostics.has_errors()) return exit_bad_input;
   const std::string shown = text::printable(options.problem);

@@ -8,13 +8,13 @@
 #include "app/machine_input.h"
 #include "app/machine_result.h"
 #include "app/output.h"
+#include "app/output_target.h"
 #include "app/search_machine.h"
 #include "app/search_watch.h"
 #include "report/bom_csv.h"
 #include "report/json.h"
 #include "report/machine_text.h"
 #include "report/page.h"
-#include "text/output_file.h"
 
 namespace millwright::app {
 
@@ -36,6 +36,16 @@ std::vector<const evaluation::Design*> designs_of(const Options& options, const 
   for (const evaluation::Design& design : result.designs)
     if (designs.empty() || options.verb == Verb::pareto) designs.push_back(&design);
   return designs;
+}
+
+/// `--bom`. False, with a complaint on standard error, if it could not be written.
+bool write_bom(const Options& options, const report::MachineResult& result) {
+  if (options.bom.empty() || result.designs.empty()) return true;
+  text::Diagnostics failures;
+  const bool written =
+      write_target({options.bom, OutputKind::edited, options.force}, report::bom_csv(result.designs.front()), failures);
+  print(failures);
+  return written;
 }
 
 int exit_code_of(const report::MachineResult& result) {
@@ -80,15 +90,10 @@ int run_search(const Options& options) {
     compare_with_lock(*lock, *input, result.designs.front());
   result.timing.read = read;
   result.timing.total = watch.seconds();
-  if (!options.bom.empty() && !result.designs.empty()) {
-    text::Diagnostics failures;
-    if (!text::write_file_atomically(options.bom, report::bom_csv(result.designs.front()), failures)) {
-      print(failures);
-      return exit_bad_input;
-    }
-  }
-  if (!result.designs.empty() && !write_order(options, result.designs.front(), result.title)) return exit_bad_input;
-  if (!write_lock(options, *input, designs_of(options, result))) return exit_bad_input;
+  // What was found is shown, and written elsewhere, even if one of the files could not be.
+  bool written = write_bom(options, result);
+  if (!result.designs.empty()) written = write_order(options, result.designs.front(), result.title) && written;
+  written = write_lock(options, *input, designs_of(options, result)) && written;
   const report::Style style = output_style(options);
   const bool front = options.verb == Verb::pareto;
   const std::string json = front ? report::front_json(result) : report::solve_json(result);
@@ -101,7 +106,7 @@ int run_search(const Options& options) {
                                                       page_language(options));
   const bool delivered =
       deliver(options, front ? report::front_text(result, style) : report::solve_text(result, style), json, page);
-  return delivered ? exit_code_of(result) : exit_bad_input;
+  return delivered && written ? exit_code_of(result) : exit_bad_input;
 }
 
 }  // namespace millwright::app

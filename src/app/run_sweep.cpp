@@ -12,11 +12,11 @@
 #include "app/machine_input.h"
 #include "app/machine_result.h"
 #include "app/output.h"
+#include "app/output_target.h"
 #include "app/search_machine.h"
 #include "evaluation/cycle_time.h"
 #include "machine/setting_range.h"
 #include "report/sweep.h"
-#include "text/output_file.h"
 
 namespace millwright::app {
 
@@ -168,15 +168,15 @@ int run_sweep(const Options& options) {
   sweep->timing.read = read;
   sweep->timing.total = watch.seconds();
   text::Diagnostics failures;
-  if (!options.csv.empty() && !text::write_file_atomically(options.csv, report::sweep_csv(*sweep), failures)) {
-    print(failures);
-    return exit_bad_input;
-  }
+  const bool written =
+      options.csv.empty() ||
+      write_target({options.csv, OutputKind::edited, options.force}, report::sweep_csv(*sweep), failures);
+  print(failures);
   const std::string json = report::sweep_json(*sweep);
   const std::string page =
       options.report.empty() ? std::string() : report::sweep_page(*sweep, json, page_language(options));
-  return deliver(options, report::sweep_text(*sweep, output_style(options)), json, page) ? exit_code_of(*sweep)
-                                                                                         : exit_bad_input;
+  const bool delivered = deliver(options, report::sweep_text(*sweep, output_style(options)), json, page);
+  return delivered && written ? exit_code_of(*sweep) : exit_bad_input;
 }
 
 }  // namespace millwright::app

@@ -50,7 +50,7 @@ TEST_CASE("A template or file that cannot be: exit code 2, a hint, and nothing i
       {{"new", "--template", "mill"}, "FILE is required"},
       {{"new", "--template", "mill", "m.json"}, "read as JSON"},
       {{"new", "--template", "mill", "no/m.toml"}, "no/m.toml"},
-      {{"new", "--template", "mill", "."}, "directory"},
+      {{"new", "--template", "mill", "."}, "it is a folder"},
       {{"new", "--template", "mill", ""}, "no name of a file"},
   };
   for (const auto& [words, complaint] : cases) {
