@@ -108,6 +108,8 @@ function example_workshop() {
   for (const year of ["2025", "2026"])
     fs.cpSync(path.join(folder, "my-parts"), path.join(folder, "parts-" + year), { recursive: true });
   fs.copyFileSync(motors, path.join(folder, "motors.csv"));
+  fs.mkdirSync(path.join(folder, "my-shops"));
+  fs.writeFileSync(path.join(folder, "my-shops", "suppliers.csv"), "supplier,shipping_fee,minimum_order,currency\n,15,,USD\n");
   for (const name of ["my-bom.csv", "mine.csv"])
     fs.copyFileSync(path.join(source, "problems", "sander-bom.csv"), path.join(folder, name));
   const prices =
