@@ -6,6 +6,7 @@
 
 #include "catch.h"
 #include "sanitized.h"
+#include "solver/model_stage.h"
 #include "solver/random_stack.h"
 
 namespace {
@@ -70,6 +71,43 @@ void try_box(std::mt19937& rng, const StagePlan& plan, Desk& desk, Tried& tried)
 }
 
 }  // namespace
+
+TEST_CASE("First-order enclosures hold where constraints read two variables at once") {
+  Tried tried;
+  std::mt19937 rng(11);
+  for (int beam = 0; beam < (millwright::sanitized ? 20 : 150); ++beam) {
+    // Load and price of bars; a beam's bending falls with width * height^2, its slenderness rises with height / width.
+    Columns bars{"bar", 2, {}};
+    for (int i = 0; i < 3; ++i)
+      for (const double most : {4.0, 3.0}) bars.numbers.push_back(uniform(rng, 0.3, most));
+    const double slender = uniform(rng, 1.0, 4.0);
+    const auto stage =
+        model_stage("beam", {&bars}, {{"width", 0.4, 2.0}, {"height", 0.4, 3.0}}, 2, [&](const auto& in, auto& out) {
+          const auto &w = in.variable(0), &h = in.variable(1);
+          out.utilisation.push_back(in.row(0, 0) * (1.0 + in.state(0)) / (w * h * h));
+          out.utilisation.push_back(h / (w * slender));
+          out.resources.push_back(in.row(0, 1) * (w * h) + w);
+          out.resources.push_back(w * h);
+          out.handed_on.push_back(in.state(0) + w * h);
+        });
+    Problem problem;
+    problem.stages = {&stage};
+    problem.first_state = {uniform(rng, 0.0, 1.0)};
+    problem.resources = {{"cost"}, {"mass"}};
+    Options options;
+    options.objectives = {0, 1};
+    const Criteria criteria = make_criteria(problem, options);
+    Desk desk;
+    for (const StagePlan& plan : make_plans(problem, {}, criteria, desk))
+      for (int i = 0; i < 40; ++i) try_box(rng, plan, desk, tried);
+  }
+  INFO(tried.boxes << " boxes, " << tried.feasible << " feasible points, " << tried.narrowed << " sides narrower, "
+                   << tried.empty << " empty, " << tried.raised << " with a higher bound");
+  CHECK(tried.feasible > 5 * tried.boxes);
+  CHECK(10 * tried.narrowed > tried.boxes);
+  CHECK(tried.empty > 0);
+  CHECK(15 * tried.raised > tried.boxes);
+}
 
 TEST_CASE("First-order enclosures of a box hold all of its feasible designs") {
   Tried tried;
