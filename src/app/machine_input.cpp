@@ -120,6 +120,7 @@ std::optional<MachineInput> read_machine(const Options& options, text::Diagnosti
     read.push_back((std::filesystem::path(options.problem).parent_path() / name).string());
   spare_sources(options, read, diagnostics);
   machine::Steering steering;
+  steering.settings = options.settings;
   if (diagnostics.error_count() == errors) {  // else parts may seem unknown that only could not be read
     machine::check_references(*problem, catalogue, diagnostics);
     steering.without = machine::read_excluded(options.without, catalogue, diagnostics);

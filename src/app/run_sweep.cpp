@@ -68,6 +68,8 @@ std::list<MachineInput> read_all(const Options& options,
     if (inputs.empty() || found.has_errors())  // warnings of the catalogues once
       for (const text::Diagnostic& each : found.all()) diagnostics.add(each);
     if (!input) return inputs;
+    // The value that goes over the range is in the table.
+    input->steering.settings.erase(input->steering.settings.begin() + static_cast<std::ptrdiff_t>(place));
     inputs.push_back(std::move(*input));
   }
   return inputs;

@@ -47,8 +47,9 @@ class Catalogue {
   static Catalogue load(const std::vector<std::filesystem::path>& places, text::Diagnostics& diagnostics);
 
   const Table& table(Family family) const { return tables_[static_cast<std::size_t>(family)]; }
-  /// To take figures otherwise than they stand (Table::set_number, set_range).
-  Table& table(Family family) { return tables_[static_cast<std::size_t>(family)]; }
+  /// To take figures otherwise than they stand (Table::set_number, set_range): of with_offers(), if it is not the
+  /// catalogue itself, because models read that. Throws std::logic_error of another.
+  Table& changeable_table(Family family);
   /// What the overlays say about parts beside their figures.
   const Stock& stock() const { return stock_; }
   /// What the overlays say about who sells them.
@@ -75,6 +76,7 @@ class Catalogue {
   Stock stock_;
   Suppliers suppliers_;
   std::shared_ptr<const Catalogue> with_offers_;
+  bool has_offers_ = false;  ///< they are among its rows
 
   void add_offers();
 };

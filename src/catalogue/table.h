@@ -160,8 +160,8 @@ class Table {
   [[nodiscard]] Ownership ownership(int row) const {
     return ownership_.empty() ? Ownership::usual : ownership_[static_cast<std::size_t>(row)];
   }
-  /// Appends rows once more with other prices (table_offers.cpp). Where a row with owned pieces is among them, the
-  /// others of the part are bought.
+  /// Appends rows once more with other prices (table_offers.cpp). Of a row with owned pieces only those are taken; the
+  /// row that it repeats goes on to stand for owned pieces first.
   void append_offers(const std::vector<OfferedRow>& offers);
 
   /// Drops the rows with keep[row] == false.
@@ -186,6 +186,8 @@ class Table {
   Family family_;
   std::vector<std::vector<double>> numbers_;
   std::vector<std::vector<TextCell>> texts_;
+  void repeat_companions(std::size_t row);
+
   std::vector<std::vector<double>> tolerances_;
   std::vector<std::vector<TextCell>> figure_sources_, figure_confidences_;
   std::vector<Range> ranges_;

@@ -2,10 +2,27 @@
 // A table with a row more for each offer of its parts.
 #include <cmath>
 #include <map>
+#include <stdexcept>
 
 #include "catalogue/catalogue.h"
 
 namespace millwright::catalogue {
+
+/// What is said of the figures of a row once more, for the row that was appended; of its prices nothing is said there.
+void Table::repeat_companions(std::size_t row) {
+  const auto repeat = [row](auto& columns) {
+    for (auto& column : columns)
+      if (!column.empty()) column.push_back(column[row]);
+  };
+  repeat(tolerances_);
+  repeat(figure_sources_);
+  repeat(figure_confidences_);
+  for (const char* price : {"price", "price_per_length"})
+    for (auto* said : {&figure_sources_, &figure_confidences_}) {
+      const std::size_t index = column(family_, price).index;
+      if (index < said->size() && !(*said)[index].empty()) (*said)[index].back() = TextCell();
+    }
+}
 
 void Table::append_offers(const std::vector<OfferedRow>& offers) {
   if (offers.empty()) return;
@@ -49,16 +66,21 @@ void Table::append_offers(const std::vector<OfferedRow>& offers) {
     numbers_[column(family_, "price_per_length").index].back() = offer.price_per_length;
     numbers_[column(family_, "pack_size").index].back() = offer.pack_size;
     ownership_.push_back(offer.owned_pieces ? Ownership::only : Ownership::none);
+    repeat_companions(row);
   }
-  for (const OfferedRow& offer : offers)
-    if (offer.owned_pieces) ownership_[static_cast<std::size_t>(offer.row)] = Ownership::none;
   parts_.forget();
+}
+
+Table& Catalogue::changeable_table(Family family) {
+  if (with_offers_ != nullptr) throw std::logic_error("a catalogue is changed whose offers would not be");
+  return tables_[static_cast<std::size_t>(family)];
 }
 
 void Catalogue::add_offers() {
   with_offers_.reset();
-  if (suppliers_.empty()) return;
+  if (suppliers_.empty() || has_offers_) return;
   auto whole = std::make_shared<Catalogue>(*this);
+  whole->has_offers_ = true;
   bool any = false;
   for (Table& table : whole->tables_) {
     std::vector<OfferedRow> offered;

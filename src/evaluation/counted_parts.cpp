@@ -18,24 +18,31 @@ catalogue::PiecePrice::Purchase CountedPart::purchase(double pieces) const {
   return bought;
 }
 
-const CountedPart* CountedParts::find_or_add(const PartUse& use) {
-  if (!use.stated.empty()) return nullptr;
-  const catalogue::Table& table = catalogue_.table(use.family);
-  if (!prices_.is_counted(table, use.row)) return nullptr;
-  const auto known = std::find_if(parts_.begin(), parts_.end(), is_of(use));
-  if (known != parts_.end()) return &*known;
+std::optional<std::size_t> CountedParts::find_or_add(catalogue::Family family, int row) {
+  const catalogue::Table& table = catalogue_.table(family);
+  if (!prices_.is_counted(table, row)) return std::nullopt;
+  for (std::size_t i = 0; i < parts_.size(); ++i)
+    if (parts_[i].family == family && parts_[i].row == row) return i;
+  const std::size_t index = parts_.size();
   CountedPart part;
-  part.family = use.family;
-  part.row = use.row;
-  part.owned = prices_.owned(table, use.row);
-  part.only_owned = table.ownership(use.row) == catalogue::Ownership::only;
-  part.price = table.piece_price(use.row);
-  part.rate = prices_.rate(table.price(use.row).currency);
-  part.least = prices_.least_piece(table, use.row);
-  part.state = first_state_ + parts_.size();
+  part.family = family;
+  part.row = row;
+  part.owned = prices_.owned(table, row);
+  part.only_owned = table.ownership(row) == catalogue::Ownership::only;
+  part.price = table.piece_price(row);
+  part.rate = prices_.rate(table.price(row).currency);
+  part.least = prices_.least_piece(table, row);
+  part.state = first_state_ + index;
   parts_.push_back(std::move(part));
   most_.push_back(0.0);
-  return &parts_.back();
+  if (!parts_[index].only_owned) return index;
+  for (int other = 0; other < table.rows() && !parts_[index].whole; ++other)
+    if (table.ownership(other) == catalogue::Ownership::usual &&
+        table.same_part(other, table, row, catalogue::Identity::point) && prices_.owned(table, other) > 0.0) {
+      const auto whole = find_or_add(family, other);
+      parts_[index].whole = whole;
+    }
+  return index;
 }
 
 std::vector<PieceCount> CountedParts::counts(std::span<const SlotTable> tables) {
@@ -43,16 +50,21 @@ std::vector<PieceCount> CountedParts::counts(std::span<const SlotTable> tables) 
   for (std::size_t slot = 0; slot < tables.size(); ++slot) {
     const SlotTable& table = tables[slot];
     const std::size_t first = result.size();
+    const auto add = [&](std::size_t row, std::size_t part, double pieces) {
+      const std::size_t state = first_state_ + part;
+      auto count = std::find_if(result.begin() + static_cast<std::ptrdiff_t>(first),
+                                result.end(),
+                                [&](const PieceCount& each) { return each.state == state; });
+      if (count == result.end())
+        count = result.insert(result.end(), {slot, state, std::vector<double>(table.rows(), 0.0)});
+      count->of_row[row] += pieces;
+    };
     for (std::size_t row = 0; row < table.rows(); ++row) {
       for (const PartUse& use : table.candidate(row).parts) {
-        const CountedPart* part = find_or_add(use);
-        if (part == nullptr) continue;
-        auto count = std::find_if(result.begin() + static_cast<std::ptrdiff_t>(first),
-                                  result.end(),
-                                  [&](const PieceCount& each) { return each.state == part->state; });
-        if (count == result.end())
-          count = result.insert(result.end(), {slot, part->state, std::vector<double>(table.rows(), 0.0)});
-        count->of_row[row] += use.pieces();
+        const auto part = use.stated.empty() ? find_or_add(use.family, use.row) : std::nullopt;
+        if (!part) continue;
+        add(row, *part, use.pieces());
+        if (parts_[*part].whole) add(row, *parts_[*part].whole, use.pieces());
       }
     }
     for (std::size_t i = first; i < result.size(); ++i)
@@ -71,14 +83,20 @@ std::vector<CountedPart> CountedParts::finish() && {
   return std::move(parts_);
 }
 
+void CountedPartsLedger::set_aside(const PartUse& use) {
+  const auto found = use.stated.empty() ? std::find_if(parts_.begin(), parts_.end(), is_of(use)) : parts_.end();
+  if (found != parts_.end() && found->whole) set_aside_[*found->whole] += use.pieces();
+}
+
 CountedPartsLedger::Share CountedPartsLedger::take(const PartUse& use) {
   const auto found = use.stated.empty() ? std::find_if(parts_.begin(), parts_.end(), is_of(use)) : parts_.end();
   if (found == parts_.end()) return {0.0, use.price};
-  double& taken = taken_[static_cast<std::size_t>(found - parts_.begin())];
-  const double left = std::max(0.0, found->owned - taken);
-  const double before = found->purchase(taken).price;
+  const auto index = static_cast<std::size_t>(found - parts_.begin());
+  double& taken = taken_[index];
+  const double gone = taken + set_aside_[index];
+  const double left = std::max(0.0, found->owned - gone);
   taken += use.pieces();
-  return {std::min(left, use.pieces()), found->purchase(taken).price - before};
+  return {std::min(left, use.pieces()), found->purchase(gone + use.pieces()).price - found->purchase(gone).price};
 }
 
 std::vector<Purchase> CountedPartsLedger::purchases(const catalogue::Catalogue& catalogue) const {
@@ -86,13 +104,13 @@ std::vector<Purchase> CountedPartsLedger::purchases(const catalogue::Catalogue& 
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     if (!(taken_[i] > 0.0)) continue;
     const catalogue::Table& table = catalogue.table(parts_[i].family);
-    const auto bought = parts_[i].purchase(taken_[i]);
+    const auto bought = parts_[i].purchase(taken_[i] + set_aside_[i]);
     result.push_back({std::string(catalogue::declaration(parts_[i].family).name),
                       std::string(table.manufacturer(parts_[i].row)),
                       std::string(table.part_number(parts_[i].row)),
                       std::string(table.text(catalogue::column(parts_[i].family, "supplier"), parts_[i].row)),
                       taken_[i],
-                      std::min(taken_[i], parts_[i].owned),
+                      std::min(taken_[i], std::max(0.0, parts_[i].owned - set_aside_[i])),
                       bought.pieces,
                       bought.price});
   }

@@ -27,15 +27,16 @@ inline constexpr double beyond_reach = 1e15;
 
 struct CountedPart {
   catalogue::Family family{};
-  int row = 0;                      ///< in the catalogue's table
-  double owned = 0.0;               ///< pieces that are there
-  catalogue::PiecePrice price;      ///< of the others, in the part's currency
-  double rate = 1.0;                ///< of that currency, in the problem's
-  bool only_owned = false;          ///< no more of them than are there can be taken
-  std::optional<std::size_t> shop;  ///< where it is bought, if that is one of Shops
-  double least = 0.0;               ///< what the stages charge for a piece, in the problem's currency
-  std::size_t state = 0;            ///< where the state vector counts them
-  std::vector<double> charge;       ///< [pieces taken], in the problem's currency
+  int row = 0;                            ///< in the catalogue's table
+  double owned = 0.0;                     ///< pieces that are there
+  catalogue::PiecePrice price;            ///< of the others, in the part's currency
+  double rate = 1.0;                      ///< of that currency, in the problem's
+  bool only_owned = false;                ///< no more of them than are there can be taken
+  std::optional<std::size_t> whole = {};  ///< then: the counted part that its pieces count among, too
+  std::optional<std::size_t> shop;        ///< where it is bought, if that is one of Shops
+  double least = 0.0;                     ///< what the stages charge for a piece, in the problem's currency
+  std::size_t state = 0;                  ///< where the state vector counts them
+  std::vector<double> charge;             ///< [pieces taken], in the problem's currency
 
   /// What has to be bought for so many pieces, in the problem's currency.
   [[nodiscard]] catalogue::PiecePrice::Purchase purchase(double pieces) const;
@@ -117,7 +118,8 @@ class CountedParts {
   [[nodiscard]] std::vector<CountedPart> finish() &&;
 
  private:
-  const CountedPart* find_or_add(const PartUse& use);
+  /// Number among the counted parts; nothing of a part that is not counted.
+  std::optional<std::size_t> find_or_add(catalogue::Family family, int row);
 
   const catalogue::Catalogue& catalogue_;
   const PriceBook& prices_;
@@ -129,7 +131,11 @@ class CountedParts {
 /// Goes through the parts of a build and says what each is charged.
 class CountedPartsLedger {
  public:
-  explicit CountedPartsLedger(std::span<const CountedPart> parts) : parts_(parts), taken_(parts.size(), 0.0) {}
+  explicit CountedPartsLedger(std::span<const CountedPart> parts)
+      : parts_(parts), taken_(parts.size(), 0.0), set_aside_(taken_) {}
+
+  /// Before anything is taken: of everything that the build takes, what may only be owned is set aside.
+  void set_aside(const PartUse& use);
 
   struct Share {
     double owned = 0.0;  ///< pieces of it that are there
@@ -143,6 +149,7 @@ class CountedPartsLedger {
  private:
   std::span<const CountedPart> parts_;
   std::vector<double> taken_;
+  std::vector<double> set_aside_;  ///< pieces of a part that lines of owned pieces take
 };
 
 }  // namespace millwright::evaluation

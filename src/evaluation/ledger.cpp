@@ -300,6 +300,9 @@ Design MachineModel::design(const solver::Build& found, bool with_worksheet) con
   const solver::Build build = whole_build(found);
   Design design;
   design.currency = problem_.currency;
+  for (const machine::Axis& axis : problem_.axes)
+    if (axis.motor.brake_torque > 0.0 || axis.counterbalance_force > 0.0)
+      design.stated_only.push_back({axis.name, axis.motor.brake_torque, axis.counterbalance_force});
   for (const machine::Quantity quantity : problem_.counted) design.counted.push_back({quantity, 0.0});
   design.supply_voltage = problem_.supply_voltages[build.shared.empty() ? 0 : build.shared.front()];
   design.dimensions.push_back({"machine", "supply_voltage", design.supply_voltage, "V"});
@@ -308,6 +311,10 @@ Design MachineModel::design(const solver::Build& found, bool with_worksheet) con
   ValidityLedger outside;
   CountedPartsLedger counted(counted_parts_);
   ShopLedger shops(shops_);
+  for (std::size_t i = 0; i < entries_.size(); ++i)
+    for (std::size_t slot = 0; slot < entries_[i].tables().size(); ++slot)
+      for (const PartUse& use : entries_[i].tables()[slot].candidate(build.stages[i].rows[slot]).parts)
+        counted.set_aside(use);
   const auto worksheet = with_worksheet ? std::make_shared<Worksheet>() : nullptr;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     const StageEntry& entry = entries_[i];

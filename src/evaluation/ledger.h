@@ -109,10 +109,18 @@ struct ShopOrder {
 };
 
 /// A machine fully decided.
+/// What an axis has by the problem's word only: nobody has chosen a part for it.
+struct StatedOnly {
+  std::string axis;
+  double brake_torque = 0.0;          ///< N.m, of a holding brake; 0 = none
+  double counterbalance_force = 0.0;  ///< N; 0 = none
+};
+
 struct Design {
   std::vector<PartLine> parts;
-  std::vector<Purchase> purchases;  ///< of counted parts only
-  std::vector<ShopOrder> orders;    ///< from suppliers that charge for orders only
+  std::vector<Purchase> purchases;      ///< of counted parts only
+  std::vector<ShopOrder> orders;        ///< from suppliers that charge for orders only
+  std::vector<StatedOnly> stated_only;  ///< neither bought nor weighed here
   std::vector<DimensionLine> dimensions;
   std::vector<Check> checks;
   std::vector<OutsideValidity> outside_validity;

@@ -10,6 +10,7 @@
 #include "evaluation/held_parts.h"
 #include "evaluation/machine_stages.h"
 #include "evaluation/price_book.h"
+#include "evaluation/same_parts.h"
 
 namespace millwright::evaluation {
 
@@ -85,7 +86,9 @@ MachineModel::MachineModel(const machine::Problem& given,
   for (int row = 0; row < drivers.rows(); ++row)
     counts_drivers = counts_drivers || known_prices.is_counted(drivers, row);
   // Which of two drivers is cheaper is not known before it is known how many are taken.
-  const bool drivers_differ = !options_.scenarios.empty() && has_tolerances(drivers);
+  // Nor which of them are worth keeping where tolerances move currents.
+  const bool drivers_differ = !options_.scenarios.empty() &&
+                              (has_tolerances(drivers) || has_tolerances(catalogue.table(catalogue::Family::steppers)));
   for (machine::Axis& axis : problem_.axes)
     axis.keep_every_candidate = axis.keep_every_candidate || counts_drivers || drivers_differ;
   const machine::Problem& problem = problem_;
@@ -201,6 +204,9 @@ void MachineModel::add_scenarios(const machine::Problem& given, const GivenSlots
   std::vector<const solver::Problem*> versions{&solver_problem_};
   for (const auto& scenario : options_.scenarios) {
     scenarios_.push_back(std::make_unique<MachineModel>(problem, *scenario, given_slots));
+    scenarios_.back()->solver_problem_.resources[cost_resource].limit = std::numeric_limits<double>::infinity();
+    if (!same_candidates(scenarios_.back()->entries_, entries_))
+      throw std::logic_error("versions of a machine with other candidates");
     versions.push_back(&scenarios_.back()->solver_problem_);
   }
   scenario_problem_.emplace(versions);

@@ -50,17 +50,21 @@ std::shared_ptr<const Catalogue> scenario(const Catalogue& catalogue,
     const catalogue::Table& table = catalogue.table(figure.family);
     for (int row = 0; row < table.rows(); ++row) {
       const bool chosen = std::any_of(check.figures.begin(), check.figures.end(), [&](const TolerancedFigure& each) {
-        return each.family == figure.family && each.row == row && each.column == figure.column;
+        return each.family == figure.family && each.column == figure.column &&
+               std::find(each.rows.begin(), each.rows.end(), row) != each.rows.end();
       });
       const double half_width = table.half_width(row, figure.column);
       if (!chosen && half_width > 0.0)
-        result->table(figure.family)
+        result->changeable_table(figure.family)
             .set_number(row, figure.column, table.number(figure.column, row) + share * half_width);
     }
   }
   for (const auto& [index, value] : values) {
     const TolerancedFigure& figure = check.figures[index];
-    result->table(figure.family).set_number(figure.row, figure.column, value);
+    for (int row = 0; row < catalogue.table(figure.family).rows(); ++row)
+      if (catalogue.table(figure.family)
+              .same_part(row, catalogue.table(figure.family), figure.row, catalogue::Identity::point))
+        result->changeable_table(figure.family).set_number(row, figure.column, value);
   }
   return result;
 }
@@ -104,7 +108,7 @@ RobustSynthesis synthesise_robustly(const machine::Problem& problem,
       return result;
     }
     const Values values = breaking_values(model, result.best.builds.front(), check);
-    with.scenarios.push_back(scenario(catalogue, check, values));
+    with.scenarios.push_back(scenario(catalogue.with_offers(), check, values));
   }
 }
 

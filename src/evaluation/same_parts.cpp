@@ -7,8 +7,6 @@
 
 namespace millwright::evaluation {
 
-namespace {
-
 bool same_candidate(const Candidate& a, const Candidate& b) {
   return std::equal(a.parts.begin(),
                     a.parts.end(),
@@ -24,7 +22,17 @@ bool same_candidate(const Candidate& a, const Candidate& b) {
                     [](const Setting& x, const Setting& y) { return x.name == y.name && x.value == y.value; });
 }
 
-}  // namespace
+bool same_candidates(const std::vector<StageEntry>& a, const std::vector<StageEntry>& b) {
+  const auto same_table = [](const SlotTable& x, const SlotTable& y) {
+    if (x.rows() != y.rows()) return false;
+    for (std::size_t row = 0; row < x.rows(); ++row)
+      if (!same_candidate(x.candidate(row), y.candidate(row))) return false;
+    return true;
+  };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](const StageEntry& x, const StageEntry& y) {
+    return std::equal(x.tables().begin(), x.tables().end(), y.tables().begin(), y.tables().end(), same_table);
+  });
+}
 
 std::optional<solver::Build> same_parts_in(const MachineModel& to,
                                            const MachineModel& from,

@@ -9,6 +9,11 @@
 
 namespace millwright::evaluation {
 
+/// Whether two candidates are the same parts of one catalogue, with the same settings.
+bool same_candidate(const Candidate& a, const Candidate& b);
+/// Whether two machines have the same candidates, row by row.
+bool same_candidates(const std::vector<StageEntry>& a, const std::vector<StageEntry>& b);
+
 /// `build` of the model `from` with the rows that the same parts and settings have in `to`, and its variables within
 /// their ranges there; nothing where it has them no more. Not evaluated: it need not be compliant there.
 std::optional<solver::Build> same_parts_in(const MachineModel& to,

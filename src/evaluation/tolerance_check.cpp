@@ -32,7 +32,14 @@ namespace {
 
 using Box = std::vector<Interval>;
 
-bool counts(const Check& check) { return check.kind != machine::ConstraintKind::soft; }
+/// Prices have no tolerances, and what is cut keeps its length as designed, so the limit of cost is no question here.
+bool counts(const Check& check) { return check.kind != machine::ConstraintKind::soft && check.id != "C-SYS-COST"; }
+
+bool complies(const Design& design) {
+  return std::none_of(design.checks.begin(), design.checks.end(), [](const Check& check) {
+    return counts(check) && check.verdict == Verdict::violated;
+  });
+}
 
 /// Utilisations of the checks that count, in their order; what is missing or broken without a number is useless.
 std::vector<double> utilisations(const Design& design) {
@@ -77,7 +84,7 @@ class ToleranceSearch {
 
   /// What breaks with these values, if anything does.
   std::optional<ToleranceBreak> break_of(const Design& design, const std::vector<double>& values) const {
-    if (design.satisfied()) return std::nullopt;
+    if (complies(design)) return std::nullopt;
     ToleranceBreak found;
     for (const Check& check : design.checks)
       if (counts(check) && check.verdict == Verdict::violated &&
@@ -127,7 +134,7 @@ class ToleranceSearch {
     std::vector<double> values = stated_;
     for (int halving = 0; halving < 10; ++halving) {
       values[figure] = 0.5 * (good + broken);
-      (evaluate(values).satisfied() ? good : broken) = values[figure];
+      (complies(evaluate(values)) ? good : broken) = values[figure];
     }
     return broken;
   }

@@ -27,7 +27,8 @@ struct Design;
 /// A figure with a stated tolerance.
 struct TolerancedFigure {
   catalogue::Family family{};
-  int row = 0;  ///< in the catalogue of the model
+  int row = 0;              ///< in the catalogue of the model
+  std::vector<int> rows{};  ///< with those that sell the same part otherwise: it is taken from one or several of them
   catalogue::Column column{};
   std::string part;                 ///< maker and part number
   std::vector<std::string> places;  ///< "x.motor"

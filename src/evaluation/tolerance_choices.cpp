@@ -29,8 +29,11 @@ FigureEnd end_of(ConditionTrials& trials, const Explanation& known, std::size_t 
       trials.begin(fmt::format("{} {}", figure.part, catalogue::declaration(figure.column).name), false);
   machine::Problem problem = trials.asked().problem;
   problem.counted = machine::counted_quantities(options.objectives);
-  catalogue::Catalogue parts = trials.catalogue_for(trials.asked());
-  parts.table(figure.family).set_number(figure.row, figure.column, value);
+  catalogue::Catalogue parts = trials.catalogue_for(trials.asked()).with_offers();
+  catalogue::Table& table = parts.changeable_table(figure.family);
+  for (int row = 0; row < table.rows(); ++row)  // whoever sells it
+    if (table.same_part(row, table, figure.row, catalogue::Identity::point))
+      table.set_number(row, figure.column, value);
   const MachineModel model(problem, parts, {}, {.fixed = trials.asked().fixed});
   const Synthesis found = synthesise(model, options);
   if (found.status == solver::Status::limit) {

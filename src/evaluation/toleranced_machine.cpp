@@ -102,7 +102,8 @@ void TolerancedMachine::take_parts(const MachineModel& model, const solver::Buil
 
 void TolerancedMachine::take_figures(const Catalogue& catalogue) {
   for (const ChosenPart& chosen : chosen_parts_) {
-    const auto [family, row] = chosen.part;
+    const Family family = chosen.part.family;
+    const int row = chosen.part.row;
     const Table& table = catalogue.table(family);
     for (std::size_t index = 0; index < catalogue::column_count(family); ++index) {
       const Column column{family, static_cast<std::uint8_t>(index)};
@@ -110,7 +111,17 @@ void TolerancedMachine::take_figures(const Catalogue& catalogue) {
       const double half_width = table.half_width(row, column);
       if (std::isnan(half_width) && table.is_estimate(row, column)) ++unstated_;
       if (!(half_width > 0.0)) continue;
-      TolerancedFigure figure{family, row, column, {}, chosen.places, table.number(column, row), half_width, {}, {}};
+      const auto known = std::find_if(figures_.begin(), figures_.end(), [&](const TolerancedFigure& each) {
+        return each.family == family && each.column == column &&
+               table.same_part(row, table, each.row, catalogue::Identity::point);
+      });
+      if (known != figures_.end()) {
+        known->rows.push_back(row);
+        known->places.insert(known->places.end(), chosen.places.begin(), chosen.places.end());
+        continue;
+      }
+      TolerancedFigure figure{
+          family, row, {row}, column, {}, chosen.places, table.number(column, row), half_width, {}, {}};
       figure.part = std::string(table.manufacturer(row)) + " " + std::string(table.part_number(row));
       figure.estimate = table.is_estimate(row, column);
       figure.basis = table.basis(row, column);
@@ -121,6 +132,7 @@ void TolerancedMachine::take_figures(const Catalogue& catalogue) {
 
 solver::Build TolerancedMachine::build_in(const MachineModel& model) const {
   solver::Build build = build_;
+  build.stages.resize(model.problem().stages.size());  // without suppliers nothing may be left for the last one to do
   for (std::size_t stage = 0; stage < build.stages.size(); ++stage)
     for (std::size_t slot = 0; slot < chosen_[stage].size(); ++slot) {
       const Candidate& wanted = chosen_[stage][slot];
@@ -142,6 +154,7 @@ solver::Build TolerancedMachine::build_in(const MachineModel& model) const {
       if (row == table.rows()) throw std::logic_error("a chosen part is no candidate of its own machine");
       build.stages[stage].rows[slot] = static_cast<solver::Row>(row);
     }
+  model.set_suppliers(build);  // of the parts that are left there may be other ones, in another order
   return build;
 }
 
@@ -149,7 +162,8 @@ Design TolerancedMachine::design(std::span<const double> values) const {
   Catalogue parts = parts_;
   for (std::size_t i = 0; i < figures_.size(); ++i) {
     const TolerancedFigure& figure = figures_[i];
-    parts.table(figure.family).set_number(find(figure.family, figure.row)->row, figure.column, values[i]);
+    for (const int row : figure.rows)
+      parts.changeable_table(figure.family).set_number(find(figure.family, row)->row, figure.column, values[i]);
   }
   const MachineModel model(problem_, parts);
   return model.design(build_in(model));
@@ -159,7 +173,8 @@ TolerancedMachine::Bounds TolerancedMachine::bounds(std::span<const Interval> va
   Catalogue parts = parts_;
   for (std::size_t i = 0; i < figures_.size(); ++i) {
     const TolerancedFigure& figure = figures_[i];
-    parts.table(figure.family).set_range(find(figure.family, figure.row)->row, figure.column, values[i]);
+    for (const int row : figure.rows)
+      parts.changeable_table(figure.family).set_range(find(figure.family, row)->row, figure.column, values[i]);
   }
   const MachineModel model(problem_, parts);
   const solver::Build build = build_in(model);
@@ -188,10 +203,15 @@ TolerancedMachine::Bounds TolerancedMachine::bounds(std::span<const Interval> va
 
 bool TolerancedMachine::holds(std::span<const Interval> values) const {
   const Bounds here = bounds(values);
+  // What no figure touches is known to the last digits; where nothing is known nothing is proved.
+  const auto untouched = [](const Interval& now, const Interval& as_stated) {
+    constexpr double known = 1e-6;
+    return same(now, as_stated) && now.upper - now.lower <= known * std::max(1.0, std::abs(now.upper));
+  };
   for (std::size_t i = 0; i < here.utilisation.size(); ++i)
-    if (!(here.utilisation[i].upper <= 1.0) && !same(here.utilisation[i], as_stated_.utilisation[i])) return false;
+    if (!(here.utilisation[i].upper <= 1.0) && !untouched(here.utilisation[i], as_stated_.utilisation[i])) return false;
   const auto limit = problem_.mass_limit;
-  return !limit || here.totals[1].upper <= *limit || same(here.totals[1], as_stated_.totals[1]);
+  return !limit || here.totals[1].upper <= *limit || untouched(here.totals[1], as_stated_.totals[1]);
 }
 
 }  // namespace millwright::evaluation

@@ -40,11 +40,11 @@ struct Least {
   Row row = 0;
 };
 
-/// All that one stage can be, with one supply voltage and every state that can reach it.
+/// All that one stage can be, with one supply voltage (and all shops) and every state that can reach it.
 class StageBounds {
  public:
-  StageBounds(const solver::Stage& stage, Row voltage, const std::vector<Interval>& inherited)
-      : stage_(stage), shared_{voltage}, inherited_(inherited) {
+  StageBounds(const solver::Stage& stage, std::vector<Row> shared, const std::vector<Interval>& inherited)
+      : stage_(stage), shared_(std::move(shared)), inherited_(inherited) {
     for (const solver::Slot& slot : stage.slots()) {
       all_.emplace_back(slot.rows);
       std::iota(all_.back().begin(), all_.back().end(), Row{0});
@@ -95,9 +95,11 @@ class StageBounds {
 std::vector<std::vector<Least>> least_with(const MachineModel& model, Row voltage) {
   std::vector<Interval> state;
   for (const double x : model.problem().first_state) state.emplace_back(x);
+  std::vector<Row> shared{voltage};
+  for (std::size_t i = 1; i < model.problem().shared.size(); ++i) shared.push_back(model.problem().shared[i].rows - 1);
   std::vector<std::vector<Least>> result;
   for (const solver::Stage* stage : model.problem().stages) {
-    StageBounds bounds(*stage, voltage, state);
+    StageBounds bounds(*stage, shared, state);
     result.push_back(bounds.least());
     state = bounds.handed_on();
   }
@@ -133,7 +135,8 @@ std::vector<UnmetCheck> unmet_checks(const MachineModel& model) {
   for (std::size_t i = 0; i < least.size(); ++i) {
     const StageEntry& entry = model.entries()[i];
     const std::vector<machine::Declaration> declarations = searched(entry, model.machine());
-    for (std::size_t k = 0; k < least[i].size(); ++k)
+    // What is said of shops beside is no check.
+    for (std::size_t k = 0; k < std::min(least[i].size(), declarations.size()); ++k)
       if (least[i][k].utilisation > 1.0) {
         result.push_back({entry.axis,
                           entry.element,

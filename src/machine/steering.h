@@ -25,8 +25,11 @@ struct ExcludedPart {
 struct Steering {
   std::vector<LimitOption> limits;
   std::vector<ExcludedPart> without;
-  BillOfMaterials fixed;  ///< each line a part for a slot, or a setting; `where` is in the option's word
-  [[nodiscard]] bool empty() const { return limits.empty() && without.empty() && fixed.lines.empty(); }
+  BillOfMaterials fixed;              ///< each line a part for a slot, or a setting; `where` is in the option's word
+  std::vector<std::string> settings;  ///< values of the problem file that are others: "axis.z.payload_mass=30 kg"
+  [[nodiscard]] bool empty() const {
+    return limits.empty() && without.empty() && fixed.lines.empty() && settings.empty();
+  }
 };
 
 /// Parts named as a part number, or as maker and part number ("Mean Well LRS-50-24"). Reported: parts that no catalogue

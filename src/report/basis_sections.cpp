@@ -89,6 +89,7 @@ std::string assumptions_html(const Design& design, const Texts& t) {
   const auto item = [&](const std::string& text) { list += "<li>" + escaped(text) + "</li>\n"; };
   item(t("assume.machining"));
   item(t("assume.length"));
+  for (const std::string& line : stated_only_lines(design, t)) item(line);
   if (!std::isnan(design.total(machine::Quantity::cycle_time))) item(t("assume.cycle"));
   if (!std::isnan(design.total(machine::Quantity::energy))) item(t("assume.energy"));
   std::set<std::string> bases;

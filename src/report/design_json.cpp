@@ -98,6 +98,10 @@ Json build_of(const Design& design) {
     dimensions.push_back(
         {{"axis", line.axis}, {"name", line.name}, {"value", number(line.value)}, {"unit", line.unit}});
   Json json{{"parts", parts}, {"dimensions", dimensions}};
+  for (const evaluation::StatedOnly& each : design.stated_only)
+    json["not_included"].push_back({{"axis", each.axis},
+                                    {"brake_torque", number(each.brake_torque)},
+                                    {"counterbalance_force", number(each.counterbalance_force)}});
   for (const evaluation::ShopOrder& order : design.orders)
     json["orders"].push_back({{"supplier", order.supplier},
                               {"goods", number(order.goods)},

@@ -140,6 +140,18 @@ std::string least_text(const evaluation::UnmetCheck& check) {
   return fmt::format("{:.1f} %", std::floor(1e3 * check.least_utilisation) / 10.0);
 }
 
+std::vector<std::string> stated_only_lines(const Design& design, const Texts& t) {
+  std::vector<std::string> lines;
+  for (const evaluation::StatedOnly& each : design.stated_only) {
+    const auto add = [&](const char* key, double value) {
+      if (value > 0.0) lines.push_back(fmt::format(fmt::runtime(t(key)), each.axis, scalar::format_number(value)));
+    };
+    add("assume.brake", each.brake_torque);
+    add("assume.counterbalance", each.counterbalance_force);
+  }
+  return lines;
+}
+
 std::string parts_text(const MachineResult& result, const Design& design, const Style& style) {
   std::string out = style.heading("Parts") + "\n";
   bool estimates = false;
@@ -170,6 +182,8 @@ std::string parts_text(const MachineResult& result, const Design& design, const 
   out += table.str(2, style) + made_to_measure(design);
   out += in_stock_text(design) + spares_text(design) + orders_text(design);
   out += fmt::format("  Total: {}\n", totals_text(design));
+  for (const std::string& line : stated_only_lines(design, Texts(Language::english)))
+    out += "  " + style.bad("not included") + ": " + wrapped(line, style.width - 16, 4) + "\n";
   if (estimates) out += "  ~ the price, or a figure of the part that matters, is an estimate\n";
   return out + "\n";
 }

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "report/page_texts.h"
 #include "report/result.h"
 #include "report/text_table.h"
 
@@ -13,6 +14,9 @@ namespace millwright::report {
 /// "StepperOnline 17HS19-2004S1"; without a maker the part number alone.
 std::string part_name(const std::string& manufacturer, const std::string& part_number);
 std::string part_name(const evaluation::PartLine& part);
+
+/// What axes have by the problem's word only (a brake, a counterbalance): nobody chose, bought or weighed it.
+std::vector<std::string> stated_only_lines(const evaluation::Design& design, const Texts& t);
 
 /// The parts axis by axis, with lengths, prices and masses; estimates marked and explained.
 std::string parts_text(const MachineResult& result, const evaluation::Design& design, const Style& style);

@@ -47,7 +47,10 @@ std::string verdict_banner(const MachineResult& result, PageKind kind, const Tex
                   fmt::format(fmt::runtime(t(result.status == Status::limit ? "banner.front_open" : "banner.front")),
                               result.designs.size()));
   const bool proved = result.status == Status::optimal || result.proved > 0;
-  return banner(proved ? "good" : "near", t(proved ? "banner.proved" : "banner.best_so_far"));
+  return banner(proved ? "good" : "near",
+                t(!proved         ? "banner.best_so_far"
+                  : result.robust ? "banner.proved_robust"
+                                  : "banner.proved"));
 }
 
 std::string totals_html(const Design& design, const Texts& t) {

@@ -176,8 +176,10 @@ std::string nothing_text(const MachineResult& result, const Style& style) {
                      as_asked(result)) +
          (result.has_budget ? "  The limit of cost or mass counts too: without it, 'solve' says what a build takes.\n"
                             : "") +
-         (result.unmet.empty() ? "  'check' with a bill of materials (and --complete) shows by how much.\n"
-                               : unmet_text(result, style) + ways_out_text(result));
+         (result.unmet.empty()
+              ? "  'explain' finds which of the things asked contradict each other.\n"
+                "  'check' with a bill of materials (and --complete) shows by how much.\n"
+              : unmet_text(result, style) + ways_out_text(result));
 }
 
 std::string certificate_text(const MachineResult& result, const Style& style, const Texts& t) {
@@ -187,14 +189,16 @@ std::string certificate_text(const MachineResult& result, const Style& style, co
   const auto line = [&](const std::string& text) { out += "  " + wrapped(text, style.width - 2, 2) + "\n"; };
   const Design* design = result.designs.empty() ? nullptr : &result.designs.front();
   if (result.status == Status::infeasible) {
-    line(t("certificate.none"));
+    line(t(result.robust ? "certificate.none_robust" : "certificate.none"));
   } else if (result.objectives.size() == 1 && design != nullptr) {
     const std::string& objective = result.objectives.front();
-    line(best_is_proved(result)
-             ? fill(result.steering.empty() ? "certificate.best" : "certificate.best_asked", better_words(objective, t))
-             : fill("certificate.open",
-                    objective_text(objective, result.lower_bound, design->currency),
-                    fmt::format("{:.2f}", 100.0 * result.gap)));
+    line(best_is_proved(result) ? fill(result.robust             ? "certificate.best_robust"
+                                       : result.steering.empty() ? "certificate.best"
+                                                                 : "certificate.best_asked",
+                                       better_words(objective, t))
+                                : fill("certificate.open",
+                                       objective_text(objective, result.lower_bound, design->currency),
+                                       fmt::format("{:.2f}", 100.0 * result.gap)));
     if (const std::string others = alternatives_certificate(result, t); !others.empty()) line(others);
   } else if (result.objectives.size() > 1) {
     const double tolerance = certificate.front_tolerance;
@@ -236,7 +240,10 @@ std::string solve_text(const MachineResult& result, const Style& style) {
   const Design& design = result.designs.front();
   const std::string& objective = result.objectives.front();
   out += best_is_proved(result)
-             ? style.heading(best_word(objective) + " compliant build: " + all_totals(objective, design)) + "\n\n"
+             ? style.heading(best_word(objective) +
+                             (result.robust ? " build compliant over all tolerances: " : " compliant build: ") +
+                             all_totals(objective, design)) +
+                   "\n\n"
              : style.heading("Best build found before the limit: " + all_totals(objective, design)) +
                    fmt::format("\n  proved so far: not below {}, gap {:.2f} %\n\n",
                                objective_text(objective, result.lower_bound, design.currency),

@@ -103,6 +103,11 @@ const std::vector<PageText>& page_texts() {
       {"banner.proved",
        "Compliant, and proved to be the best build of these catalogues.",
        "Memenuhi semua syarat, dan terbukti terbaik dari katalog ini."},
+      {"banner.proved_robust",
+       "Compliant for every value within the stated tolerances, and proved to be the best such build of these "
+       "catalogues.",
+       "Memenuhi semua syarat untuk setiap nilai dalam toleransi yang dinyatakan, dan terbukti terbaik dari katalog "
+       "ini."},
       {"banner.best_so_far",
        "Compliant; the best build found before the limit, not proved to be the best.",
        "Memenuhi syarat; terbaik yang ditemukan sebelum batas, belum terbukti terbaik."},
@@ -244,6 +249,13 @@ const std::vector<PageText>& page_texts() {
       {"assume.length",
        "Parts are cut to the length shown; what is left of a bar is not paid for.",
        "Komponen dipotong sesuai panjang yang ditampilkan; sisa batang tidak dibayar."},
+      {"assume.brake",
+       "{}: a holding brake of {} N.m (brake_torque) is assumed; it is not among the parts, nor in price and mass.",
+       "{}: rem penahan {} N.m (brake_torque) diandaikan ada; tidak termasuk komponen, harga, dan massa."},
+      {"assume.counterbalance",
+       "{}: a counterbalance of {} N (counterbalance_force) is assumed; it is not among the parts, nor in price and "
+       "mass.",
+       "{}: penyeimbang {} N (counterbalance_force) diandaikan ada; tidak termasuk komponen, harga, dan massa."},
       {"assume.cycle",
        "Cycle time: every move of every axis, and its dwell, one after the other; coordinated moves once.",
        "Waktu siklus: setiap gerak tiap sumbu beserta jedanya, satu per satu; gerak terkoordinasi sekali."},
@@ -269,6 +281,14 @@ const std::vector<PageText>& page_texts() {
       {"certificate.none",
        "Proved: no combination is compliant.",
        "Terbukti: tidak ada kombinasi yang memenuhi syarat."},
+      {"certificate.none_robust",
+       "Proved: no combination is compliant for every value within the stated tolerances.",
+       "Terbukti: tidak ada kombinasi yang memenuhi syarat untuk setiap nilai dalam toleransi yang dinyatakan."},
+      {"certificate.best_robust",
+       "Proved: no build of these catalogues (with what was asked for) that is compliant for every value within the "
+       "stated tolerances {}.",
+       "Terbukti: tidak ada rancangan dari katalog ini (dengan permintaan yang diajukan) yang memenuhi syarat untuk "
+       "setiap nilai dalam toleransi yang dinyatakan yang {}."},
       {"certificate.best",
        "Proved: no compliant build of these catalogues {}.",
        "Terbukti: tidak ada rancangan yang memenuhi syarat dari katalog ini yang {}."},

@@ -32,6 +32,10 @@ std::string steering_text(const MachineResult& result, const Style& style) {
                part_name(part.manufacturer, part.part_number)});
   for (const machine::BomLine& line : result.steering.fixed.lines)
     table.add({"--fix", line.axis + "." + line.slot, fixed_text(line)});
+  for (const std::string& setting : result.steering.settings) {
+    const std::size_t is = setting.find('=');
+    table.add({"--set", setting.substr(0, is), is == std::string::npos ? "" : setting.substr(is + 1)});
+  }
   return style.heading("Asked for beside the problem") + "\n" + table.str(2, style) + "\n";
 }
 
@@ -61,6 +65,7 @@ void add_steering(const MachineResult& result, Json& json) {
            {"unit", machine::unit_of_setting(line.slot) == "mm" ? "m" : machine::unit_of_setting(line.slot)}});
   }
   json["steering"] = {{"limits", limits}, {"without", without}, {"fixed", fixed}};
+  if (!result.steering.settings.empty()) json["steering"]["settings"] = result.steering.settings;
 }
 
 }  // namespace millwright::report

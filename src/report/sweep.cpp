@@ -75,8 +75,10 @@ std::vector<std::string> sweep_changes(const Sweep& sweep) {
 std::string sweep_text(const Sweep& sweep, const Style& style) {
   const MachineResult& first = sweep.first();
   const std::string& objective = first.objectives.front();
-  std::string out = style.heading(first.title.empty() ? first.file : first.title + " (" + first.file + ")") + "\n\n" +
-                    steering_text(first, style);
+  std::string out =
+      style.heading(first.title.empty() ? first.file : first.title + " (" + first.file + ")") + "\n\n" +
+      (first.robust ? "  Builds compliant for every value within the stated tolerances (--robust).\n\n" : "") +
+      steering_text(first, style);
   out += style.heading(fmt::format("{} from {} to {}: the build of least {} at each value",
                                    sweep.path,
                                    sweep.points.front().text,

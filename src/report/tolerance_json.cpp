@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // "tolerances": verdict (none_stated, compliant, broken, unsettled, not_asked), the figures with a stated tolerance,
-// and what breaks the build; values and half widths in SI.
+// and what breaks the build; values in the figure's unit.
 #include "report/tolerance_json.h"
 
 #include "catalogue/column_unit.h"
@@ -14,24 +14,27 @@ using evaluation::TolerancedFigure;
 
 namespace {
 
+double shown(const TolerancedFigure& figure, double si) { return catalogue::display_unit(figure.column).from_si(si); }
+
 Json figure_of(const TolerancedFigure& figure) {
   return Json{{"family", catalogue::declaration(figure.family).name},
               {"part", figure.part},
               {"places", figure.places},
               {"column", catalogue::declaration(figure.column).name},
               {"unit", catalogue::declaration(figure.column).unit},
-              {"value", number(figure.value)},
-              {"half_width", number(figure.half_width)},
+              {"value", number(shown(figure, figure.value))},
+              {"half_width", number(shown(figure, figure.half_width))},
               {"tolerance", number(figure.share())},
               {"estimate", figure.estimate},
               {"basis", figure.basis}};
 }
 
-Json break_of(const ToleranceBreak& each) {
+Json break_of(const ToleranceBreak& each, const std::vector<TolerancedFigure>& figures) {
   Json values = Json::array();
-  for (const auto& [figure, value] : each.values) values.push_back({{"figure", figure}, {"value", number(value)}});
+  for (const auto& [figure, value] : each.values)
+    values.push_back({{"figure", figure}, {"value", number(shown(figures[figure], value))}});
   return Json{{"values", values},
-              {"from", number(each.from)},
+              {"from", each.from ? number(shown(figures[each.values.front().first], *each.from)) : Json()},
               {"axis", each.axis},
               {"check", each.check},
               {"utilisation", number(each.utilisation)}};
@@ -50,8 +53,8 @@ void add_tolerances(const MachineResult& result, const evaluation::Design& desig
   const ToleranceCheck& check = *design.tolerances;
   Json figures = Json::array(), breaks = Json::array();
   for (const TolerancedFigure& figure : check.figures) figures.push_back(figure_of(figure));
-  for (const ToleranceBreak& each : check.single) breaks.push_back(break_of(each));
-  if (check.combination) breaks.push_back(break_of(*check.combination));
+  for (const ToleranceBreak& each : check.single) breaks.push_back(break_of(each, check.figures));
+  if (check.combination) breaks.push_back(break_of(*check.combination, check.figures));
   json["tolerances"] = Json{{"verdict", to_string(check.verdict)},
                             {"figures", figures},
                             {"breaks", breaks},
@@ -67,7 +70,7 @@ void add_tolerances(const MachineResult& result, const evaluation::Explanation& 
   Json ends = Json::array();
   for (const evaluation::FigureEnd& end : explanation.ends)
     ends.push_back({{"figure", end.figure},
-                    {"value", number(end.value)},
+                    {"value", number(shown(explanation.design->tolerances->figures[end.figure], end.value))},
                     {"outcome", outcome_name(end.outcome)},
                     {"worse", number(end.worse)},
                     {"changes", end.changes}});

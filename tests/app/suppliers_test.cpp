@@ -104,4 +104,47 @@ TEST_CASE("Spares are priced and ordered, and weigh nothing") {
   CHECK(wrong.says("did you mean 'motor'?"));
 }
 
+// The motor of the shipped answer, with a tolerance of its torque that its check does not have room for.
+TEST_CASE("A tolerance breaks a build, and decides a robust one, whoever sells the part") {
+  const Workshop shop;
+  shop.write("mine/steppers/motor.csv",
+             "manufacturer,part_number,frame,frame_size [mm],body_length [mm],shaft_diameter [mm],step_angle [deg],"
+             "holding_torque [N.m],holding_torque_tolerance [%],rated_current [A],current_kind,phase_resistance [ohm],"
+             "phase_inductance [mH],rotor_inertia [g.cm2],mass [kg],price,price_source,currency\n"
+             "StepperOnline,23HS45-4204S,NEMA23,57,113,10,1.8,3,8,4.2,phase,0.88,3.4,800,1.6,28.7,quoted,USD\n");
+  shop.write("shops/suppliers.csv", "supplier,shipping_fee,minimum_order,currency\nShop A,2,,USD\n");
+  shop.write("shops/offers.csv", "part_number,supplier,price,currency\n23HS45-4204S,Shop A,20,USD\n");
+  const Json one = solved(shop, {"--catalogue", "mine"});
+  const Json several = solved(shop, {"--catalogue", "mine", "--catalogue", "shops"});
+  REQUIRE(motor(one).at("part_number") == "23HS45-4204S");
+  REQUIRE(motor(several).at("supplier") == "Shop A");
+  for (const Json* each : {&one, &several}) {
+    REQUIRE(each->at("tolerances").at("verdict") == "broken");
+    CHECK(each->at("tolerances").at("figures").size() == 1);
+    CHECK(each->at("tolerances").at("breaks")[0].at("check") == "C-ST-TORQUE");
+  }
+  CHECK(several.at("tolerances").at("breaks")[0].at("from") == one.at("tolerances").at("breaks")[0].at("from"));
+  // Another motor then, which nobody else sells.
+  const Json robust = solved(shop, {"--catalogue", "mine", "--robust"});
+  const Json robust_of_several = solved(shop, {"--catalogue", "mine", "--catalogue", "shops", "--robust"});
+  CHECK(motor(robust).at("part_number") != "23HS45-4204S");
+  CHECK(cost(robust) > cost(one));
+  CHECK(cost(robust_of_several) == Approx(cost(robust)));
+  CHECK(robust_of_several.at("tolerances").at("verdict") == "compliant");
+}
+
+TEST_CASE("What is owned goes first also where its supplier charges for the rest of the line") {
+  const Workshop shop;
+  const Json plain = solved(shop, {"--set", "spares.supply=1"});
+  std::string supply;
+  for (const Json& each : plain.at("build").at("parts"))
+    if (each.at("slot") == "supply") supply = each.at("part_number");
+  shop.write("mine/stock.csv", "part_number,owned\n" + supply + ",1\n");
+  const Json owned = solved(shop, {"--set", "spares.supply=1", "--catalogue", "mine"});
+  CHECK(cost(owned) < cost(plain));
+  shop.write("mine/suppliers.csv", "supplier,shipping_fee,minimum_order,currency\n,1,,USD\n");
+  const Json charged = solved(shop, {"--set", "spares.supply=1", "--catalogue", "mine"});
+  CHECK(cost(charged) == Approx(cost(owned) + 1.0));  // one order, of all that is not owned
+}
+
 }  // namespace millwright::app

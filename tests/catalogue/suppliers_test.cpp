@@ -84,7 +84,7 @@ TEST_CASE("Pieces that are owned of what a charging supplier sells are a row of 
   const Loaded loaded(shops, "", "part_number,owned\nM2,2\n");
   const Table& table = loaded.catalogue.with_offers().table(Family::steppers);
   REQUIRE(table.rows() == 4);
-  CHECK(table.ownership(1) == Ownership::none);
+  CHECK(table.ownership(1) == Ownership::usual);
   CHECK(table.ownership(3) == Ownership::only);
   CHECK(table.part_number(3) == "M2");
   CHECK(table.text("supplier", 3).empty());

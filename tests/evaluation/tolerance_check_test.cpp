@@ -69,7 +69,7 @@ Design with_values(const machine::Problem& problem,
                    const Values& values) {
   Catalogue changed = parts;
   for (const auto& [figure, value] : values)
-    changed.table(figures[figure].family).set_number(figures[figure].row, figures[figure].column, value);
+    changed.changeable_table(figures[figure].family).set_number(figures[figure].row, figures[figure].column, value);
   return MachineModel(problem, changed).design(build);
 }
 
@@ -361,7 +361,8 @@ std::optional<double> cheapest_robust(const machine::Problem& problem, const Cat
             const catalogue::Table& table = parts.table(use.family);
             const double half = table.half_width(use.row, column);
             if (half > 0.0)
-              figures.push_back({use.family, use.row, column, {}, {}, table.number(column, use.row), half, {}, {}});
+              figures.push_back(
+                  {use.family, use.row, {use.row}, column, {}, {}, table.number(column, use.row), half, {}, {}});
           }
     bool holds = true;
     for (std::uint64_t bits = 0; holds && bits < (std::uint64_t{1} << figures.size()); ++bits)
