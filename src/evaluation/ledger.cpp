@@ -294,15 +294,38 @@ void add_dimensions(const StageEntry& entry, const solver::StageChoice& choice, 
     design.dimensions.push_back({entry.axis, prefix + each.name, choice.variables[v++], unit_of_variable(each.name)});
 }
 
+void charge_orders(const ShopLedger& shops, Design& design) {
+  design.orders = shops.orders();
+  for (const ShopOrder& order : design.orders) design.cost += order.shipping_fee + order.top_up;
+}
+
+void name_currency(Design& design) {
+  for (Check& check : design.checks)
+    if (check.id == "C-SYS-COST") check.unit = design.currency;
+}
+
+std::vector<StatedOnly> stated_only_of(const machine::Problem& problem) {
+  std::vector<StatedOnly> result;
+  for (const machine::Axis& axis : problem.axes)
+    if (axis.motor.brake_torque > 0.0 || axis.counterbalance_force > 0.0)
+      result.push_back({axis.name, axis.motor.brake_torque, axis.counterbalance_force});
+  return result;
+}
+
+void set_aside_owned(const std::vector<StageEntry>& entries, const solver::Build& build, CountedPartsLedger& counted) {
+  for (std::size_t i = 0; i < entries.size(); ++i)
+    for (std::size_t slot = 0; slot < entries[i].tables().size(); ++slot)
+      for (const PartUse& use : entries[i].tables()[slot].candidate(build.stages[i].rows[slot]).parts)
+        counted.set_aside(use);
+}
+
 }  // namespace
 
 Design MachineModel::design(const solver::Build& found, bool with_worksheet) const {
   const solver::Build build = whole_build(found);
   Design design;
   design.currency = problem_.currency;
-  for (const machine::Axis& axis : problem_.axes)
-    if (axis.motor.brake_torque > 0.0 || axis.counterbalance_force > 0.0)
-      design.stated_only.push_back({axis.name, axis.motor.brake_torque, axis.counterbalance_force});
+  design.stated_only = stated_only_of(problem_);
   for (const machine::Quantity quantity : problem_.counted) design.counted.push_back({quantity, 0.0});
   design.supply_voltage = problem_.supply_voltages[build.shared.empty() ? 0 : build.shared.front()];
   design.dimensions.push_back({"machine", "supply_voltage", design.supply_voltage, "V"});
@@ -311,10 +334,7 @@ Design MachineModel::design(const solver::Build& found, bool with_worksheet) con
   ValidityLedger outside;
   CountedPartsLedger counted(counted_parts_);
   ShopLedger shops(shops_);
-  for (std::size_t i = 0; i < entries_.size(); ++i)
-    for (std::size_t slot = 0; slot < entries_[i].tables().size(); ++slot)
-      for (const PartUse& use : entries_[i].tables()[slot].candidate(build.stages[i].rows[slot]).parts)
-        counted.set_aside(use);
+  set_aside_owned(entries_, build, counted);
   const auto worksheet = with_worksheet ? std::make_shared<Worksheet>() : nullptr;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     const StageEntry& entry = entries_[i];
@@ -332,16 +352,14 @@ Design MachineModel::design(const solver::Build& found, bool with_worksheet) con
           }
           if constexpr (std::is_same_v<Kind, SupplyStage>) element.motor_currents = motor_currents;
           if constexpr (std::is_same_v<Kind, WholeStage>) {
-            design.orders = shops.orders();
-            for (const ShopOrder& order : design.orders) design.cost += order.shipping_fee + order.top_up;
+            charge_orders(shops, design);
             element.cost = design.cost;
             element.mass = design.mass;
           }
           CheckVisitor visitor(element, entry, design.checks, outside);
           constraints_of<Kind>()(visitor);
           if constexpr (std::is_same_v<Kind, WholeStage>) {
-            for (Check& check : design.checks)
-              if (check.id == "C-SYS-COST") check.unit = design.currency;
+            name_currency(design);
           }
           if (worksheet)
             add_worksheet(

@@ -99,6 +99,40 @@ SlotTable support_table(const catalogue::Catalogue& catalogue,
   return result;
 }
 
+namespace {
+
+/// Ranges of the figures of a row.
+auto range_of_row(const Table& table, int row) {
+  return [&table, row](catalogue::Column figure) { return table.range(figure, row); };
+}
+
+/// Of a belt round two pulleys, as numbers or as ranges, in the order of machine::BeltReading.
+template <class BeltFigure, class DriveFigure, class IdlerFigure>
+auto belt_readings(
+    double span, double width, BeltFigure belt_figure, DriveFigure drive_figure, IdlerFigure idler_figure) {
+  using T = decltype(belt_figure(column(Family::belts, "width")));
+  const T drive_diameter = drive_figure(column(Family::pulleys, "pitch_diameter"));
+  const T idler_diameter = idler_figure(column(Family::pulleys, "pitch_diameter"));
+  const T length = 2.0 * span + 0.5 * 3.14159265358979323846 * (drive_diameter + idler_diameter);
+  return std::array<T, machine::belt_reading_fields>{belt_figure(column(Family::belts, "mass_per_length")),
+                                                     belt_figure(column(Family::belts, "allowable_tension")),
+                                                     belt_figure(column(Family::belts, "tensile_stiffness")),
+                                                     belt_figure(column(Family::belts, "minimum_pulley_teeth")),
+                                                     belt_figure(column(Family::belts, "maximum_speed")),
+                                                     length,
+                                                     belt_figure(column(Family::belts, "mass_per_length")) * length,
+                                                     T(span),
+                                                     drive_figure(column(Family::pulleys, "teeth")),
+                                                     drive_diameter,
+                                                     drive_figure(column(Family::pulleys, "inertia")),
+                                                     idler_figure(column(Family::pulleys, "inertia")),
+                                                     idler_diameter,
+                                                     drive_figure(column(Family::pulleys, "bore")),
+                                                     T(width)};
+}
+
+}  // namespace
+
 SlotTable belt_table(const catalogue::Catalogue& catalogue, const machine::Axis& axis, const PriceBook& prices) {
   SlotTable result("belt", machine::belt_reading_fields);
   const Table& belts = catalogue.table(Family::belts);
@@ -128,26 +162,7 @@ SlotTable belt_table(const catalogue::Catalogue& catalogue, const machine::Axis&
         const auto drive = [&](catalogue::Column c) { return pulleys.number(c, d); };
         const auto idle = [&](catalogue::Column c) { return pulleys.number(c, i); };
         const auto readings_of = [&](auto belt_figure, auto drive_figure, auto idler_figure) {
-          using T = decltype(belt_figure(column(Family::belts, "width")));
-          const T drive_diameter = drive_figure(column(Family::pulleys, "pitch_diameter"));
-          const T idler_diameter = idler_figure(column(Family::pulleys, "pitch_diameter"));
-          const T length = 2.0 * span + 0.5 * 3.14159265358979323846 * (drive_diameter + idler_diameter);
-          return std::array<T, machine::belt_reading_fields>{
-              belt_figure(column(Family::belts, "mass_per_length")),
-              belt_figure(column(Family::belts, "allowable_tension")),
-              belt_figure(column(Family::belts, "tensile_stiffness")),
-              belt_figure(column(Family::belts, "minimum_pulley_teeth")),
-              belt_figure(column(Family::belts, "maximum_speed")),
-              length,
-              belt_figure(column(Family::belts, "mass_per_length")) * length,
-              T(span),
-              drive_figure(column(Family::pulleys, "teeth")),
-              drive_diameter,
-              drive_figure(column(Family::pulleys, "inertia")),
-              idler_figure(column(Family::pulleys, "inertia")),
-              idler_diameter,
-              drive_figure(column(Family::pulleys, "bore")),
-              T(width)};
+          return belt_readings(span, width, belt_figure, drive_figure, idler_figure);
         };
         constexpr std::size_t length_field = 5, mass_field = 6;
         const std::array<double, machine::belt_reading_fields> readings = readings_of(belt, drive, idle);
@@ -172,9 +187,7 @@ SlotTable belt_table(const catalogue::Catalogue& catalogue, const machine::Axis&
                          0.0);
         if (belts.has_ranges() || pulleys.has_ranges()) {
           constexpr catalogue::Column mass = column(Family::pulleys, "mass");
-          const auto ranges = readings_of([&](catalogue::Column c) { return belts.range(c, b); },
-                                          [&](catalogue::Column c) { return pulleys.range(c, d); },
-                                          [&](catalogue::Column c) { return pulleys.range(c, i); });
+          const auto ranges = readings_of(range_of_row(belts, b), range_of_row(pulleys, d), range_of_row(pulleys, i));
           candidate.ranges = candidate_ranges(
               ranges, candidate.price, {}, ranges[mass_field] + pulleys.range(mass, d) + pulleys.range(mass, i));
         }

@@ -10,7 +10,7 @@
 namespace millwright::text {
 
 /// Parts that a key may have: `a.b.c` has three.
-inline constexpr std::size_t most_key_parts = 16;
+inline constexpr std::size_t most_key_parts = 8;
 
 /// Offset of the first dotted key, at whatever place of the text, that has more parts.
 std::optional<std::size_t> find_deep_key(std::string_view toml);
