@@ -5,11 +5,11 @@
 #include <cmath>
 #include <limits>
 
+#include "evaluation/bill_ledger.h"
 #include "evaluation/drive_drawing.h"
 #include "evaluation/machine_model.h"
 #include "evaluation/machine_stages.h"
 #include "evaluation/outside_validity.h"
-#include "evaluation/part_line.h"
 #include "evaluation/traced_elements.h"
 #include "scalar/unit.h"
 
@@ -182,52 +182,6 @@ class CheckVisitor {
   ValidityLedger& outside_;
 };
 
-void add_parts(const MachineModel& model,
-               const StageEntry& entry,
-               const std::vector<solver::Row>& rows,
-               CountedPartsLedger& counted,
-               ShopLedger& shops,
-               Design& design) {
-  const auto& tables = entry.tables();
-  for (std::size_t slot = 0; slot < tables.size(); ++slot) {
-    const Candidate& candidate = tables[slot].candidate(rows[slot]);
-    for (const PartUse& use : candidate.parts) {
-      const CountedPartsLedger::Share share = counted.take(use);
-      shops.take(use, share.owned, share.price);
-      design.parts.push_back(part_line(model, use, entry.axis, design.currency, share));
-      design.cost += share.price - use.price;
-    }
-    for (const Setting& setting : candidate.settings)
-      design.dimensions.push_back({entry.axis, setting.name, setting.value, setting.unit});
-    design.cost += candidate.price;
-    design.mass += candidate.mass;
-  }
-}
-
-/// A member made to measure is bar or shaft stock of its material, sold by mass.
-void add_custom_member(const MachineModel& model,
-                       const StageEntry& entry,
-                       const machine::StructureMember<double>& member,
-                       Design& design) {
-  const catalogue::Table& materials = model.catalogue().table(catalogue::Family::materials);
-  const catalogue::Found found = materials.find(member.data->member.material);
-  const double price = member.mass * member.data->price_per_mass;
-  design.mass += member.mass;
-  design.cost += price;
-  if (!found || found.rows.empty()) return;
-  design.parts.push_back(part_line(model,
-                                   {.slot = member.data->member.name,
-                                    .family = catalogue::Family::materials,
-                                    .row = found.rows.front(),
-                                    .quantity = member.data->member.count,
-                                    .length = member.data->member.length,
-                                    .price = price,
-                                    .mass = member.mass},
-                                   entry.axis,
-                                   design.currency,
-                                   {0.0, price}));
-}
-
 /// How many drives, each with its motor, an axis has.
 std::size_t drives_of(const machine::Problem& problem, const std::string& axis) {
   for (const machine::Axis& each : problem.axes)
@@ -294,29 +248,9 @@ void add_dimensions(const StageEntry& entry, const solver::StageChoice& choice, 
     design.dimensions.push_back({entry.axis, prefix + each.name, choice.variables[v++], unit_of_variable(each.name)});
 }
 
-void charge_orders(const ShopLedger& shops, Design& design) {
-  design.orders = shops.orders();
-  for (const ShopOrder& order : design.orders) design.cost += order.shipping_fee + order.top_up;
-}
-
 void name_currency(Design& design) {
   for (Check& check : design.checks)
     if (check.id == "C-SYS-COST") check.unit = design.currency;
-}
-
-std::vector<StatedOnly> stated_only_of(const machine::Problem& problem) {
-  std::vector<StatedOnly> result;
-  for (const machine::Axis& axis : problem.axes)
-    if (axis.motor.brake_torque > 0.0 || axis.counterbalance_force > 0.0)
-      result.push_back({axis.name, axis.motor.brake_torque, axis.counterbalance_force});
-  return result;
-}
-
-void set_aside_owned(const std::vector<StageEntry>& entries, const solver::Build& build, CountedPartsLedger& counted) {
-  for (std::size_t i = 0; i < entries.size(); ++i)
-    for (std::size_t slot = 0; slot < entries[i].tables().size(); ++slot)
-      for (const PartUse& use : entries[i].tables()[slot].candidate(build.stages[i].rows[slot]).parts)
-        counted.set_aside(use);
 }
 
 }  // namespace
@@ -325,16 +259,13 @@ Design MachineModel::design(const solver::Build& found, bool with_worksheet) con
   const solver::Build build = whole_build(found);
   Design design;
   design.currency = problem_.currency;
-  design.stated_only = stated_only_of(problem_);
   for (const machine::Quantity quantity : problem_.counted) design.counted.push_back({quantity, 0.0});
   design.supply_voltage = problem_.supply_voltages[build.shared.empty() ? 0 : build.shared.front()];
   design.dimensions.push_back({"machine", "supply_voltage", design.supply_voltage, "V"});
   std::vector<double> state = solver_problem_.first_state;
   std::vector<double> motor_currents;
   ValidityLedger outside;
-  CountedPartsLedger counted(counted_parts_);
-  ShopLedger shops(shops_);
-  set_aside_owned(entries_, build, counted);
+  BillLedger bill(*this, build, counted_parts_, shops_, design);
   const auto worksheet = with_worksheet ? std::make_shared<Worksheet>() : nullptr;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     const StageEntry& entry = entries_[i];
@@ -352,24 +283,22 @@ Design MachineModel::design(const solver::Build& found, bool with_worksheet) con
           }
           if constexpr (std::is_same_v<Kind, SupplyStage>) element.motor_currents = motor_currents;
           if constexpr (std::is_same_v<Kind, WholeStage>) {
-            charge_orders(shops, design);
+            bill.charge_orders();
             element.cost = design.cost;
             element.mass = design.mass;
           }
           CheckVisitor visitor(element, entry, design.checks, outside);
           constraints_of<Kind>()(visitor);
-          if constexpr (std::is_same_v<Kind, WholeStage>) {
-            name_currency(design);
-          }
+          if constexpr (std::is_same_v<Kind, WholeStage>) name_currency(design);
           if (worksheet)
             add_worksheet(
                 *stage, element, entry, {choice.rows, build.shared.empty() ? 0 : build.shared.front()}, *worksheet);
           if constexpr (std::is_same_v<Kind, MemberStage>) {
-            if (stage->tables().empty()) add_custom_member(*this, entry, element, design);
+            if (stage->tables().empty()) bill.add_custom_member(entry, element);
           }
         },
         entry.stage);
-    add_parts(*this, entry, choice.rows, counted, shops, design);
+    bill.add_parts(entry, choice.rows);
     const solver::Row voltage = build.shared.empty() ? 0 : build.shared.front();
     std::visit(
         [&](const auto& stage) {
@@ -382,7 +311,7 @@ Design MachineModel::design(const solver::Build& found, bool with_worksheet) con
     for (CountedTotal& each : design.counted) each.value += answer.resources[resource(each.quantity)];
     state = answer.handed_on;
   }
-  design.purchases = counted.purchases(catalogue_);
+  bill.finish();
   outside.write(design);
   design.worksheet = worksheet;
   return design;

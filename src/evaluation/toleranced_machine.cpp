@@ -158,24 +158,27 @@ solver::Build TolerancedMachine::build_in(const MachineModel& model) const {
   return build;
 }
 
-Design TolerancedMachine::design(std::span<const double> values) const {
+template <class Set>
+Catalogue TolerancedMachine::parts_with(Set&& set) const {
   Catalogue parts = parts_;
   for (std::size_t i = 0; i < figures_.size(); ++i) {
     const TolerancedFigure& figure = figures_[i];
     for (const int row : figure.rows)
-      parts.changeable_table(figure.family).set_number(find(figure.family, row)->row, figure.column, values[i]);
+      set(parts.changeable_table(figure.family), find(figure.family, row)->row, figure.column, i);
   }
+  return parts;
+}
+
+Design TolerancedMachine::design(std::span<const double> values) const {
+  const Catalogue parts = parts_with(
+      [&](Table& table, int row, Column column, std::size_t i) { table.set_number(row, column, values[i]); });
   const MachineModel model(problem_, parts);
   return model.design(build_in(model));
 }
 
 TolerancedMachine::Bounds TolerancedMachine::bounds(std::span<const Interval> values) const {
-  Catalogue parts = parts_;
-  for (std::size_t i = 0; i < figures_.size(); ++i) {
-    const TolerancedFigure& figure = figures_[i];
-    for (const int row : figure.rows)
-      parts.changeable_table(figure.family).set_range(find(figure.family, row)->row, figure.column, values[i]);
-  }
+  const Catalogue parts =
+      parts_with([&](Table& table, int row, Column column, std::size_t i) { table.set_range(row, column, values[i]); });
   const MachineModel model(problem_, parts);
   const solver::Build build = build_in(model);
   Bounds result;

@@ -35,6 +35,9 @@ class TolerancedMachine {
   };
   void take_parts(const MachineModel& model, const solver::Build& build);
   void take_figures(const catalogue::Catalogue& catalogue);
+  /// The chosen parts with other figures: set(table, row, column, number of the figure).
+  template <class Set>
+  [[nodiscard]] catalogue::Catalogue parts_with(Set&& set) const;
   [[nodiscard]] solver::Build build_in(const MachineModel& model) const;
   [[nodiscard]] Bounds bounds(std::span<const scalar::Interval> values) const;
 

@@ -2,36 +2,9 @@
 // What a stock file beside a user's parts does to answers, bills and orders.
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
-#include "app/program.h"
-#include "catch.h"
+#include "app/lifter.h"
 
 namespace millwright::app {
-namespace {
-
-using Json = nlohmann::json;
-
-const std::string lifter = MILLWRIGHT_SOURCE_DIR "/problems/lifter.toml";
-
-Json solved(const Workshop& shop, std::vector<std::string> more) {
-  std::vector<std::string> words{"solve", lifter, "--json", "-"};
-  words.insert(words.end(), more.begin(), more.end());
-  const Outcome outcome = shop.run(words);
-  CAPTURE(outcome.err);
-  REQUIRE(outcome.exit_code == 0);
-  return Json::parse(outcome.out);
-}
-
-double cost(const Json& result) { return result.at("totals").at("cost").at("value").get<double>(); }
-
-Json motor(const Json& result) {
-  for (const Json& each : result.at("build").at("parts"))
-    if (each.at("slot") == "motor") return each;
-  return nullptr;
-}
-
-}  // namespace
 
 TEST_CASE("What is in stock is free, and the order says that it is there") {
   const Workshop shop;

@@ -2,36 +2,9 @@
 // What suppliers, offers and spares do to answers, bills and orders.
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
-#include "app/program.h"
-#include "catch.h"
+#include "app/lifter.h"
 
 namespace millwright::app {
-namespace {
-
-using Json = nlohmann::json;
-
-const std::string lifter = MILLWRIGHT_SOURCE_DIR "/problems/lifter.toml";
-
-Json solved(const Workshop& shop, std::vector<std::string> more) {
-  std::vector<std::string> words{"solve", lifter, "--json", "-"};
-  words.insert(words.end(), more.begin(), more.end());
-  const Outcome outcome = shop.run(words);
-  CAPTURE(outcome.err);
-  REQUIRE(outcome.exit_code == 0);
-  return Json::parse(outcome.out);
-}
-
-double cost(const Json& result) { return result.at("totals").at("cost").at("value").get<double>(); }
-
-Json motor(const Json& result) {
-  for (const Json& each : result.at("build").at("parts"))
-    if (each.at("slot") == "motor") return each;
-  return nullptr;
-}
-
-}  // namespace
 
 TEST_CASE("An order from a shop is charged with shipping and minimum, and the order list says so") {
   const Workshop shop;
@@ -136,10 +109,8 @@ TEST_CASE("A tolerance breaks a build, and decides a robust one, whoever sells t
 TEST_CASE("What is owned goes first also where its supplier charges for the rest of the line") {
   const Workshop shop;
   const Json plain = solved(shop, {"--set", "spares.supply=1"});
-  std::string supply;
-  for (const Json& each : plain.at("build").at("parts"))
-    if (each.at("slot") == "supply") supply = each.at("part_number");
-  shop.write("mine/stock.csv", "part_number,owned\n" + supply + ",1\n");
+  shop.write("mine/stock.csv",
+             "part_number,owned\n" + part(plain, "supply").at("part_number").get<std::string>() + ",1\n");
   const Json owned = solved(shop, {"--set", "spares.supply=1", "--catalogue", "mine"});
   CHECK(cost(owned) < cost(plain));
   shop.write("mine/suppliers.csv", "supplier,shipping_fee,minimum_order,currency\n,1,,USD\n");

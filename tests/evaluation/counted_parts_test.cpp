@@ -8,8 +8,7 @@
 
 #include "catch.h"
 #include "evaluation/exhaustive.h"
-#include "evaluation/synthesis.h"
-#include "evaluation/tiny_catalogue.h"
+#include "evaluation/two_axes.h"
 #include "sanitized.h"
 
 using namespace millwright;
@@ -20,33 +19,6 @@ using evaluation::Synthesis;
 namespace {
 
 using Owned = std::map<std::string, double>;
-
-/// Two like axes, so that both may take the same motor, driver, coupling and supports.
-machine::Problem two_axes(double load) {
-  const auto axis = [&](const char* name, const char* carries, double force) {
-    return fmt::format(R"(
-[[axis]]
-name = "{}"
-{}
-stroke = "300 mm"
-structure_mass = "{} kg"
-guide_friction = 0.05
-acceleration_time = ["0.02 s", "0.5 s"]
-mechanism = {{ kind = "screw", screw = ["ball_screws", "lead_screws"], ends = "fixed-supported" }}
-motor = {{ microsteps = 8 }}
-[[axis.moves]]
-distance = "200 mm"
-time = "6 s"
-force = "{} N"
-)",
-                       name,
-                       carries,
-                       load,
-                       force);
-  };
-  return problem_of_text("[currency]\nUSD = 1.0\n[supply]\nvoltage = [\"24 V\", \"36 V\"]\n" + axis("x", "", 60.0) +
-                         axis("y", "carries = [\"x\"]", 40.0));
-}
 
 /// What is paid for so many pieces, found by trying every number of pieces that could be bought.
 struct Offer {
@@ -127,13 +99,6 @@ Discount saving(const MachineModel& model, const Owned& owned, const Offers& off
     }
     return sum;
   };
-}
-
-Synthesis solved(const MachineModel& model, std::vector<std::string> objectives, unsigned threads = 1) {
-  evaluation::SearchOptions options;
-  options.objectives = std::move(objectives);
-  options.threads = threads;
-  return evaluation::synthesise(model, options);
 }
 
 /// The lines of a design add up to its cost, and no more pieces are free than there are.

@@ -8,8 +8,7 @@
 
 #include "catch.h"
 #include "evaluation/exhaustive.h"
-#include "evaluation/synthesis.h"
-#include "evaluation/tiny_catalogue.h"
+#include "evaluation/two_axes.h"
 #include "sanitized.h"
 
 using namespace millwright;
@@ -19,31 +18,7 @@ using evaluation::Synthesis;
 
 namespace {
 
-std::string two_axes(double load, const std::string& spares) {
-  const auto axis = [&](const char* name, const char* carries, double force) {
-    return fmt::format(R"(
-[[axis]]
-name = "{}"
-{}
-stroke = "300 mm"
-structure_mass = "{} kg"
-guide_friction = 0.05
-acceleration_time = ["0.02 s", "0.5 s"]
-mechanism = {{ kind = "screw", screw = ["lead_screws"], ends = "fixed-supported" }}
-motor = {{ microsteps = 8 }}
-[[axis.moves]]
-distance = "200 mm"
-time = "6 s"
-force = "{} N"
-)",
-                       name,
-                       carries,
-                       load,
-                       force);
-  };
-  return "[currency]\nUSD = 1.0\n[supply]\nvoltage = [\"24 V\", \"36 V\"]\n" + spares + axis("x", "", 60.0) +
-         axis("y", "carries = [\"x\"]", 40.0);
-}
+constexpr const char* lead_screws = "\"lead_screws\"";
 
 /// What lies in the drawer, and couplings in packs.
 struct Shelf {
@@ -84,12 +59,6 @@ Discount saving(const MachineModel& model, const Shelf& shelf, const Spares& spa
     for (const auto& [part, all] : taken) paid += all.each * shelf.bought(part, all.pieces);
     return usual - paid;
   };
-}
-
-Synthesis solved(const MachineModel& model, std::vector<std::string> objectives) {
-  evaluation::SearchOptions options;
-  options.objectives = std::move(objectives);
-  return evaluation::synthesise(model, options);
 }
 
 void require_sound(const Design& design) {
@@ -134,7 +103,7 @@ TEST_CASE("With spare parts the cheapest build and the front equal those of all 
                                            couplings,
                                            screws,
                                            supplies);
-    machine::Problem everything = problem_of_text(two_axes(load, ""));
+    machine::Problem everything = two_axes(load, lead_screws, "");
     for (machine::Axis& axis : everything.axes) axis.keep_every_candidate = true;
     const MachineModel plain(everything, tiny.parts());
     const Exhaustive all(plain, saving(plain, shelf, [&](const std::string& axis, const std::string& slot) {
@@ -143,7 +112,7 @@ TEST_CASE("With spare parts the cheapest build and the front equal those of all 
                            if (slot == "screw" && axis == "y") return screws;
                            return slot == "supply" ? supplies : 0.0;
                          }));
-    const MachineModel model(problem_of_text(two_axes(load, spares)), stocked);
+    const MachineModel model(two_axes(load, lead_screws, spares), stocked);
     INFO("machine " << seed << ", " << all.builds.size() << " compliant builds");
     const Synthesis cost = solved(model, {"cost"});
     const Synthesis front = solved(model, {"cost", "mass"});
@@ -160,7 +129,7 @@ TEST_CASE("With spare parts the cheapest build and the front equal those of all 
       CHECK(front.designs[i].mass == Approx(expected[i].mass).epsilon(1e-9));
       require_sound(front.designs[i]);
     }
-    const Synthesis without = solved(MachineModel(problem_of_text(two_axes(load, "")), stocked), {"cost"});
+    const Synthesis without = solved(MachineModel(two_axes(load, lead_screws, ""), stocked), {"cost"});
     REQUIRE(without.designs.size() == 1);
     for (std::size_t i = 0; i < without.designs[0].parts.size() && i < cost.designs[0].parts.size(); ++i)
       changed += without.designs[0].parts[i].part_number != cost.designs[0].parts[i].part_number;
@@ -177,7 +146,7 @@ TEST_CASE("Spares may make another shop worth its shipping") {
   overlay.write("offers.csv", "part_number,supplier,price,currency\nM17,Shop A,7,USD\n");
   const catalogue::Catalogue offered = catalogue_of({tiny.path(), overlay.path()});
   const auto found = [&](const char* spares) {
-    const Synthesis result = solved(MachineModel(problem_of_text(two_axes(1.0, spares)), offered), {"cost"});
+    const Synthesis result = solved(MachineModel(two_axes(1.0, lead_screws, spares), offered), {"cost"});
     REQUIRE(result.designs.size() == 1);
     require_sound(result.designs[0]);
     return result.designs[0];
