@@ -2,6 +2,7 @@
 #include "solver/candidates.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "solver/archive.h"
@@ -77,6 +78,7 @@ class Search {
         comparison_(*question.comparison),
         desk_(desk),
         heap_(plan_),
+        totals_(question.totals),
         known_(comparison_.dimensions()) {
     for (const Interval& side : question.states) set_.reference.push_back(middle(side));
     // From a lower bound over H to one at the reference state: the linear part is taken to the worst corner and back.
@@ -91,6 +93,14 @@ class Search {
         high += std::min(at_lower, at_upper);
       }
       to_reference_.emplace_back(low, high);
+    }
+    for (RestPlane& plane : totals_) {
+      const std::vector<double> nothing(set_.reference.size(), 0.0);
+      for (std::size_t h = 0; h < plane.weight.size(); ++h) {
+        if (plane.weight[h] == 0.0) continue;
+        const double inherited = question.form->change(h, nothing, set_.reference);
+        plane.constant += plane.weight[h] * (to_reference_[h].first - inherited);
+      }
     }
   }
 
@@ -139,10 +149,16 @@ class Search {
   /// Whether the cheapest label with a design of these bounds, and what must follow then, is below some corner.
   [[nodiscard]] bool may_lead_on(const Bounds& bounds) const {
     if ((plan_.curves.empty() && plan_.planes.empty()) || question_.corners.empty()) return true;
-    const double first = question_.least.first + bounds.score[0] + rest_after(plan_, 0, bounds.handed_on);
-    const double rest = plan_.criteria->objectives > 1 ? rest_after(plan_, 1, bounds.handed_on) : 0.0;
-    const double second = question_.least.second + plan_.criteria->second(bounds.score) + rest;
-    return std::isfinite(first) && below_staircase(question_.corners, first, second);
+    std::array<double, 2> total{question_.least.first + bounds.score[0] + rest_after(plan_, 0, bounds.handed_on),
+                                question_.least.second + plan_.criteria->second(bounds.score)};
+    if (plan_.criteria->objectives > 1) total[1] += rest_after(plan_, 1, bounds.handed_on);
+    if (!std::isfinite(total[0])) return false;
+    for (const RestPlane& plane : totals_) {
+      double sum = plane.constant + bounds.score[plane.score];
+      for (std::size_t h = 0; h < plane.weight.size(); ++h) sum += plane.weight[h] * bounds.handed_on[h].lower;
+      total[plane.score] = std::max(total[plane.score], sum);
+    }
+    return below_staircase(question_.corners, total[0], total[1]);
   }
 
   /// Values of the variables at which every utilisation is <= 1 over all of H, if some are found.
@@ -201,6 +217,7 @@ class Search {
   const Comparison& comparison_;
   Desk& desk_;
   Heap heap_;
+  std::vector<RestPlane> totals_;  ///< of handed-on states as they are bounded over H
   Archive known_;
   std::vector<std::pair<double, double>> to_reference_;  ///< [handed-on component]: for lower and upper bounds
   CandidateSet set_;

@@ -30,7 +30,10 @@ struct CandidateQuestion {
   std::vector<Pair> useful;      ///< upper staircase of own shares of the first two scores
   Pair least = {};               ///< of the labels' first two scores
   std::vector<Pair> corners;     ///< upper staircase of totals: with `least`, and what must follow, below some of it
-  std::function<bool()> stop;    ///< asked now and then
+  /// What must be added to own shares of score and state for a total: the least of all labels with what must follow
+  /// (rest_plane.h), as if they arrived with a state of nothing but zeros.
+  std::vector<RestPlane> totals = {};
+  std::function<bool()> stop;                                      ///< asked now and then
   std::size_t patience = std::numeric_limits<std::size_t>::max();  ///< nodes after which it is given up: incomplete
   /// For quick first answers, not for a proof: so many nodes at most, and what a handed-on component weighs in the
   /// order in which they are taken (empty: next to nothing).

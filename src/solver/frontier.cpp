@@ -43,17 +43,20 @@ Frontier::Frontier(const Problem& problem,
   leaf_tolerance_ = 0.9 * tolerance / static_cast<double>(std::max<std::size_t>(priced, 1));
 }
 
-bool Frontier::run() {
+bool Frontier::run(bool shared_allowances) {
   find_rest();
   if (!pass({.with_states = false})) return false;
   // Where what is cheap first leaves too little of a shared allowance to what comes later, nothing is found that way.
+  if ((shared_allowances || incumbents_.builds().empty()) && !find_better_first()) return false;
   for (const double share : {0.03, 0.1, 0.3, 1.0}) {
     if (!incumbents_.builds().empty()) break;
     for (const std::size_t nodes : {std::size_t{100}, std::size_t{1000}})
       if (!pass({.haste = Haste{.share = share, .nodes = nodes}})) return false;
   }
-  if (pass({.briefly = true})) return !undecided_;
-  if (control_.time_is_up() || !find_better_first()) return false;
+  if (!used_prices_) {
+    if (pass({.briefly = true})) return !undecided_;
+    if (control_.time_is_up() || !find_better_first()) return false;
+  }
   undecided_ = false;
   return (settled_ || pass({})) && !undecided_;
 }
@@ -150,6 +153,7 @@ bool Frontier::advance(std::size_t stage, const Comparison& comparison) {
 /// is below some corner of the known front.
 bool Frontier::may_matter(std::size_t stage, std::span<const double> score, std::span<const double> state) const {
   const StagePlan& plan = plans_[stage];
+  if (!bearable(plan, state)) return false;
   if (plan.curves.empty() && plan.planes.empty()) return true;
   const double first = score[0] + rest_after(plan, 0, state);
   const double second = criteria_.second(score) + (criteria_.objectives > 1 ? rest_after(plan, 1, state) : 0.0);

@@ -53,7 +53,8 @@ class Frontier {
   /// Whether the method can do this problem at all.
   [[nodiscard]] bool applicable() const { return applicable_; }
   /// True when the incumbents are the front. False: time limit, or something undecided (then `undecided()`).
-  bool run();
+  /// `shared_allowances`: prices for them have been of use elsewhere in the problem.
+  bool run(bool shared_allowances);
   [[nodiscard]] bool undecided() const { return undecided_; }
   /// Whether shared allowances were given prices (rest_plane.h).
   [[nodiscard]] bool used_prices() const { return used_prices_; }
@@ -102,6 +103,7 @@ class Frontier {
   void update_useful();
   std::vector<Chunk> make_chunks(std::size_t stage, const Comparison& comparison) const;
   void ask(std::size_t stage, const Comparison& comparison, Chunk& chunk) const;
+  RestPlane least_total(std::size_t stage, const Chunk& chunk, const RestPlane& plane) const;
   [[nodiscard]] bool may_matter(std::size_t stage, std::span<const double> score, std::span<const double> state) const;
   void combine(std::size_t stage, std::uint32_t index, const Chunk& chunk, const Comparison& comparison);
   void sort_combinations(const Comparison& comparison);

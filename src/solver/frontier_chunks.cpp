@@ -85,12 +85,35 @@ void Frontier::ask(std::size_t stage, const Comparison& comparison, Chunk& chunk
   chunk.question.corners = useful_.back();
   chunk.question.useful =
       difference_of_staircases(useful_[stage + 1], lower_staircase(std::move(scores)), staircase_points);
+  for (const RestPlane& plane : plans_[stage].planes) chunk.question.totals.push_back(least_total(stage, chunk, plane));
   if (haste_) {
     chunk.question.node_limit = haste_->nodes;
     chunk.question.state_weight = state_weights(stage, plans_[stage].least[0]);
   }
   if (briefly_) chunk.question.patience = control_.options().stage_patience;
   chunk.question.stop = [this] { return control_.time_is_up(); };
+}
+
+/// A plane over what a stage adds to a label of the chunk, at the label where that is least.
+RestPlane Frontier::least_total(std::size_t stage, const Chunk& chunk, const RestPlane& plane) const {
+  constexpr double slack = 1e-11;
+  double least = infinity;
+  double room = std::fabs(plane.constant);
+  for (const std::uint32_t index : chunk.labels) {
+    const Label& label = labels_[stage][index];
+    const std::vector<double> nothing(label.state.size(), 0.0);
+    double sum = label.score[plane.score];
+    double magnitude = std::fabs(sum);
+    for (std::size_t h = 0; h < plane.weight.size(); ++h) {
+      if (plane.weight[h] == 0.0) continue;
+      const double inherited = plane.weight[h] * forms_[stage].change(h, nothing, label.state);
+      sum += inherited;
+      magnitude += std::fabs(inherited);
+    }
+    least = std::min(least, sum);
+    room = std::max(room, magnitude);
+  }
+  return {plane.score, plane.constant + least - slack * room, plane.weight};
 }
 
 }  // namespace millwright::solver

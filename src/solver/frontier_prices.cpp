@@ -27,7 +27,9 @@ bool Frontier::find_better_first() {
   used_prices_ = true;
   for (const Haste& haste : {Haste{.nodes = 100}, {.nodes = 1000}, {.nodes = 2000, .labels = 100, .digits = 14}}) {
     if (!pass({.haste = haste})) return false;
-    const auto restrict_again = [&] { settled_ = find_planes() && !restrict_stages(); };
+    const auto restrict_again = [&] {
+      settled_ = find_planes() && !incumbents_.builds().empty() && !restrict_stages();
+    };
     if (!control_.while_there_is_time(restrict_again)) return false;
     if (settled_) return true;
   }
@@ -59,6 +61,7 @@ bool Frontier::restrict_stages() {
   Desk& desk = control_.desk(0);
   look_again(problem_, plans_, desk);
   for (std::size_t i = 0; i < plans_.size(); ++i) forms_[i] = find_state_form(plans_[i], desk);
+  planes_->tighten_limits();
   return true;
 }
 

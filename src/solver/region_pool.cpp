@@ -12,8 +12,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t node_limit = 200;  // refined for one weighing
 constexpr std::size_t proof_boxes = 60;
-constexpr std::size_t most_rounds = 30;   // of halving before what is left is told
-constexpr std::size_t most_parts = 2000;  // by then
+constexpr std::size_t most_refined = 100;  // before what is left is told: the search does the rest with all it knows
 
 }  // namespace
 
@@ -24,16 +23,21 @@ RegionPool::RegionPool(const StagePlan& plan, std::vector<Interval> inherited)
   for (const OpenRegion& open : plan.frontier) parts_.push_back({open, at_best});
 }
 
-bool RegionPool::bound(Part& part, Desk& desk) const {
+bool RegionPool::bound(Part& part, const Useful& useful, Desk& desk) const {
   part.bounded = true;
-  part.alive = assess(*plan_, inherited_, part.open.region, part.open.bounds, desk);
+  Region& region = part.open.region;
+  Bounds& bounds = part.open.bounds;
+  read_bounds(*plan_, desk.bound(*plan_->stage, plan_->shared, inherited_, region), bounds);
+  // Cutting variables takes far longer than this, so it comes last.
+  part.alive = bounds.utilisation <= 1.0 && (!useful || useful(bounds)) &&
+               cut_variables(*plan_, inherited_, region, bounds, desk);
   return part.alive;
 }
 
 template <class Offer>
-void RegionPool::refine(std::size_t index, Desk& desk, Offer&& offer) {
+void RegionPool::refine(std::size_t index, const Useful& useful, Desk& desk, Offer&& offer) {
   if (!parts_[index].bounded) {
-    if (bound(parts_[index], desk)) offer(index);
+    if (bound(parts_[index], useful, desk)) offer(index);
     return;
   }
   if (parts_[index].open.region.one_design_per_slot()) {
@@ -50,7 +54,7 @@ void RegionPool::refine(std::size_t index, Desk& desk, Offer&& offer) {
     Part part;
     part.open.region = whole.region;
     part.open.region.rows[split.slot] = half;
-    if (!plan_->fits.filter(part.open.region, split.slot) || !bound(part, desk)) continue;
+    if (!plan_->fits.filter(part.open.region, split.slot) || !bound(part, useful, desk)) continue;
     if (place == parts_.size()) parts_.emplace_back();
     parts_[place] = std::move(part);
     offer(place);
@@ -76,7 +80,7 @@ RegionPool::Least RegionPool::least(std::size_t score, std::span<const double> w
     if (nodes >= node_limit || parts_[first.index].settled) break;
     std::pop_heap(heap.begin(), heap.end());
     heap.pop_back();
-    refine(first.index, desk, [&](std::size_t index) {
+    refine(first.index, {}, desk, [&](std::size_t index) {
       heap.push_back({value_of(index), index});
       std::push_heap(heap.begin(), heap.end());
     });
@@ -88,22 +92,31 @@ RegionPool::Least RegionPool::least(std::size_t score, std::span<const double> w
   return found;
 }
 
-bool RegionPool::keep_only(const std::function<bool(const Bounds&)>& useful, Desk& desk) {
+bool RegionPool::keep_only(const Useful& useful, Desk& desk) {
   std::vector<std::size_t> open;
   for (std::size_t i = 0; i < parts_.size(); ++i) open.push_back(i);
-  for (std::size_t round = 0; !open.empty(); ++round) {
+  std::size_t refined_now = 0;
+  while (!open.empty()) {
     std::vector<std::size_t> next;
     for (const std::size_t index : open) {
       Part& part = parts_[index];
       part.alive = part.alive && (!part.bounded || useful(part.open.bounds));
-      if (!part.alive || part.settled || round >= most_rounds) continue;
-      refine(index, desk, [&](std::size_t refined) { next.push_back(refined); });
+      if (!part.alive || part.settled || refined_now >= most_refined) continue;
+      ++refined_now;
+      refine(index, useful, desk, [&](std::size_t refined) { next.push_back(refined); });
     }
-    if (parts_.size() > most_parts || round >= most_rounds) break;
+    if (refined_now >= most_refined) break;
     open = std::move(next);
   }
   std::erase_if(parts_, [&](const Part& part) { return !part.alive || (part.bounded && !useful(part.open.bounds)); });
   return !parts_.empty();
+}
+
+std::vector<double> RegionPool::least_handed_on() const {
+  std::vector<double> least(inherited_.size(), infinity);
+  for (const Part& part : parts_)
+    for (std::size_t c = 0; c < least.size(); ++c) least[c] = std::min(least[c], part.open.bounds.handed_on[c].lower);
+  return least;
 }
 
 void RegionPool::narrow(Region& region) const {

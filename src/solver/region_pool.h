@@ -25,6 +25,7 @@ class RegionPool {
   /// At the best state that can arrive, or another that no label's is better than.
   RegionPool(const StagePlan& plan, std::vector<Interval> inherited);
 
+  using Useful = std::function<bool(const Bounds&)>;
   [[nodiscard]] const std::vector<Interval>& inherited() const { return inherited_; }
 
   struct Least {
@@ -32,7 +33,15 @@ class RegionPool {
     std::vector<double> handed_on;  ///< there
   };
   /// Leaves out what `useful` says no to, refining what it does not. False when nothing is left.
-  bool keep_only(const std::function<bool(const Bounds&)>& useful, Desk& desk);
+  bool keep_only(const Useful& useful, Desk& desk);
+  /// Tells the bounds of everything that is left.
+  template <class Told>
+  void for_each(Told&& told) const {
+    for (const Part& part : parts_)
+      if (part.alive) told(part.open.bounds);
+  }
+  /// The least of every component that what is left hands on.
+  [[nodiscard]] std::vector<double> least_handed_on() const;
   /// To the rows that are left.
   void narrow(Region& region) const;
   /// A lower bound of score + weight * handed on over all feasible designs; weights are not negative.
@@ -47,8 +56,8 @@ class RegionPool {
   };
   /// Offers the numbers of what a part became.
   template <class Offer>
-  void refine(std::size_t index, Desk& desk, Offer&& offer);
-  bool bound(Part& part, Desk& desk) const;
+  void refine(std::size_t index, const Useful& useful, Desk& desk, Offer&& offer);
+  bool bound(Part& part, const Useful& useful, Desk& desk) const;
 
   const StagePlan* plan_;
   std::vector<Interval> inherited_;

@@ -45,6 +45,18 @@ double rest_given(const StagePlan& plan, std::size_t score, Lower&& lower) {
     const double least = plane.constant + priced - slack * (priced < 0.0 ? -priced : priced);
     if (least > rest) rest = least;
   }
+  for (const RestStairs& stairs : plan.stairs) {
+    if (stairs.score != score) continue;
+    double priced = stairs.constant;
+    double left = stairs.limit * (1.0 + slack);
+    for (std::size_t c = 0; c < stairs.weight.size(); ++c) {
+      if (stairs.weight[c] > 0.0) priced += stairs.weight[c] * lower(c);
+      if (stairs.use[c] > 0.0) left -= stairs.use[c] * lower(c);
+    }
+    priced -= slack * (priced < 0.0 ? -priced : priced);
+    const double least = priced + least_within(stairs.least, left);
+    if (least > rest) rest = least;
+  }
   return rest;
 }
 inline double rest_after(const StagePlan& plan, std::size_t score, std::span<const Interval> handed_on) {

@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "solver/rest_plane.h"
-
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <functional>
-#include <iterator>
 #include <limits>
-#include <optional>
 
-#include "solver/region_pool.h"
+#include "solver/rest_prices.h"
 
 namespace millwright::solver {
 namespace {
@@ -19,310 +13,224 @@ constexpr int iterations = 30;
 constexpr int most_planes = 4;   // kept: the last of those that raised the bound
 constexpr double slack = 1e-10;  // a state is the same sum in another order in the end
 
-/// A component of the state that arrives at a stage and matters no further.
-struct Allowance {
-  std::size_t component = 0;
-  double limit = 0.0;                 ///< no later stage has a feasible design from more on
-  std::vector<double> from = {};      ///< amounts from which on the stage's least is found, ascending; empty: one pool
-  std::vector<RegionPool> pool = {};  ///< [step]
-};
-
-/// One stage as the prices see it.
-struct PricedStage {
-  const StagePlan* plan = nullptr;
-  const StateForm* form = nullptr;
-  std::vector<Allowance> ends;  ///< here
-  std::optional<RegionPool> pool;
-};
-
-/// A bound under way from the base to the tool: constant + weight * state.
-struct Plane {
-  double constant = 0.0;
-  double room = 0.0;  ///< magnitudes that were added up
-  std::vector<double> weight;
-};
-
-/// What regions have in common with another.
-void keep_within(const StagePlan& plan, std::vector<OpenRegion>& regions) {
-  for (OpenRegion& open : regions) {
-    for (std::size_t slot = 0; slot < open.region.rows.size(); ++slot) {
-      const std::vector<Row>& allowed = plan.region.rows[slot]->all();
-      std::vector<Row> rows;
-      std::set_intersection(open.region.rows[slot]->begin(),
-                            open.region.rows[slot]->end(),
-                            allowed.begin(),
-                            allowed.end(),
-                            std::back_inserter(rows));
-      if (rows.empty()) {
-        open.bounds.utilisation = infinity;
-        break;
-      }
-      if (rows.size() < open.region.rows[slot]->size())
-        open.region.rows[slot] = make_rows(*plan.stage, plan.shared, slot, std::move(rows));
-    }
-  }
-  std::erase_if(regions, [](const OpenRegion& open) { return open.bounds.utilisation == infinity; });
-}
-
 }  // namespace
 
-class RestPlanes::Prices {
- public:
-  Prices(const Problem& problem, std::vector<StagePlan>& plans, std::span<const StateForm> forms, Desk& desk)
-      : problem_(problem), plans_(plans), desk_(desk) {
-    if (!std::all_of(forms.begin(), forms.end(), [](const StateForm& form) { return form.additive; })) return;
-    for (std::size_t i = 0; i < plans.size(); ++i) {
-      stages_.push_back({&plans[i], &forms[i], {}, std::nullopt});
-      find_ends(i);
-      const bool has_steps = std::any_of(
-          stages_[i].ends.begin(), stages_[i].ends.end(), [](const Allowance& end) { return !end.from.empty(); });
-      if (!has_steps) stages_[i].pool.emplace(plans[i], plans[i].best_inherited);
-      allowances_ += stages_[i].ends.size();
+RestPlanes::Prices::Prices(const Problem& problem,
+                           std::vector<StagePlan>& plans,
+                           std::span<const StateForm> forms,
+                           Desk& desk)
+    : problem_(problem), plans_(plans), desk_(desk) {
+  if (!std::all_of(forms.begin(), forms.end(), [](const StateForm& form) { return form.additive; })) return;
+  for (std::size_t i = 0; i < plans.size(); ++i) {
+    stages_.push_back({&plans[i], &forms[i], {}, std::nullopt});
+    find_ends(i);
+    const bool has_steps = std::any_of(
+        stages_[i].ends.begin(), stages_[i].ends.end(), [](const Allowance& end) { return !end.from.empty(); });
+    if (!has_steps) stages_[i].pool.emplace(plans[i], plans[i].best_inherited);
+    allowances_ += stages_[i].ends.size();
+  }
+}
+
+void RestPlanes::Prices::find(std::size_t score, double known) {
+  const auto own = [score](const auto& plane) { return plane.score == score; };
+  for (StagePlan& plan : plans_) std::erase_if(plan.planes, own);
+  std::erase_if(kept_, own);
+  score_ = score;
+  first_ = 0;
+  state_ = problem_.first_state;
+  climb(known, [this](double bound) { keep(bound); });
+  find_stairs();
+}
+
+double RestPlanes::Prices::find_from(std::size_t score,
+                                     double known,
+                                     std::size_t stage,
+                                     std::span<const double> state) {
+  score_ = score;
+  first_ = stage;
+  state_.assign(state.begin(), state.end());
+  std::optional<RestPlane> best;
+  const double bound = climb(known, [&](double) { best = rest_plane(before_); });
+  if (best) plans_[stage - 1].planes.push_back(std::move(*best));
+  return bound;
+}
+
+/// Moves the prices as long as the bound at the first stage rises, and tells when it has. The best bound.
+double RestPlanes::Prices::climb(double known, const std::function<void(double bound)>& risen) {
+  std::vector<double> price(allowances_, 0.0);  // of a whole limit
+  std::vector<double> slope(allowances_, 0.0);
+  double best = 0.0;
+  best_price_.assign(allowances_, 0.0);
+  double length = 1.0;
+  int idle = 0;
+  for (int i = 0; i < iterations && allowances_ > 0; ++i) {
+    const double bound = evaluate(price, slope);
+    if (!std::isfinite(bound)) return best;  // nothing is feasible: the search will find out
+    if (i == 0 || bound > best + 1e-9 * std::fabs(best)) {
+      risen(bound);
+      best_price_ = price;
+      best = bound;
+      idle = 0;
+    } else if (++idle == 3) {
+      length *= 0.5;
+      idle = 0;
     }
-  }
-
-  void find(std::size_t score, double known) {
-    const auto own = [score](const auto& plane) { return plane.score == score; };
-    for (StagePlan& plan : plans_) std::erase_if(plan.planes, own);
-    std::erase_if(kept_, own);
-    score_ = score;
-    first_ = 0;
-    state_ = problem_.first_state;
-    climb(known, [this](double bound) { keep(bound); });
-  }
-
-  double find_from(std::size_t score, double known, std::size_t stage, std::span<const double> state) {
-    score_ = score;
-    first_ = stage;
-    state_.assign(state.begin(), state.end());
-    std::optional<RestPlane> best;
-    const double bound = climb(known, [&](double) { best = rest_plane(before_); });
-    if (best) plans_[stage - 1].planes.push_back(std::move(*best));
-    return bound;
-  }
-
-  /// Moves the prices as long as the bound at the first stage rises, and tells when it has. The best bound.
-  double climb(double known, const std::function<void(double bound)>& risen) {
-    std::vector<double> price(allowances_, 0.0);  // of a whole limit
-    std::vector<double> slope(allowances_, 0.0);
-    double best = 0.0;
-    double length = 1.0;
-    int idle = 0;
-    for (int i = 0; i < iterations && allowances_ > 0; ++i) {
-      const double bound = evaluate(price, slope);
-      if (!std::isfinite(bound)) return best;  // nothing is feasible: the search will find out
-      if (i == 0 || bound > best + 1e-9 * std::fabs(best)) {
-        risen(bound);
-        best = bound;
-        idle = 0;
-      } else if (++idle == 3) {
-        length *= 0.5;
-        idle = 0;
-      }
-      double norm = 0.0;
-      for (std::size_t a = 0; a < allowances_; ++a) {
-        if (price[a] == 0.0 && slope[a] < 0.0) slope[a] = 0.0;
-        norm += slope[a] * slope[a];
-      }
-      const double missing = (std::isfinite(known) ? known : best + 0.3 * std::fabs(best)) - bound;
-      if (!(norm > 1e-12) || !(missing > 1e-6 * std::fabs(best))) break;
-      for (std::size_t a = 0; a < allowances_; ++a)
-        price[a] = std::max(0.0, price[a] + length * missing / norm * slope[a]);
+    double norm = 0.0;
+    for (std::size_t a = 0; a < allowances_; ++a) {
+      if (price[a] == 0.0 && slope[a] < 0.0) slope[a] = 0.0;
+      norm += slope[a] * slope[a];
     }
-    return best;
+    const double missing = (std::isfinite(known) ? known : best + 0.3 * std::fabs(best)) - bound;
+    if (!(norm > 1e-12) || !(missing > 1e-6 * std::fabs(best))) break;
+    for (std::size_t a = 0; a < allowances_; ++a)
+      price[a] = std::max(0.0, price[a] + length * missing / norm * slope[a]);
   }
+  return best;
+}
 
-  bool restrict_to(const std::vector<Pair>& corners) {
-    for (std::size_t i = 0; i < stages_.size() && !kept_.empty(); ++i) {
-      if (!stages_[i].pool) continue;
-      const auto may_lead = [&](const Bounds& bounds) {
-        constexpr double unknown = -std::numeric_limits<double>::max();
-        std::array<double, 2> least{unknown, unknown};
-        for (const Kept& kept : kept_) {
-          double& here = least[std::min<std::size_t>(kept.score, 1)];
-          here = std::max(here, kept.without[i] + priced(bounds, kept.score, kept.weight[i]));
-        }
-        return below_staircase(corners, least[0], least[1]);
-      };
-      if (!stages_[i].pool->keep_only(may_lead, desk_)) return false;
-      stages_[i].pool->narrow(plans_[i].region);
-      keep_within(plans_[i], plans_[i].frontier);
-    }
-    return true;
+void RestPlanes::Prices::find_ends(std::size_t stage) {
+  const StagePlan& plan = plans_[stage];
+  if (stage == 0) return;
+  for (std::size_t c = 0; c < plan.before.size(); ++c) {
+    const bool ends = plan.before[c] == Direction::smaller_is_better && plan.after[c] == Direction::irrelevant;
+    const double limit = plans_[stage - 1].most_after[c];
+    if (!ends || !std::isfinite(limit) || !(limit > 0.0)) continue;
+    Allowance end{c, limit * (1.0 + slack)};
+    if (has_few_designs(plan) && stages_[stage].ends.empty()) find_steps(stage, end);
+    stages_[stage].ends.push_back(std::move(end));
   }
+}
 
- private:
-  void find_ends(std::size_t stage) {
-    const StagePlan& plan = plans_[stage];
-    if (stage == 0) return;
-    for (std::size_t c = 0; c < plan.before.size(); ++c) {
-      const bool ends = plan.before[c] == Direction::smaller_is_better && plan.after[c] == Direction::irrelevant;
-      const double limit = plans_[stage - 1].most_after[c];
-      if (!ends || !std::isfinite(limit) || !(limit > 0.0)) continue;
-      Allowance end{c, limit * (1.0 + slack)};
-      if (has_few_designs(plan) && stages_[stage].ends.empty()) find_steps(stage, end);
-      stages_[stage].ends.push_back(std::move(end));
-    }
+/// Where an objective's least rises with the amount that arrives, if a curve (rest_curve.h) says so.
+void RestPlanes::Prices::find_steps(std::size_t stage, Allowance& end) {
+  const StagePlan& plan = plans_[stage];
+  std::vector<double> from{plan.best_inherited[end.component].lower};
+  for (const RestCurve& curve : plans_[stage - 1].curves)
+    if (curve.component == end.component) from.insert(from.end(), curve.from.begin(), curve.from.end());
+  std::sort(from.begin(), from.end());
+  std::erase_if(from, [&](double amount) { return amount < from.front() || amount >= end.limit; });
+  from.erase(std::unique(from.begin(), from.end()), from.end());
+  if (from.size() < 2) return;
+  for (const double amount : from) {
+    std::vector<Interval> inherited = plan.best_inherited;
+    inherited[end.component] = amount;
+    end.pool.emplace_back(plan, std::move(inherited));
   }
+  end.from = std::move(from);
+}
 
-  /// Where an objective's least rises with the amount that arrives, if a curve (rest_curve.h) says so.
-  void find_steps(std::size_t stage, Allowance& end) {
-    const StagePlan& plan = plans_[stage];
-    std::vector<double> from{plan.best_inherited[end.component].lower};
-    for (const RestCurve& curve : plans_[stage - 1].curves)
-      if (curve.component == end.component) from.insert(from.end(), curve.from.begin(), curve.from.end());
-    std::sort(from.begin(), from.end());
-    std::erase_if(from, [&](double amount) { return amount < from.front() || amount >= end.limit; });
-    from.erase(std::unique(from.begin(), from.end()), from.end());
-    if (from.size() < 2) return;
-    for (const double amount : from) {
-      std::vector<Interval> inherited = plan.best_inherited;
-      inherited[end.component] = amount;
-      end.pool.emplace_back(plan, std::move(inherited));
-    }
-    end.from = std::move(from);
+/// The bound at the tool for these prices, and how it changes with them.
+double RestPlanes::Prices::evaluate(std::span<const double> price, std::span<double> slope) {
+  planes_.assign(plans_.size(), {});
+  chosen_.assign(plans_.size(), {});
+  used_.assign(plans_.size(), {});
+  least_.assign(plans_.size(), 0.0);
+  own_.assign(plans_.size(), 0.0);
+  paid_.assign(plans_.size(), 0.0);
+  Plane plane;
+  plane.weight.assign(state_.size(), 0.0);
+  std::size_t allowance = allowances_;
+  for (std::size_t i = plans_.size(); i-- > first_;) {
+    planes_[i] = plane;
+    allowance -= stages_[i].ends.size();
+    if (!pass(i, price.subspan(allowance, stages_[i].ends.size()), plane)) return infinity;
   }
-
-  /// The bound at the tool for these prices, and how it changes with them.
-  double evaluate(std::span<const double> price, std::span<double> slope) {
-    planes_.assign(plans_.size(), {});
-    chosen_.assign(plans_.size(), {});
-    used_.assign(plans_.size(), {});
-    least_.assign(plans_.size(), 0.0);
-    Plane plane;
-    plane.weight.assign(state_.size(), 0.0);
-    std::size_t allowance = allowances_;
-    for (std::size_t i = plans_.size(); i-- > first_;) {
-      planes_[i] = plane;
-      allowance -= stages_[i].ends.size();
-      if (!pass(i, price.subspan(allowance, stages_[i].ends.size()), plane)) return infinity;
+  before_ = plane;
+  std::vector<double> state = state_;
+  std::fill(slope.begin(), slope.end(), 0.0);
+  for (std::size_t i = first_; i < plans_.size(); ++i) {
+    for (std::size_t e = 0; e < stages_[i].ends.size(); ++e) {
+      const Allowance& end = stages_[i].ends[e];
+      slope[allowance++] = (state[end.component] - used_[i][e]) / end.limit;
     }
-    before_ = plane;
-    std::vector<double> state = state_;
-    std::fill(slope.begin(), slope.end(), 0.0);
-    for (std::size_t i = first_; i < plans_.size(); ++i) {
-      for (std::size_t e = 0; e < stages_[i].ends.size(); ++e) {
-        const Allowance& end = stages_[i].ends[e];
-        slope[allowance++] = (state[end.component] - used_[i][e]) / end.limit;
-      }
-      state = after(i, state);
-    }
-    double bound = plane.constant;
-    for (std::size_t c = 0; c < plane.weight.size(); ++c) bound += plane.weight[c] * state_[c];
-    return bound;
+    state = after(i, state);
   }
+  double bound = plane.constant;
+  for (std::size_t c = 0; c < plane.weight.size(); ++c) bound += plane.weight[c] * state_[c];
+  return bound;
+}
 
-  /// What a stage adds at least, by what it adds to the state.
-  struct Addition {
+RestPlanes::Prices::Addition RestPlanes::Prices::least_addition(RegionPool& pool,
+                                                                const StateForm& form,
+                                                                std::span<const double> weight) {
+  RegionPool::Least least = pool.least(score_, weight, desk_);
+  Addition addition{least.value, least.value, std::fabs(least.value), std::move(least.handed_on)};
+  for (std::size_t h = 0; h < addition.state.size(); ++h) {
+    const double inherited = most_flow(form, h, pool.inherited());
+    addition.state[h] -= inherited;
+    if (weight[h] == 0.0) continue;
+    addition.value -= weight[h] * inherited;
+    addition.room += std::fabs(weight[h] * inherited);
+  }
+  return addition;
+}
+
+/// From after a stage to before it. False where no design is feasible, or a weight would become negative.
+bool RestPlanes::Prices::pass(std::size_t stage, std::span<const double> price, Plane& plane) {
+  PricedStage& own = stages_[stage];
+  used_[stage].clear();
+  for (const Allowance& end : own.ends) used_[stage].push_back(end.limit);
+  Addition least;
+  least.value = infinity;
+  if (own.pool) least = least_addition(*own.pool, *own.form, plane.weight);
+  for (std::size_t e = 0; e < own.ends.size(); ++e) {
+    Allowance& end = own.ends[e];
     double value = infinity;
-    double priced = 0.0;        ///< the same with what has been inherited
-    double room = 0.0;          ///< magnitudes that were added up
-    std::vector<double> state;  ///< of the design where the value is least
-  };
-  Addition least_addition(RegionPool& pool, const StateForm& form, std::span<const double> weight) {
-    RegionPool::Least least = pool.least(score_, weight, desk_);
-    Addition addition{least.value, least.value, std::fabs(least.value), std::move(least.handed_on)};
-    for (std::size_t h = 0; h < addition.state.size(); ++h) {
-      double inherited = 0.0;
-      for (std::size_t c = 0; c < weight.size(); ++c) {
-        const double flow = form.slope[h][c];
-        const Interval& state = pool.inherited()[c];
-        if (flow != 0.0) inherited += flow * (flow > 0.0 ? state.upper : state.lower);
-      }
-      addition.state[h] -= inherited;
-      if (weight[h] == 0.0) continue;
-      addition.value -= weight[h] * inherited;
-      addition.room += std::fabs(weight[h] * inherited);
-    }
-    return addition;
-  }
-
-  /// From after a stage to before it. False where no design is feasible, or a weight would become negative.
-  bool pass(std::size_t stage, std::span<const double> price, Plane& plane) {
-    PricedStage& own = stages_[stage];
-    used_[stage].clear();
-    for (const Allowance& end : own.ends) used_[stage].push_back(end.limit);
-    Addition least;
-    if (own.pool) least = least_addition(*own.pool, *own.form, plane.weight);
-    for (std::size_t e = 0; e < own.ends.size(); ++e) {
-      Allowance& end = own.ends[e];
-      double value = infinity;
-      for (std::size_t k = 0; k < end.from.size(); ++k) {
-        const double up_to = k + 1 < end.from.size() ? end.from[k + 1] : end.limit;
-        Addition here = least_addition(end.pool[k], *own.form, plane.weight);
-        const double own_value = here.value - price[e] / end.limit * up_to;
-        if (!(own_value < value)) continue;
-        value = own_value;
-        used_[stage][e] = up_to;
-        least = std::move(here);
-      }
-    }
-    if (!(least.value < infinity)) return false;
-    plane.constant += least.value;
-    least_[stage] = least.priced;
-    plane.room += least.room;
-    chosen_[stage] = std::move(least.state);
-    std::vector<double> weight(plane.weight.size(), 0.0);
-    for (std::size_t h = 0; h < weight.size(); ++h)
-      for (std::size_t c = 0; c < weight.size(); ++c) weight[c] += plane.weight[h] * own.form->slope[h][c];
-    for (std::size_t e = 0; e < own.ends.size(); ++e) {
-      const double unit = price[e] / own.ends[e].limit;
-      plane.constant -= unit * used_[stage][e];
-      plane.room += unit * used_[stage][e];
-      weight[own.ends[e].component] += unit;
-    }
-    plane.weight = std::move(weight);
-    return std::all_of(plane.weight.begin(), plane.weight.end(), [](double w) { return w >= 0.0; });
-  }
-
-  [[nodiscard]] std::vector<double> after(std::size_t stage, const std::vector<double>& state) const {
-    std::vector<double> next = chosen_[stage];
-    for (std::size_t h = 0; h < next.size(); ++h)
-      for (std::size_t c = 0; c < state.size(); ++c) next[h] += stages_[stage].form->slope[h][c] * state[c];
-    return next;
-  }
-
-  [[nodiscard]] RestPlane rest_plane(const Plane& plane) const {
-    return {score_, plane.constant - slack * plane.room, plane.weight};
-  }
-
-  void keep(double bound) {
-    const auto own = [this](const auto& plane) { return plane.score == score_; };
-    const bool full = std::count_if(kept_.begin(), kept_.end(), own) >= most_planes;
-    if (full) kept_.erase(std::find_if(kept_.begin(), kept_.end(), own));
-    Kept& kept = kept_.emplace_back();
-    kept.score = score_;
-    for (std::size_t i = 0; i < plans_.size(); ++i) {
-      kept.without.push_back(bound - slack * before_.room - least_[i]);
-      kept.weight.push_back(planes_[i].weight);
-      std::vector<RestPlane>& planes = plans_[i].planes;
-      if (full) planes.erase(std::find_if(planes.begin(), planes.end(), own));
-      planes.push_back(rest_plane(planes_[i]));
+    for (std::size_t k = 0; k < end.from.size(); ++k) {
+      const double up_to = end.up_to(k);
+      Addition here = least_addition(end.pool[k], *own.form, plane.weight);
+      const double own_value = here.value - price[e] / end.limit * up_to;
+      if (!(own_value < value)) continue;
+      value = own_value;
+      used_[stage][e] = up_to;
+      least = std::move(here);
     }
   }
+  if (!(least.value < infinity)) return false;
+  plane.constant += least.value;
+  least_[stage] = least.priced;
+  own_[stage] = least.value;
+  plane.room += least.room;
+  chosen_[stage] = std::move(least.state);
+  std::vector<double> weight(plane.weight.size(), 0.0);
+  for (std::size_t h = 0; h < weight.size(); ++h)
+    for (std::size_t c = 0; c < weight.size(); ++c) weight[c] += plane.weight[h] * own.form->slope[h][c];
+  for (std::size_t e = 0; e < own.ends.size(); ++e) {
+    const double unit = price[e] / own.ends[e].limit;
+    paid_[stage] += unit * used_[stage][e];
+    plane.constant -= unit * used_[stage][e];
+    plane.room += unit * used_[stage][e];
+    weight[own.ends[e].component] += unit;
+  }
+  plane.weight = std::move(weight);
+  return std::all_of(plane.weight.begin(), plane.weight.end(), [](double w) { return w >= 0.0; });
+}
 
-  /// A plane, and the bound at the tool without what each stage adds to it.
-  struct Kept {
-    std::size_t score = 0;
-    std::vector<double> without;              ///< [stage]
-    std::vector<std::vector<double>> weight;  ///< [stage]
-  };
+std::vector<double> RestPlanes::Prices::after(std::size_t stage, const std::vector<double>& state) const {
+  std::vector<double> next = chosen_[stage];
+  for (std::size_t h = 0; h < next.size(); ++h)
+    for (std::size_t c = 0; c < state.size(); ++c) next[h] += stages_[stage].form->slope[h][c] * state[c];
+  return next;
+}
 
-  const Problem& problem_;
-  std::vector<StagePlan>& plans_;
-  Desk& desk_;
-  std::vector<PricedStage> stages_;
-  std::size_t allowances_ = 0;
-  std::vector<Kept> kept_;
-  // Of the evaluation under way:
-  std::size_t score_ = 0, first_ = 0;
-  std::vector<double> state_;                ///< before the first of these stages
-  std::vector<Plane> planes_;                ///< [stage]: after it
-  std::vector<double> least_;                ///< [stage]: score and priced state handed on, where least
-  std::vector<std::vector<double>> chosen_;  ///< [stage]: what the design of the least value adds to the state
-  std::vector<std::vector<double>> used_;    ///< [stage][end]
-  Plane before_;                             ///< the first of these stages
-};
+RestPlane RestPlanes::Prices::rest_plane(const Plane& plane) const {
+  return {score_, plane.constant - slack * plane.room, plane.weight};
+}
+
+void RestPlanes::Prices::keep(double bound) {
+  const auto own = [this](const auto& plane) { return plane.score == score_; };
+  const bool full = std::count_if(kept_.begin(), kept_.end(), own) >= most_planes;
+  if (full) kept_.erase(std::find_if(kept_.begin(), kept_.end(), own));
+  Kept& kept = kept_.emplace_back();
+  kept.score = score_;
+  for (std::size_t i = 0; i < plans_.size(); ++i) {
+    kept.without.push_back(bound - slack * before_.room - least_[i]);
+    kept.weight.push_back(planes_[i].weight);
+    std::vector<RestPlane>& planes = plans_[i].planes;
+    if (full) planes.erase(std::find_if(planes.begin(), planes.end(), own));
+    planes.push_back(rest_plane(planes_[i]));
+  }
+}
 
 RestPlanes::RestPlanes(const Problem& problem,
                        std::vector<StagePlan>& plans,
@@ -335,5 +243,6 @@ double RestPlanes::find_from(std::size_t score, double known, std::size_t stage,
   return prices_->find_from(score, known, stage, state);
 }
 bool RestPlanes::restrict_to(const std::vector<Pair>& corners) { return prices_->restrict_to(corners); }
+void RestPlanes::tighten_limits() { prices_->tighten_limits(); }
 
 }  // namespace millwright::solver

@@ -15,6 +15,11 @@
 // Where a stage at the end of an allowance gets dearer with it (the supply that gives the power), its least is found
 // for several amounts, and the plane stays below that staircase.
 //
+// A price says that half of an allowance is worth half of it, and stages that choose from few parts know better. So for
+// each allowance with a price there is also a staircase: the others keep their prices, and of this one it is known how
+// much must be added at least when so much of it is left (sums of the stages' own staircases, so to speak the knapsack
+// problem without its other constraints). Where one allowance binds, little is lost then.
+//
 // The same bound with one region of a stage in place of the stage's minimum says what that region leads to at least.
 // What cannot reach the known front that way is left out from then on; and where what is left cannot use up an
 // allowance any more, designs need not be compared by it.
@@ -33,14 +38,17 @@ class RestPlanes {
   RestPlanes(const Problem& problem, std::vector<StagePlan>& plans, std::span<const StateForm> forms, Desk& desk);
   ~RestPlanes();
 
-  /// Sets StagePlan::planes of all stages for one objective. `known`: a total that the bound will not exceed by far,
-  /// for the length of the steps. Nothing where some stage is not additive.
+  /// Sets StagePlan::planes and StagePlan::stairs of all stages for one objective. `known`: a total that the bound will
+  /// not exceed by far, for the length of the steps. Nothing where some stage is not additive.
   void find(std::size_t score, double known);
   /// Adds the best plane before a stage for a label of this state. What that label must still add at least.
   double find_from(std::size_t score, double known, std::size_t stage, std::span<const double> state);
   /// Narrows the stages' regions to what may lead below some corner of an upper staircase of totals. False: nothing
   /// does.
   bool restrict_to(const std::vector<Pair>& corners);
+  /// Narrows what stages can bear (StagePlan::most_after) to what is left of the stages after them. After
+  /// `look_again`, which says what states can arrive.
+  void tighten_limits();
 
  private:
   class Prices;

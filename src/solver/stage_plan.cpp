@@ -55,19 +55,9 @@ bool cut_slices(const StagePlan& plan,
   return false;
 }
 
-/// Whether what is handed on may lead to a feasible design.
-bool bearable(const StagePlan& plan, const Answer<Interval>& answer) {
-  constexpr double slack = 1e-11;  // a state is the same sum in another order in the end
-  for (std::size_t c = 0; c < plan.most_after.size(); ++c) {
-    const double most = plan.most_after[c];
-    if (answer.handed_on[c].lower > most + slack * std::fabs(most)) return false;
-  }
-  return true;
-}
-
 /// Whether an answer shows that nothing it was given for is feasible, or leads to something that is.
 bool hopeless(const StagePlan& plan, const Answer<Interval>& answer) {
-  return worst_lower(answer.utilisation) > 1.0 || !bearable(plan, answer);
+  return worst_lower(answer.utilisation) > 1.0 || !bearable(plan, answer.handed_on);
 }
 /// Whether no design of the region is feasible, or leads to one, at any of the inherited states.
 bool hopeless(const StagePlan& plan, std::span<const Interval> inherited, const Region& region, Desk& desk) {
@@ -83,7 +73,7 @@ void read_bounds(const StagePlan& plan, const Answer<Interval>& answer, Bounds& 
   for (std::size_t k = 0; k < score.size(); ++k) bounds.score[k] = score[k].lower;
   bounds.handed_on = answer.handed_on;
   bounds.utilisation = worst_lower(answer.utilisation);
-  if (!bearable(plan, answer)) bounds.utilisation = std::numeric_limits<double>::infinity();
+  if (!bearable(plan, answer.handed_on)) bounds.utilisation = std::numeric_limits<double>::infinity();
   bounds.open = 0;
   for (std::size_t c = 0; c < answer.utilisation.size(); ++c) {
     if (!(answer.utilisation[c].upper <= 1.0)) bounds.open |= std::uint64_t{1} << (c % 64);

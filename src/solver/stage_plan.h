@@ -13,6 +13,7 @@
 // direction, the whole range of the others. What is infeasible or dear there is so for every label.
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <span>
 #include <vector>
@@ -22,6 +23,7 @@
 #include "solver/fits.h"
 #include "solver/monotonicity.h"
 #include "solver/row_profile.h"
+#include "solver/staircase.h"
 
 namespace millwright::solver {
 
@@ -54,6 +56,16 @@ struct RestPlane {
   std::vector<double> weight;  ///< [component], none negative
 };
 
+/// The same with one allowance that all stages share kept as it is: what must be added depends on what is left of it.
+struct RestStairs {
+  std::size_t score = 0;
+  double limit = 0.0;  ///< of the allowance
+  double constant = 0.0;
+  std::vector<double> weight;  ///< [component], none negative
+  std::vector<double> use;     ///< [component]: of the allowance, none negative
+  std::vector<Pair> least;     ///< lower staircase: what is added, and what that takes of the allowance
+};
+
 struct StagePlan {
   const Stage* stage = nullptr;
   std::span<const Row> shared;
@@ -71,11 +83,25 @@ struct StagePlan {
   std::vector<double> rest;          ///< of all later stages, per score
   std::vector<RestCurve> curves;     ///< the same by what is handed on (rest_curve.h)
   std::vector<RestPlane> planes;     ///< the same by all that is handed on (rest_plane.h)
+  std::vector<RestStairs> stairs;    ///< the same by what is left of an allowance (rest_plane.h)
   std::vector<OpenRegion> frontier;  ///< regions that cover all designs, ascending in the first score
 
   StagePlan(const Stage& s, std::span<const Row> shared_rows, const Criteria& c)
       : stage(&s), shared(shared_rows), criteria(&c), fits(s, shared_rows), region(whole_region(s, shared_rows)) {}
 };
+
+inline double least_of(double value) { return value; }
+inline double least_of(const Interval& value) { return value.lower; }
+/// Whether what is handed on may lead to a feasible design. `State`: numbers or intervals.
+template <class State>
+bool bearable(const StagePlan& plan, const State& handed_on) {
+  constexpr double slack = 1e-11;  // a state is the same sum in another order in the end
+  for (std::size_t c = 0; c < plan.most_after.size(); ++c) {
+    const double most = plan.most_after[c];
+    if (least_of(handed_on[c]) > most + slack * std::fabs(most)) return false;
+  }
+  return true;
+}
 
 /// So few that what the rest costs at least can be found at every state nearly exactly.
 inline bool has_few_designs(const StagePlan& plan) { return plan.stage->slots().size() <= 1; }

@@ -73,6 +73,12 @@ bool below_staircase(const std::vector<Pair>& upper, double first, double second
   return (at == upper.end() ? -infinity : at->second) >= second;
 }
 
+double least_within(const std::vector<Pair>& lower, double second) {
+  const auto at =
+      std::partition_point(lower.begin(), lower.end(), [second](const Pair& point) { return point.second > second; });
+  return at == lower.end() ? infinity : at->first;
+}
+
 bool above_staircase(const std::vector<Pair>& lower, double first, double second) {
   const auto after = std::upper_bound(
       lower.begin(), lower.end(), first, [](double value, const Pair& point) { return value < point.first; });

@@ -32,6 +32,8 @@ std::vector<Pair> difference_of_staircases(const std::vector<Pair>& upper,
 
 /// Whether some point of an upper staircase is at least (first, second) in both.
 bool below_staircase(const std::vector<Pair>& upper, double first, double second);
+/// The least first of a lower staircase whose second is at most this; infinity where there is none.
+double least_within(const std::vector<Pair>& lower, double second);
 /// Whether some point of a lower staircase is at most (first, second) in both.
 bool above_staircase(const std::vector<Pair>& lower, double first, double second);
 

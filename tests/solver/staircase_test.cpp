@@ -45,6 +45,7 @@ TEST_CASE("A staircase bounds the same region as all its points") {
         REQUIRE(any_at_most(lower, x, y) == any_at_most(points, x, y));
         REQUIRE(above_staircase(lower, x, y) == any_at_most(points, x, y));
         REQUIRE(below_staircase(upper, x, y) == any_at_least(points, x, y));
+        REQUIRE((least_within(lower, y) <= x) == any_at_most(points, x, y));
       }
     }
   }

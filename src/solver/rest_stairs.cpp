@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// One allowance kept as it is while the others have prices (rest_prices.h), and what is left out for it.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+#include "solver/rest_curve.h"
+#include "solver/rest_prices.h"
+
+namespace millwright::solver {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double slack = 1e-10;           // a state is the same sum in another order in the end
+constexpr std::size_t most_points = 300;  // of a staircase
+
+/// Weights of the state before a stage, from those after it.
+std::vector<double> before(const StateForm& form, const std::vector<double>& after) {
+  std::vector<double> weight(after.size());
+  for (std::size_t h = 0; h < after.size(); ++h)
+    for (std::size_t c = 0; c < after.size(); ++c) weight[c] += after[h] * form.slope[h][c];
+  return weight;
+}
+
+/// What regions have in common with another.
+void keep_within(const StagePlan& plan, std::vector<OpenRegion>& regions) {
+  for (OpenRegion& open : regions) {
+    for (std::size_t slot = 0; slot < open.region.rows.size(); ++slot) {
+      const std::vector<Row>& allowed = plan.region.rows[slot]->all();
+      std::vector<Row> rows;
+      std::set_intersection(open.region.rows[slot]->begin(),
+                            open.region.rows[slot]->end(),
+                            allowed.begin(),
+                            allowed.end(),
+                            std::back_inserter(rows));
+      if (rows.empty()) {
+        open.bounds.utilisation = infinity;
+        break;
+      }
+      if (rows.size() < open.region.rows[slot]->size())
+        open.region.rows[slot] = make_rows(*plan.stage, plan.shared, slot, std::move(rows));
+    }
+  }
+  std::erase_if(regions, [](const OpenRegion& open) { return open.bounds.utilisation == infinity; });
+}
+
+}  // namespace
+
+/// The most and the least that a handed-on component takes over from inherited states.
+double most_flow(const StateForm& form, std::size_t component, std::span<const Interval> states) {
+  double flow = 0.0;
+  for (std::size_t c = 0; c < states.size(); ++c) {
+    const double slope = form.slope[component][c];
+    if (slope != 0.0) flow += slope * (slope > 0.0 ? states[c].upper : states[c].lower);
+  }
+  return flow;
+}
+double least_flow(const StateForm& form, std::size_t component, std::span<const Interval> states) {
+  double flow = 0.0;
+  for (std::size_t c = 0; c < states.size(); ++c) {
+    const double slope = form.slope[component][c];
+    if (slope != 0.0) flow += slope * (slope > 0.0 ? states[c].lower : states[c].upper);
+  }
+  return flow;
+}
+
+/// For each allowance with a price: its staircase.
+void RestPlanes::Prices::find_stairs() {
+  const auto own = [this](const auto& stairs) { return stairs.score == score_; };
+  for (StagePlan& plan : plans_) std::erase_if(plan.stairs, own);
+  std::erase_if(kept_stairs_, own);
+  const std::vector<double> price = best_price_;
+  std::size_t number = 0;
+  for (std::size_t i = 0; i < stages_.size(); ++i) {
+    for (const Allowance& end : stages_[i].ends) {
+      const std::size_t kept = number++;
+      if (!(price[kept] > 0.0)) continue;
+      std::vector<double> others = price;
+      others[kept] = 0.0;
+      std::vector<double> slope(allowances_, 0.0);
+      if (std::isfinite(evaluate(others, slope))) keep_stairs(i, end);
+    }
+  }
+}
+
+/// What a stage may add to score and priced state, and what that takes of the allowance.
+std::vector<Pair> RestPlanes::Prices::points(std::size_t stage, const Allowance& end, std::span<const double> use) {
+  const PricedStage& own = stages_[stage];
+  const std::vector<double>& weight = planes_[stage].weight;
+  std::vector<Pair> found;
+  const auto add_all = [&](const RegionPool& pool, double taken) {
+    double value = 0.0;
+    for (std::size_t h = 0; h < weight.size(); ++h) {
+      if (weight[h] == 0.0 && use[h] == 0.0) continue;
+      const double inherited = most_flow(*own.form, h, pool.inherited());
+      value -= weight[h] * inherited;
+      taken -= use[h] * inherited;
+    }
+    pool.for_each([&](const Bounds& bounds) {
+      found.push_back({value + priced(bounds, score_, weight), taken + used(bounds, use)});
+    });
+  };
+  if (own.pool) {
+    add_all(*own.pool, 0.0);
+    return lower_staircase(std::move(found));
+  }
+  const auto has_steps = [](const Allowance& each) { return !each.from.empty(); };
+  const Allowance& steps = *std::find_if(own.ends.begin(), own.ends.end(), has_steps);
+  // The allowance ends with this stage's steps: a dearer step is one that leaves more of it.
+  for (std::size_t k = 0; k < steps.pool.size(); ++k)
+    add_all(steps.pool[k], &steps == &end ? end.limit - end.up_to(k) : 0.0);
+  if (&steps == &end) return lower_staircase(std::move(found));
+  Pair least{own_[stage], infinity};
+  for (const Pair& each : found) least.second = std::min(least.second, each.second);
+  return {least};
+}
+
+/// Of the evaluation under way, in which this allowance has no price.
+void RestPlanes::Prices::keep_stairs(std::size_t end_stage, const Allowance& end) {
+  const std::size_t stages = stages_.size();
+  KeptStairs kept;
+  kept.score = score_;
+  kept.use.resize(stages);
+  std::vector<double> use = std::vector<double>(state_.size());
+  for (std::size_t i = stages; i-- > 0;) {
+    kept.use[i] = use;
+    use = before(*stages_[i].form, kept.use[i]);
+    if (i == end_stage) use[end.component] += 1.0;
+    if (std::any_of(use.begin(), use.end(), [](double each) { return each < 0.0; })) return;
+  }
+  std::vector<std::vector<Pair>> own(stages), suffix(stages + 1, {Pair{}}), prefix(stages + 1, {Pair{}});
+  for (std::size_t i = 0; i < stages; ++i) {
+    own[i] = points(i, end, kept.use[i]);
+    if (own[i].empty()) return;  // nothing is feasible: the search will find out
+    prefix[i + 1] = sum_of_staircases(prefix[i], own[i], most_points);
+  }
+  double paid = 0.0;
+  for (std::size_t i = stages; i-- > 0;) {
+    const double room = planes_[i].room + std::fabs(paid) + std::fabs(suffix[i + 1].back().first);
+    if (i < end_stage)
+      plans_[i].stairs.push_back(
+          {score_, end.limit, -paid - slack * room, planes_[i].weight, kept.use[i], suffix[i + 1]});
+    suffix[i] = sum_of_staircases(own[i], suffix[i + 1], most_points);
+    paid += paid_[i];
+  }
+  const double room = before_.room + std::fabs(paid) + std::fabs(suffix[0].back().first);
+  kept.constant = -paid - slack * room;
+  kept.limit = end.limit * (1.0 + slack);
+  for (std::size_t c = 0; c < state_.size(); ++c) {
+    kept.constant += before_.weight[c] * state_[c];
+    kept.limit -= use[c] * state_[c];
+  }
+  for (std::size_t i = 0; i < stages; ++i) {
+    kept.weight.push_back(planes_[i].weight);
+    kept.without.push_back(sum_of_staircases(prefix[i], suffix[i + 1], most_points));
+  }
+  kept_stairs_.push_back(std::move(kept));
+}
+
+/// What a build with a design of these bounds must come to at least.
+double RestPlanes::Prices::least_total(const KeptStairs& stairs, std::size_t stage, const Bounds& bounds) const {
+  const RegionPool& pool = *stages_[stage].pool;
+  double total = stairs.constant + priced(bounds, stairs.score, stairs.weight[stage]);
+  double taken = used(bounds, stairs.use[stage]);
+  for (std::size_t h = 0; h < stairs.use[stage].size(); ++h) {
+    if (stairs.weight[stage][h] == 0.0 && stairs.use[stage][h] == 0.0) continue;
+    const double inherited = most_flow(*stages_[stage].form, h, pool.inherited());
+    total -= stairs.weight[stage][h] * inherited;
+    taken -= stairs.use[stage][h] * inherited;
+  }
+  return total + least_within(stairs.without[stage], stairs.limit - taken);
+}
+
+bool RestPlanes::Prices::restrict_to(const std::vector<Pair>& corners) {
+  for (std::size_t i = 0; i < stages_.size() && !kept_.empty(); ++i) {
+    if (!stages_[i].pool) continue;
+    const auto may_lead = [&](const Bounds& bounds) {
+      constexpr double unknown = -std::numeric_limits<double>::max();
+      std::array<double, 2> least{unknown, unknown};
+      for (const Kept& kept : kept_) {
+        double& here = least[std::min<std::size_t>(kept.score, 1)];
+        here = std::max(here, kept.without[i] + priced(bounds, kept.score, kept.weight[i]));
+      }
+      for (const KeptStairs& kept : kept_stairs_) {
+        double& here = least[std::min<std::size_t>(kept.score, 1)];
+        here = std::max(here, least_total(kept, i, bounds));
+      }
+      return below_staircase(corners, least[0], least[1]);
+    };
+    if (!stages_[i].pool->keep_only(may_lead, desk_)) return false;
+    stages_[i].pool->narrow(plans_[i].region);
+    keep_within(plans_[i], plans_[i].frontier);
+  }
+  return true;
+}
+
+/// What the stages can bear, now that some designs are left out.
+void RestPlanes::Prices::tighten_limits() {
+  for (std::size_t i = stages_.size(); i-- > 1;) {
+    if (!stages_[i].pool) continue;
+    const std::vector<double> handed_on = stages_[i].pool->least_handed_on();
+    for (std::size_t h = 0; h < handed_on.size(); ++h) {
+      if (!std::isfinite(plans_[i].most_after[h])) continue;
+      const StateForm& form = *stages_[i].form;
+      const std::vector<double>& slope = form.slope[h];
+      const double own = handed_on[h] - most_flow(form, h, stages_[i].pool->inherited());
+      const double inherited = least_flow(form, h, plans_[i].inherited);
+      for (std::size_t c = 0; c < slope.size(); ++c) {
+        if (!(slope[c] > 0.0)) continue;
+        const double others = inherited - slope[c] * plans_[i].inherited[c].lower;
+        const double room = std::fabs(plans_[i].most_after[h]) + std::fabs(own) + std::fabs(others);
+        const double most = (plans_[i].most_after[h] - own - others + slack * room) / slope[c];
+        plans_[i - 1].most_after[c] = std::min(plans_[i - 1].most_after[c], most);
+      }
+    }
+  }
+}
+
+}  // namespace millwright::solver

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Allowances that bind, which all stages share: a compliance that must stay below a limit at the tool and a power that
+// a supply of one of several sizes gives, while what is chosen first is a load for what comes later. Staircases and
+// planes of what is left (rest_plane.h) against every chain, the solver against every build.
+#include <memory>
+#include <random>
+
+#include "catch.h"
+#include "sanitized.h"
+#include "solver/chains.h"
+#include "solver/model_stage.h"
+#include "solver/rest_curve.h"
+#include "solver/rest_plane.h"
+#include "solver/solver.h"
+
+namespace {
+
+using namespace zoo;
+
+enum State : std::size_t { carried_mass, compliance, power, state_size };
+enum Spring : std::size_t { spring_price, spring_mass, spring_compliance };
+enum Motor : std::size_t { motor_price, motor_mass, motor_power, motor_strength };
+enum Supply : std::size_t { supply_price, supply_mass, supply_power };
+
+/// Guides and motors for several axes, then a supply, then the limit at the tool.
+class Machine {
+ public:
+  explicit Machine(unsigned seed) : rng_(seed) {
+    const std::size_t axes = 2 + rng_() % 2;
+    double soft = 0.0;
+    double stiff = 0.0;
+    double strong = 0.0;
+    for (std::size_t axis = 0; axis < axes; ++axis) {
+      const Columns& springs = springs_table();
+      const Columns& motors = motors_table();
+      double least = 1e9;
+      double most = 0.0;
+      for (Row row = 0; row < springs.rows(); ++row) {
+        least = std::min(least, springs.row(row)[spring_compliance]);
+        most = std::max(most, springs.row(row)[spring_compliance]);
+      }
+      soft += most;
+      stiff += least;
+      for (Row row = 0; row < motors.rows(); ++row) strong = std::max(strong, motors.row(row)[motor_power]);
+      add_axis(springs, motors);
+    }
+    add_supply(strong * static_cast<double>(axes));
+    add_tool(stiff + uniform(0.05, 0.5) * (soft - stiff));
+    problem.first_state = {uniform(0.0, 1.0), 0.0, 0.0};
+    problem.resources = {{"cost"}, {"mass"}};
+  }
+
+  Problem problem;
+
+ private:
+  double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(rng_); }
+  /// Prices in whole numbers now and then, so that there are ties.
+  double price(double value) { return rng_() % 4 == 0 ? std::round(value) : value; }
+
+  const Columns& springs_table() {
+    Columns& table = *tables_.emplace_back(std::make_unique<Columns>());
+    table = {"spring", 3, {}};
+    const std::size_t rows = 3 + rng_() % 4;
+    for (std::size_t row = 0; row < rows; ++row) {
+      const double size = uniform(1.0, 5.0);
+      for (const double number : {price(3.0 * size), size * uniform(0.5, 1.0), uniform(0.5, 1.5) / size})
+        table.numbers.push_back(number);
+    }
+    return table;
+  }
+  const Columns& motors_table() {
+    Columns& table = *tables_.emplace_back(std::make_unique<Columns>());
+    table = {"motor", 4, {}};
+    const std::size_t rows = 3 + rng_() % 4;
+    for (std::size_t row = 0; row < rows; ++row) {
+      const double size = uniform(1.0, 6.0);
+      for (const double number :
+           {price(2.0 * size), 0.5 * size * uniform(0.7, 1.2), size * uniform(5.0, 9.0), size * uniform(2.0, 5.0)})
+        table.numbers.push_back(number);
+    }
+    return table;
+  }
+
+  void add_axis(const Columns& springs, const Columns& motors) {
+    add(model_stage("axis", {&springs, &motors}, {}, 1, [](const auto& in, auto& out) {
+      const auto load = in.state(carried_mass) + in.row(0, spring_mass);
+      out.utilisation.push_back(load / in.row(1, motor_strength));
+      out.resources.push_back(in.row(0, spring_price) + in.row(1, motor_price));
+      out.resources.push_back(in.row(0, spring_mass) + in.row(1, motor_mass));
+      out.handed_on.push_back(load + in.row(1, motor_mass));
+      out.handed_on.push_back(in.state(compliance) + in.row(0, spring_compliance));
+      out.handed_on.push_back(in.state(power) + in.row(1, motor_power));
+    }));
+  }
+  void add_supply(double most) {
+    Columns& table = *tables_.emplace_back(std::make_unique<Columns>());
+    table = {"supply", 3, {}};
+    const std::size_t rows = 2 + rng_() % 4;
+    for (std::size_t row = 0; row < rows; ++row) {
+      const double share = uniform(0.3, 1.0);
+      for (const double number : {price(20.0 * share), 2.0 * share * uniform(0.8, 1.2), share * most})
+        table.numbers.push_back(number);
+    }
+    add(model_stage("supply", {&table}, {}, 1, [](const auto& in, auto& out) {
+      out.utilisation.push_back(in.state(power) / in.row(0, supply_power));
+      out.resources.push_back(in.row(0, supply_price));
+      out.resources.push_back(in.row(0, supply_mass));
+      for (std::size_t i = 0; i < state_size; ++i) out.handed_on.push_back(in.state(i));
+    }));
+  }
+  void add_tool(double limit) {
+    add(model_stage("tool", {}, {}, 1, [limit](const auto& in, auto& out) {
+      out.utilisation.push_back(in.state(compliance) / limit);
+      out.resources.push_back(0.0 * in.state(compliance));
+      out.resources.push_back(0.0 * in.state(compliance));
+      for (std::size_t i = 0; i < state_size; ++i) out.handed_on.push_back(in.state(i));
+    }));
+  }
+  template <class ModelStage>
+  void add(ModelStage stage) {
+    problem.stages.push_back(stages_.emplace_back(std::make_unique<ModelStage>(std::move(stage))).get());
+  }
+
+  std::mt19937 rng_;
+  std::vector<std::unique_ptr<Columns>> tables_;
+  std::vector<std::unique_ptr<Stage>> stages_;
+};
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr unsigned machines = millwright::sanitized ? 40 : 300;
+
+struct Total {
+  double cost = 0.0, mass = 0.0;
+};
+
+/// Of every feasible build.
+std::vector<Total> totals_of(const Problem& problem) {
+  std::vector<Total> totals;
+  const auto walk = [&](auto&& self, std::size_t index, const std::vector<double>& state, Total sum) -> void {
+    if (index == problem.stages.size()) {
+      totals.push_back(sum);
+      return;
+    }
+    const Stage& stage = *problem.stages[index];
+    std::vector<Row> rows(stage.slots().size(), 0);
+    for (;;) {
+      Answer<double> answer;
+      stage.evaluate(Point{{}, state, rows, {}}, answer);
+      if (answer.utilisation[0] <= 1.0)
+        self(self, index + 1, answer.handed_on, {sum.cost + answer.resources[0], sum.mass + answer.resources[1]});
+      std::size_t slot = 0;
+      while (slot < rows.size() && ++rows[slot] == stage.slots()[slot].rows) rows[slot++] = 0;
+      if (slot == rows.size()) return;
+    }
+  };
+  walk(walk, 0, problem.first_state, {});
+  return totals;
+}
+
+/// Ascending in cost, falling in mass.
+std::vector<Total> front_of(std::vector<Total> totals) {
+  std::sort(totals.begin(), totals.end(), [](const Total& a, const Total& b) {
+    return a.cost != b.cost ? a.cost < b.cost : a.mass < b.mass;
+  });
+  std::vector<Total> front;
+  for (const Total& total : totals)
+    if (front.empty() || total.mass < front.back().mass * (1.0 - 1e-11)) front.push_back(total);
+  return front;
+}
+
+}  // namespace
+
+TEST_CASE("Nothing that is left costs less than the staircases of a binding allowance say") {
+  std::size_t staircases = 0, compared = 0, told_more = 0, refused = 0, tightened = 0, kept = 0;
+  for (unsigned seed = 0; seed < machines; ++seed) {
+    INFO("seed " << seed);
+    const Machine machine(seed);
+    const Problem& problem = machine.problem;
+    for (std::size_t score = 0; score < 2; ++score) {
+      Options options;
+      options.objectives = {score};
+      const Criteria criteria = make_criteria(problem, options);
+      Desk desk;
+      std::vector<StagePlan> plans = make_plans(problem, {}, criteria, desk);
+      if (plans.empty()) continue;
+      const std::vector<StagePlan> plain = plans;
+      if (seed % 2 == 0) find_rest_curves(plans, std::vector<double>(criteria.size(), infinity), desk);
+      std::vector<StateForm> forms;
+      for (const StagePlan& plan : plans) forms.push_back(find_state_form(plan, desk));
+      double best = infinity;
+      Chains(problem, score).run({}, [&](std::size_t stage, const auto&, double later, double before) {
+        if (stage == 0) best = std::min(best, before + later);
+      });
+      RestPlanes planes(problem, plans, forms, desk);
+      planes.find(0, best);
+      const auto compare = [&](double most) {
+        Chains(problem, score).run({}, [&](std::size_t stage, const auto& state, double later, double before) {
+          if (before + later > most) return;
+          ++compared;
+          const double rest = rest_after(plans[stage], 0, std::span<const double>(state));
+          const double known = rest_after(plain[stage], 0, std::span<const double>(state));
+          told_more += rest > known * (1.0 + 1e-6) + 1e-6 ? 1 : 0;
+          if (rest > later * (1.0 + 1e-9) + 1e-9) CHECK(rest <= later);
+          if (!bearable(plans[stage], state)) CHECK(bearable(plans[stage], state));
+        });
+      };
+      for (StagePlan& plan : plans) {
+        plan.curves.clear();
+        staircases += plan.stairs.size();
+        for (const RestStairs& stairs : plan.stairs)
+          refused += least_within(stairs.least, 0.3 * stairs.limit) == infinity ? 1 : 0;
+      }
+      compare(infinity);
+      if (best == infinity) continue;
+      // What is left out, and the staircases of what is left, are about builds that cost no more than this.
+      const double most = 1.02 * best;
+      REQUIRE(planes.restrict_to({{most, infinity}}));
+      look_again(problem, plans, desk);
+      for (std::size_t i = 0; i < plans.size(); ++i) forms[i] = find_state_form(plans[i], desk);
+      planes.tighten_limits();
+      planes.find(0, best);
+      for (std::size_t i = 0; i < plans.size(); ++i)
+        for (std::size_t c = 0; c < state_size; ++c)
+          tightened += plans[i].most_after[c] < plain[i].most_after[c] * (1.0 - 1e-6) ? 1 : 0;
+      compare(most);
+      Chains chains(problem, score);
+      chains.run({}, [&](std::size_t stage, const auto&, double later, double before) {
+        if (before + later > most) return;
+        for (std::size_t slot = 0; slot < chains.rows(stage).size(); ++slot) {
+          const std::vector<Row>& left = plans[stage].region.rows[slot]->all();
+          ++kept;
+          if (std::find(left.begin(), left.end(), chains.rows(stage)[slot]) == left.end()) FAIL("left out");
+        }
+      });
+    }
+  }
+  CHECK(staircases > 10 * machines / 3);
+  CHECK(compared > 1000 * machines);
+  CHECK(told_more > compared / 10);
+  CHECK(refused > machines / 10);
+  CHECK(tightened > machines / 3);
+  CHECK(kept > machines);
+}
+
+TEST_CASE("Where allowances bind, optima and front equal those of all builds") {
+  std::size_t priced = 0, points = 0, infeasible = 0;
+  for (unsigned seed = 0; seed < machines; ++seed) {
+    const Machine machine(seed);
+    const std::vector<Total> totals = totals_of(machine.problem);
+    const std::vector<Total> front = front_of(totals);
+    for (const std::uint64_t patience : {std::uint64_t{0}, std::uint64_t{30000}}) {
+      INFO("seed " << seed << ", patience " << patience);
+      Options options;
+      options.patience = patience == 0 ? 0 : options.patience;
+      options.stage_patience = patience;
+      for (std::size_t score = 0; score < 2; ++score) {
+        options.objectives = {score};
+        const Summary summary = solve(machine.problem, options);
+        priced += summary.method.find("Lagrangian") != std::string::npos ? 1 : 0;
+        REQUIRE(summary.builds.empty() == totals.empty());
+        REQUIRE(summary.status == (totals.empty() ? Status::infeasible : Status::optimal));
+        if (totals.empty()) {
+          ++infeasible;
+          continue;
+        }
+        CHECK(summary.builds[0].resources[score] ==
+              Approx(score == 0 ? front.front().cost : front.back().mass).epsilon(1e-9));
+      }
+      options.objectives = {0, 1};
+      const Summary summary = solve(machine.problem, options);
+      priced += summary.method.find("Lagrangian") != std::string::npos ? 1 : 0;
+      REQUIRE(summary.builds.size() == front.size());
+      for (std::size_t i = 0; i < front.size(); ++i) {
+        ++points;
+        CHECK(summary.builds[i].resources[0] == Approx(front[i].cost).epsilon(1e-9));
+        CHECK(summary.builds[i].resources[1] == Approx(front[i].mass).epsilon(1e-9));
+      }
+    }
+  }
+  CHECK(priced > machines);
+  CHECK(points > 4 * machines);
+  CHECK(infeasible < machines);
+}
