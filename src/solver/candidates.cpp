@@ -2,7 +2,6 @@
 #include "solver/candidates.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "solver/archive.h"
@@ -33,6 +32,12 @@ class Heap {
  public:
   explicit Heap(const StagePlan& plan) {
     for (std::size_t k = 0; k < plan.criteria->size(); ++k) weight_.push_back(1.0 / (std::fabs(plan.least[k]) + 1e-6));
+  }
+  /// In ascending order of a mix of scores.
+  Heap(const StagePlan& plan, const Mix& mix) : Heap(plan) {
+    const double unit = std::fabs(mix.of(plan.least)) + 1e-6;
+    weight_[0] = mix.first / unit;
+    weight_[1] = mix.second / unit;
   }
   void push(Node node, double weighed_state = 0.0) {
     constexpr double state_weight = 1e-4;  // decides between equal scores
@@ -77,8 +82,9 @@ class Search {
         plan_(*question.plan),
         comparison_(*question.comparison),
         desk_(desk),
-        heap_(plan_),
+        heap_(question.mix ? Heap(plan_, *question.mix) : Heap(plan_)),
         totals_(question.totals),
+        total_stairs_(question.total_stairs),
         known_(comparison_.dimensions()) {
     for (const Interval& side : question.states) set_.reference.push_back(middle(side));
     // From a lower bound over H to one at the reference state: the linear part is taken to the worst corner and back.
@@ -94,13 +100,21 @@ class Search {
       }
       to_reference_.emplace_back(low, high);
     }
-    for (RestPlane& plane : totals_) {
-      const std::vector<double> nothing(set_.reference.size(), 0.0);
-      for (std::size_t h = 0; h < plane.weight.size(); ++h) {
-        if (plane.weight[h] == 0.0) continue;
-        const double inherited = question.form->change(h, nothing, set_.reference);
-        plane.constant += plane.weight[h] * (to_reference_[h].first - inherited);
-      }
+    // What is handed on over H, as if nothing had been inherited.
+    std::vector<double> own(set_.reference.size());
+    const std::vector<double> nothing(set_.reference.size(), 0.0);
+    for (std::size_t h = 0; h < own.size(); ++h)
+      own[h] = to_reference_[h].first - question.form->change(h, nothing, set_.reference);
+    const auto priced = [&](const std::vector<double>& weight) {
+      double sum = 0.0;
+      for (std::size_t h = 0; h < own.size(); ++h)
+        if (weight[h] != 0.0) sum += weight[h] * own[h];
+      return sum;
+    };
+    for (RestPlane& plane : totals_) plane.constant += priced(plane.weight);
+    for (RestStairs& stairs : total_stairs_) {
+      stairs.constant += priced(stairs.weight);
+      stairs.limit -= priced(stairs.use);
     }
   }
 
@@ -149,16 +163,16 @@ class Search {
   /// Whether the cheapest label with a design of these bounds, and what must follow then, is below some corner.
   [[nodiscard]] bool may_lead_on(const Bounds& bounds) const {
     if ((plan_.curves.empty() && plan_.planes.empty()) || question_.corners.empty()) return true;
-    std::array<double, 2> total{question_.least.first + bounds.score[0] + rest_after(plan_, 0, bounds.handed_on),
-                                question_.least.second + plan_.criteria->second(bounds.score)};
-    if (plan_.criteria->objectives > 1) total[1] += rest_after(plan_, 1, bounds.handed_on);
-    if (!std::isfinite(total[0])) return false;
-    for (const RestPlane& plane : totals_) {
-      double sum = plane.constant + bounds.score[plane.score];
-      for (std::size_t h = 0; h < plane.weight.size(); ++h) sum += plane.weight[h] * bounds.handed_on[h].lower;
-      total[plane.score] = std::max(total[plane.score], sum);
-    }
-    return below_staircase(question_.corners, total[0], total[1]);
+    double second = question_.least.second + plan_.criteria->second(bounds.score);
+    if (plan_.criteria->objectives > 1) second += rest_after(plan_, 1, bounds.handed_on);
+    LeastTotals totals(question_.least.first + bounds.score[0] + rest_after(plan_, 0, bounds.handed_on), second);
+    const auto add_all = [&](const auto& all) {
+      const auto lower = [&](std::size_t h) { return bounds.handed_on[h].lower; };
+      for (const auto& each : all) totals.add(each.mix, each.mix.of(bounds.score) + rest_by(each, lower));
+    };
+    add_all(totals_);
+    add_all(total_stairs_);
+    return totals.below(question_.corners);
   }
 
   /// Values of the variables at which every utilisation is <= 1 over all of H, if some are found.
@@ -218,6 +232,7 @@ class Search {
   Desk& desk_;
   Heap heap_;
   std::vector<RestPlane> totals_;  ///< of handed-on states as they are bounded over H
+  std::vector<RestStairs> total_stairs_;
   Archive known_;
   std::vector<std::pair<double, double>> to_reference_;  ///< [handed-on component]: for lower and upper bounds
   CandidateSet set_;

@@ -15,6 +15,7 @@
 
 #include <functional>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "solver/staircase.h"
@@ -31,14 +32,16 @@ struct CandidateQuestion {
   Pair least = {};               ///< of the labels' first two scores
   std::vector<Pair> corners;     ///< upper staircase of totals: with `least`, and what must follow, below some of it
   /// What must be added to own shares of score and state for a total: the least of all labels with what must follow
-  /// (rest_plane.h), as if they arrived with a state of nothing but zeros.
+  /// (planes and staircases of rest_plane.h), as if they arrived with a state of nothing but zeros.
   std::vector<RestPlane> totals = {};
+  std::vector<RestStairs> total_stairs = {};
   std::function<bool()> stop;                                      ///< asked now and then
   std::size_t patience = std::numeric_limits<std::size_t>::max();  ///< nodes after which it is given up: incomplete
   /// For quick first answers, not for a proof: so many nodes at most, and what a handed-on component weighs in the
   /// order in which they are taken (empty: next to nothing).
   std::size_t node_limit = std::numeric_limits<std::size_t>::max();
   std::vector<double> state_weight = {};
+  std::optional<Mix> mix = std::nullopt;  ///< what they are taken in the order of, where there are two objectives
 };
 
 struct Candidate {

@@ -47,18 +47,21 @@ bool Frontier::run(bool shared_allowances) {
   find_rest();
   if (!pass({.with_states = false})) return false;
   // Where what is cheap first leaves too little of a shared allowance to what comes later, nothing is found that way.
-  if ((shared_allowances || incumbents_.builds().empty()) && !find_better_first()) return false;
+  const bool nothing_yet = criteria_.objectives == 1 && incumbents_.builds().empty();
+  if ((shared_allowances || nothing_yet) && !find_better_first()) return false;
   for (const double share : {0.03, 0.1, 0.3, 1.0}) {
     if (!incumbents_.builds().empty()) break;
     for (const std::size_t nodes : {std::size_t{100}, std::size_t{1000}})
       if (!pass({.haste = Haste{.share = share, .nodes = nodes}})) return false;
   }
   if (!used_prices_) {
-    if (pass({.briefly = true})) return !undecided_;
+    if (pass({.patience = control_.options().stage_patience})) return !undecided_;
     if (control_.time_is_up() || !find_better_first()) return false;
   }
   undecided_ = false;
-  return (settled_ || pass({})) && !undecided_;
+  if (settled_) return true;
+  if (criteria_.objectives > 1 && used_prices_) return by_sections();
+  return pass({}) && !undecided_;
 }
 
 /// What all stages from each one on add at least.
@@ -73,7 +76,7 @@ void Frontier::find_rest() {
 }
 
 /// A total matters only below a corner between two neighbours of the known front (equals may win a tie).
-void Frontier::update_useful() {
+std::vector<Pair> Frontier::corners() const {
   const std::vector<RankedBuild>& builds = incumbents_.builds();
   std::vector<Pair> corners;
   if (criteria_.objectives == 1 && !builds.empty()) {
@@ -88,18 +91,24 @@ void Frontier::update_useful() {
     }
     corners.push_back({infinity, with_slack(second)});
   }
+  std::erase_if(corners, [&](const Pair& corner) { return corner.first < section_.from; });
   // And nothing matters beyond the limits.
   for (Pair& corner : corners) {
-    corner.first = std::min(corner.first, with_slack(criteria_.limit[0]));
+    corner.first = std::min({corner.first, with_slack(criteria_.limit[0]), with_slack(section_.to)});
     if (criteria_.size() > 1) corner.second = std::min(corner.second, with_slack(criteria_.limit[1]));
   }
+  return criteria_.objectives > 1 ? upper_staircase(std::move(corners)) : corners;
+}
+
+void Frontier::update_useful() {
+  const std::vector<Pair> corners = this->corners();
   useful_.clear();
   for (const auto& rest : rest_) useful_.push_back(difference_of_staircases(corners, rest, staircase_points));
 }
 
 bool Frontier::pass(const Pass& pass) {
   haste_ = pass.haste;
-  briefly_ = pass.briefly;
+  patience_ = pass.patience;
   update_useful();
   labels_.assign(plans_.size() + 1, {});
   labels_[0].push_back(first_label(problem_, criteria_));
@@ -132,7 +141,7 @@ bool Frontier::advance(std::size_t stage, const Comparison& comparison) {
     control_.nodes += chunks[i].set.nodes;
     if (!chunks[i].set.complete) return false;
     combine(stage, static_cast<std::uint32_t>(i), chunks[i], comparison);
-    if (briefly_ && combinations_.size() > control_.options().stage_patience) return false;
+    if (combinations_.size() > patience_) return false;
     if (combinations_.size() > most_combinations) compact(chunks, comparison);
     if (control_.time_is_up()) return false;
   }
@@ -155,9 +164,10 @@ bool Frontier::may_matter(std::size_t stage, std::span<const double> score, std:
   const StagePlan& plan = plans_[stage];
   if (!bearable(plan, state)) return false;
   if (plan.curves.empty() && plan.planes.empty()) return true;
-  const double first = score[0] + rest_after(plan, 0, state);
-  const double second = criteria_.second(score) + (criteria_.objectives > 1 ? rest_after(plan, 1, state) : 0.0);
-  return first < infinity && below_staircase(useful_.back(), first, second);  // else no completion is feasible
+  LeastTotals totals(score[0] + rest_after(plan, 0, state),
+                     criteria_.second(score) + (criteria_.objectives > 1 ? rest_after(plan, 1, state) : 0.0));
+  if (criteria_.objectives > 1) totals.add_mixed(plan, score, [&](std::size_t c) { return state[c]; });
+  return totals.below(useful_.back());
 }
 
 void Frontier::combine(std::size_t stage, std::uint32_t index, const Chunk& chunk, const Comparison& comparison) {

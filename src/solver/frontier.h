@@ -23,11 +23,15 @@
 // A stage that chooses nothing may have scores that depend on the state (what is owned of a part and what is to be
 // bought): it is asked label by label too.
 //
+// Where stages share allowances that bind, prices for those and for mixes of the two objectives come first
+// (rest_plane.h), and what is too much at once is done in sections of the front (frontier_sections.cpp).
+//
 // What it cannot do is left to branch_and_bound.h: variables of that kind together with slots, states that do not
 // simply add up (state_form.h), designs whose feasibility stays undecided.
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -61,20 +65,29 @@ class Frontier {
 
  private:
   static constexpr std::size_t staircase_points = 600;
+  static constexpr std::size_t endless = std::numeric_limits<std::size_t>::max();
   /// A beam search for a first answer.
   struct Haste {
     double share = 0.0;       ///< using up all that later stages can bear counts as so much of the least first score
     std::size_t nodes = 100;  ///< looked at for the designs of a chunk
     std::size_t labels = 30;  ///< kept before each stage
     int digits = 6;           ///< binary, of what is compared
+    Mix mix = {};             ///< of the objectives, that is to be small
   };
   struct Pass {
     bool with_states = true;
     std::optional<Haste> haste = std::nullopt;
-    bool briefly = false;  ///< given up when it grows long
+    std::size_t patience = endless;  ///< nodes or combinations at a stage from which on it is given up
   };
   std::vector<double> state_weights(std::size_t stage, double unit) const;
+  bool look_for_builds(const Haste& haste);
+  std::optional<Mix> next_mix() const;
   void keep_best(std::size_t stage);
+  /// A part of the front: first scores above `from` and up to `to`.
+  struct Section {
+    double from = -std::numeric_limits<double>::infinity();
+    double to = std::numeric_limits<double>::infinity();
+  };
   struct Chunk {
     std::vector<std::uint32_t> labels;
     CandidateQuestion question;
@@ -89,12 +102,20 @@ class Frontier {
   };
 
   bool pass(const Pass& pass);
+  bool by_sections();
+  bool settle(const Section& section,
+              std::size_t patience,
+              const std::vector<StagePlan>& plans,
+              const std::vector<StateForm>& forms);
+  std::vector<double> known_inside(const Section& section) const;
+  std::vector<Pair> corners() const;
   bool advance(std::size_t stage, const Comparison& comparison);
   bool advance_priced(std::size_t stage, const Comparison& comparison);
   bool advance_each(std::size_t stage, const Comparison& comparison);
   void find_rest();
   std::vector<double> highest_scores() const;
   bool find_planes();
+  void find_plane(const Mix& mix);
   bool find_better_first();
   bool restrict_stages();
   void sharpen_planes(std::size_t stage, const std::vector<Chunk>& chunks);
@@ -103,7 +124,7 @@ class Frontier {
   void update_useful();
   std::vector<Chunk> make_chunks(std::size_t stage, const Comparison& comparison) const;
   void ask(std::size_t stage, const Comparison& comparison, Chunk& chunk) const;
-  RestPlane least_total(std::size_t stage, const Chunk& chunk, const RestPlane& plane) const;
+  void ask_totals(std::size_t stage, Chunk& chunk) const;
   [[nodiscard]] bool may_matter(std::size_t stage, std::span<const double> score, std::span<const double> state) const;
   void combine(std::size_t stage, std::uint32_t index, const Chunk& chunk, const Comparison& comparison);
   void sort_combinations(const Comparison& comparison);
@@ -127,6 +148,7 @@ class Frontier {
   SearchControl& control_;
   std::vector<StateForm> forms_;
   std::unique_ptr<RestPlanes> planes_;
+  std::vector<Mix> mixes_;                  ///< of the objectives that have planes
   std::vector<std::vector<Pair>> rest_;     ///< [stage]: least added by this and all later stages
   std::vector<std::vector<Pair>> useful_;   ///< [stage]: what a label before it must be below
   std::vector<std::vector<Label>> labels_;  ///< [stage]
@@ -136,9 +158,10 @@ class Frontier {
   bool applicable_ = true;
   bool undecided_ = false;
   bool used_prices_ = false;
-  std::optional<Haste> haste_;  ///< of the pass under way
-  bool briefly_ = false;
-  bool settled_ = false;  ///< nothing is left that could change the known front
+  std::optional<Haste> haste_;      ///< of the pass under way
+  std::size_t patience_ = endless;  ///< of the pass under way
+  Section section_;                 ///< of the front that is looked for
+  bool settled_ = false;            ///< nothing is left that could change the known front
 };
 
 }  // namespace millwright::solver

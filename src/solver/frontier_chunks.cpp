@@ -85,35 +85,43 @@ void Frontier::ask(std::size_t stage, const Comparison& comparison, Chunk& chunk
   chunk.question.corners = useful_.back();
   chunk.question.useful =
       difference_of_staircases(useful_[stage + 1], lower_staircase(std::move(scores)), staircase_points);
-  for (const RestPlane& plane : plans_[stage].planes) chunk.question.totals.push_back(least_total(stage, chunk, plane));
+  ask_totals(stage, chunk);
   if (haste_) {
     chunk.question.node_limit = haste_->nodes;
-    chunk.question.state_weight = state_weights(stage, plans_[stage].least[0]);
+    chunk.question.state_weight = state_weights(stage, haste_->mix.of(plans_[stage].least));
+    if (criteria_.objectives > 1) chunk.question.mix = haste_->mix;
   }
-  if (briefly_) chunk.question.patience = control_.options().stage_patience;
+  chunk.question.patience = patience_;
   chunk.question.stop = [this] { return control_.time_is_up(); };
 }
 
-/// A plane over what a stage adds to a label of the chunk, at the label where that is least.
-RestPlane Frontier::least_total(std::size_t stage, const Chunk& chunk, const RestPlane& plane) const {
+/// Planes and staircases over what a stage adds to a label of the chunk, at the label where each is least.
+void Frontier::ask_totals(std::size_t stage, Chunk& chunk) const {
   constexpr double slack = 1e-11;
-  double least = infinity;
-  double room = std::fabs(plane.constant);
-  for (const std::uint32_t index : chunk.labels) {
-    const Label& label = labels_[stage][index];
+  const auto priced = [&](const std::vector<double>& weight, const Label& label) {
     const std::vector<double> nothing(label.state.size(), 0.0);
-    double sum = label.score[plane.score];
-    double magnitude = std::fabs(sum);
-    for (std::size_t h = 0; h < plane.weight.size(); ++h) {
-      if (plane.weight[h] == 0.0) continue;
-      const double inherited = plane.weight[h] * forms_[stage].change(h, nothing, label.state);
-      sum += inherited;
-      magnitude += std::fabs(inherited);
+    double sum = 0.0;
+    for (std::size_t h = 0; h < weight.size(); ++h)
+      if (weight[h] != 0.0) sum += weight[h] * forms_[stage].change(h, nothing, label.state);
+    return sum;
+  };
+  const auto least = [&](auto&& value_of) {
+    double value = infinity;
+    for (const std::uint32_t index : chunk.labels) value = std::min(value, value_of(labels_[stage][index]));
+    return value - slack * std::fabs(value);
+  };
+  const auto add_all = [&](const auto& from, auto& to) {
+    for (const auto& each : from) {
+      to.push_back(each);
+      to.back().constant +=
+          least([&](const Label& label) { return each.mix.of(label.score) + priced(each.weight, label); });
     }
-    least = std::min(least, sum);
-    room = std::max(room, magnitude);
+  };
+  add_all(plans_[stage].planes, chunk.question.totals);
+  add_all(plans_[stage].stairs, chunk.question.total_stairs);
+  for (RestStairs& stairs : chunk.question.total_stairs) {
+    stairs.limit = stairs.limit * (1.0 + slack) - least([&](const Label& label) { return priced(stairs.use, label); });
   }
-  return {plane.score, plane.constant + least - slack * room, plane.weight};
 }
 
 }  // namespace millwright::solver

@@ -18,6 +18,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Before a long pass: prices for shared allowances, good builds by them, and less to choose from. False: time is up.
 bool Frontier::find_better_first() {
+  for (std::size_t score = 0; score < criteria_.objectives; ++score) mixes_.push_back(Mix::only(score));
   bool priced = false;
   const bool prepared = control_.while_there_is_time([&] {
     planes_ = std::make_unique<RestPlanes>(problem_, plans_, forms_, control_.desk(0));
@@ -26,7 +27,7 @@ bool Frontier::find_better_first() {
   if (!prepared || !priced) return prepared;
   used_prices_ = true;
   for (const Haste& haste : {Haste{.nodes = 100}, {.nodes = 1000}, {.nodes = 2000, .labels = 100, .digits = 14}}) {
-    if (!pass({.haste = haste})) return false;
+    if (!look_for_builds(haste)) return false;
     const auto restrict_again = [&] {
       settled_ = find_planes() && !incumbents_.builds().empty() && !restrict_stages();
     };
@@ -34,6 +35,55 @@ bool Frontier::find_better_first() {
     if (settled_) return true;
   }
   return true;
+}
+
+/// A pass for each mix of the objectives; between the builds that are found there are further mixes. False: time is up.
+bool Frontier::look_for_builds(const Haste& haste) {
+  constexpr std::size_t most_mixes = 7;
+  Haste here = haste;
+  for (std::size_t i = 0; i < mixes_.size(); ++i) {
+    here.mix = mixes_[i];
+    if (!pass({.haste = here})) return false;
+    if (i + 1 < mixes_.size() || mixes_.size() >= most_mixes || criteria_.objectives < 2) continue;
+    const std::optional<Mix> next = next_mix();
+    if (!next) break;
+    mixes_.push_back(*next);
+    if (!control_.while_there_is_time([&] { find_plane(*next); })) return false;
+  }
+  return true;
+}
+
+/// Across the longest edge of the convex hull of the known front, if no mix is like it.
+std::optional<Mix> Frontier::next_mix() const {
+  std::vector<Pair> hull;
+  for (const RankedBuild& build : incumbents_.builds()) {
+    const Pair point{build.score[0], build.score[1]};
+    const auto lies_above = [&] {
+      const Pair& a = hull[hull.size() - 2];
+      const Pair& b = hull.back();
+      return (b.first - a.first) * (point.second - a.second) <= (b.second - a.second) * (point.first - a.first);
+    };
+    while (hull.size() > 1 && lies_above()) hull.pop_back();
+    hull.push_back(point);
+  }
+  std::optional<Mix> best;
+  if (hull.size() < 2) return best;
+  const double width = hull.back().first - hull.front().first;
+  const double height = hull.front().second - hull.back().second;
+  double longest = 0.0;
+  for (std::size_t i = 0; i + 1 < hull.size(); ++i) {
+    const double right = (hull[i + 1].first - hull[i].first) / width;
+    const double down = (hull[i].second - hull[i + 1].second) / height;
+    const auto alike = [&](const Mix& mix) {
+      constexpr double little = 0.15;  // radians
+      const double angle = std::atan2(mix.second * height, mix.first * width);
+      return std::fabs(angle - std::atan2(right, down)) < little;
+    };
+    if (right + down <= longest || std::any_of(mixes_.begin(), mixes_.end(), alike)) continue;
+    longest = right + down;
+    best = Mix{down / width, right / height};
+  }
+  return best;
 }
 
 /// Of the builds known, or infinity.
@@ -46,12 +96,14 @@ std::vector<double> Frontier::highest_scores() const {
 
 /// Planes over the states. False where nothing has a price.
 bool Frontier::find_planes() {
-  for (std::size_t score = 0; score < criteria_.objectives; ++score) {
-    double known = infinity;
-    for (const RankedBuild& build : incumbents_.builds()) known = std::min(known, build.score[score]);
-    planes_->find(score, known);
-  }
+  for (const Mix& mix : mixes_) find_plane(mix);
   return std::any_of(plans_.begin(), plans_.end(), [](const StagePlan& plan) { return !plan.planes.empty(); });
+}
+
+void Frontier::find_plane(const Mix& mix) {
+  double known = infinity;
+  for (const RankedBuild& build : incumbents_.builds()) known = std::min(known, mix.of(build.score));
+  planes_->find(mix, known);
 }
 
 /// Leaves out what cannot reach the known front. False: nothing that is left can.
@@ -65,13 +117,13 @@ bool Frontier::restrict_stages() {
   return true;
 }
 
-/// What a component handed on weighs against a first score of `unit`: by its price, or where there is none such that
+/// What a component handed on weighs against a mix of scores of `unit`: by its price, or where there is none such that
 /// using up all that later stages can bear counts like a share of the score.
 std::vector<double> Frontier::state_weights(std::size_t stage, double unit) const {
   const StagePlan& plan = plans_[stage];
   std::vector<double> weights(plan.most_after.size(), 0.0);
-  const auto priced =
-      std::find_if(plan.planes.rbegin(), plan.planes.rend(), [](const RestPlane& plane) { return plane.score == 0; });
+  const auto priced = std::find_if(
+      plan.planes.rbegin(), plan.planes.rend(), [this](const RestPlane& plane) { return plane.mix == haste_->mix; });
   for (std::size_t c = 0; c < weights.size(); ++c) {
     const bool smaller = plan.after[c] == Direction::smaller_is_better;
     if (haste_->share == 0.0 && priced != plan.planes.rend())
@@ -87,10 +139,10 @@ void Frontier::keep_best(std::size_t stage) {
   std::vector<Label>& labels = labels_[stage + 1];
   if (labels.size() <= haste_->labels) return;
   double least = std::numeric_limits<double>::infinity();
-  for (const Label& label : labels) least = std::min(least, label.score[0]);
+  for (const Label& label : labels) least = std::min(least, haste_->mix.of(label.score));
   const std::vector<double> weights = state_weights(stage, least);
   const auto value = [&](const Label& label) {
-    double sum = label.score[0] / (std::fabs(least) + 1e-6);
+    double sum = haste_->mix.of(label.score) / (std::fabs(least) + 1e-6);
     for (std::size_t c = 0; c < weights.size(); ++c) sum += weights[c] * label.state[c];
     return sum;
   };
@@ -104,7 +156,8 @@ void Frontier::sharpen_planes(std::size_t stage, const std::vector<Chunk>& chunk
   constexpr double worthwhile = 1e-3;
   std::size_t number = 0;
   for (const Chunk& chunk : chunks) number += chunk.labels.size() * chunk.set.candidates.size();
-  if (number < many || haste_ || briefly_ || stage + 2 >= plans_.size() || plans_[stage].planes.empty()) return;
+  if (number < many || haste_ || patience_ < endless || stage + 2 >= plans_.size() || plans_[stage].planes.empty())
+    return;
   struct Sample {
     std::vector<double> score, state;
   };
@@ -122,7 +175,7 @@ void Frontier::sharpen_planes(std::size_t stage, const std::vector<Chunk>& chunk
     const auto worst = std::min_element(
         sampled.begin(), sampled.end(), [&](const Sample& a, const Sample& b) { return bound(a) < bound(b); });
     const double before = bound(*worst);
-    const double rest = planes_->find_from(k, most[k] - worst->score[k], stage + 1, worst->state);
+    const double rest = planes_->find_from(Mix::only(k), most[k] - worst->score[k], stage + 1, worst->state);
     if (!(worst->score[k] + rest > before + worthwhile * std::fabs(before)) && criteria_.objectives == 1) break;
     sampled.erase(worst);
     std::erase_if(sampled, [&](const Sample& sample) { return !may_matter(stage, sample.score, sample.state); });

@@ -62,7 +62,7 @@ void RegionPool::refine(std::size_t index, const Useful& useful, Desk& desk, Off
   }
 }
 
-RegionPool::Least RegionPool::least(std::size_t score, std::span<const double> weight, Desk& desk) {
+RegionPool::Least RegionPool::least(const Mix& mix, std::span<const double> weight, Desk& desk) {
   struct Entry {
     double value = 0.0;
     std::size_t index = 0;
@@ -71,7 +71,7 @@ RegionPool::Least RegionPool::least(std::size_t score, std::span<const double> w
     }
   };
   std::erase_if(parts_, [](const Part& part) { return !part.alive; });
-  const auto value_of = [&](std::size_t index) { return priced(parts_[index].open.bounds, score, weight); };
+  const auto value_of = [&](std::size_t index) { return priced(parts_[index].open.bounds, mix, weight); };
   std::vector<Entry> heap;
   for (std::size_t i = 0; i < parts_.size(); ++i) heap.push_back({value_of(i), i});
   std::make_heap(heap.begin(), heap.end());

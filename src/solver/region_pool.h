@@ -11,9 +11,9 @@
 
 namespace millwright::solver {
 
-/// A score and what is handed on, at these weights. What has no weight may be unbounded.
-inline double priced(const Bounds& bounds, std::size_t score, std::span<const double> weight) {
-  double value = bounds.score[score];
+/// Scores and what is handed on, at these weights. What has no weight may be unbounded.
+inline double priced(const Bounds& bounds, const Mix& mix, std::span<const double> weight) {
+  double value = mix.of(bounds.score);
   for (std::size_t c = 0; c < weight.size(); ++c) {
     if (weight[c] > 0.0) value += weight[c] * bounds.handed_on[c].lower;
   }
@@ -44,8 +44,8 @@ class RegionPool {
   [[nodiscard]] std::vector<double> least_handed_on() const;
   /// To the rows that are left.
   void narrow(Region& region) const;
-  /// A lower bound of score + weight * handed on over all feasible designs; weights are not negative.
-  Least least(std::size_t score, std::span<const double> weight, Desk& desk);
+  /// A lower bound of scores + weight * handed on over all feasible designs; weights are not negative.
+  Least least(const Mix& mix, std::span<const double> weight, Desk& desk);
 
  private:
   struct Part {

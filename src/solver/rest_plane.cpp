@@ -31,22 +31,19 @@ RestPlanes::Prices::Prices(const Problem& problem,
   }
 }
 
-void RestPlanes::Prices::find(std::size_t score, double known) {
-  const auto own = [score](const auto& plane) { return plane.score == score; };
+void RestPlanes::Prices::find(const Mix& mix, double known) {
+  const auto own = [mix](const auto& plane) { return plane.mix == mix; };
   for (StagePlan& plan : plans_) std::erase_if(plan.planes, own);
   std::erase_if(kept_, own);
-  score_ = score;
+  mix_ = mix;
   first_ = 0;
   state_ = problem_.first_state;
   climb(known, [this](double bound) { keep(bound); });
   find_stairs();
 }
 
-double RestPlanes::Prices::find_from(std::size_t score,
-                                     double known,
-                                     std::size_t stage,
-                                     std::span<const double> state) {
-  score_ = score;
+double RestPlanes::Prices::find_from(const Mix& mix, double known, std::size_t stage, std::span<const double> state) {
+  mix_ = mix;
   first_ = stage;
   state_.assign(state.begin(), state.end());
   std::optional<RestPlane> best;
@@ -125,7 +122,7 @@ double RestPlanes::Prices::evaluate(std::span<const double> price, std::span<dou
   chosen_.assign(plans_.size(), {});
   used_.assign(plans_.size(), {});
   least_.assign(plans_.size(), 0.0);
-  own_.assign(plans_.size(), 0.0);
+  unit_.assign(plans_.size(), {});
   paid_.assign(plans_.size(), 0.0);
   Plane plane;
   plane.weight.assign(state_.size(), 0.0);
@@ -153,7 +150,7 @@ double RestPlanes::Prices::evaluate(std::span<const double> price, std::span<dou
 RestPlanes::Prices::Addition RestPlanes::Prices::least_addition(RegionPool& pool,
                                                                 const StateForm& form,
                                                                 std::span<const double> weight) {
-  RegionPool::Least least = pool.least(score_, weight, desk_);
+  RegionPool::Least least = pool.least(mix_, weight, desk_);
   Addition addition{least.value, least.value, std::fabs(least.value), std::move(least.handed_on)};
   for (std::size_t h = 0; h < addition.state.size(); ++h) {
     const double inherited = most_flow(form, h, pool.inherited());
@@ -189,7 +186,6 @@ bool RestPlanes::Prices::pass(std::size_t stage, std::span<const double> price, 
   if (!(least.value < infinity)) return false;
   plane.constant += least.value;
   least_[stage] = least.priced;
-  own_[stage] = least.value;
   plane.room += least.room;
   chosen_[stage] = std::move(least.state);
   std::vector<double> weight(plane.weight.size(), 0.0);
@@ -197,6 +193,7 @@ bool RestPlanes::Prices::pass(std::size_t stage, std::span<const double> price, 
     for (std::size_t c = 0; c < weight.size(); ++c) weight[c] += plane.weight[h] * own.form->slope[h][c];
   for (std::size_t e = 0; e < own.ends.size(); ++e) {
     const double unit = price[e] / own.ends[e].limit;
+    unit_[stage].push_back(unit);
     paid_[stage] += unit * used_[stage][e];
     plane.constant -= unit * used_[stage][e];
     plane.room += unit * used_[stage][e];
@@ -214,15 +211,15 @@ std::vector<double> RestPlanes::Prices::after(std::size_t stage, const std::vect
 }
 
 RestPlane RestPlanes::Prices::rest_plane(const Plane& plane) const {
-  return {score_, plane.constant - slack * plane.room, plane.weight};
+  return {mix_, plane.constant - slack * plane.room, plane.weight};
 }
 
 void RestPlanes::Prices::keep(double bound) {
-  const auto own = [this](const auto& plane) { return plane.score == score_; };
+  const auto own = [this](const auto& plane) { return plane.mix == mix_; };
   const bool full = std::count_if(kept_.begin(), kept_.end(), own) >= most_planes;
   if (full) kept_.erase(std::find_if(kept_.begin(), kept_.end(), own));
   Kept& kept = kept_.emplace_back();
-  kept.score = score_;
+  kept.mix = mix_;
   for (std::size_t i = 0; i < plans_.size(); ++i) {
     kept.without.push_back(bound - slack * before_.room - least_[i]);
     kept.weight.push_back(planes_[i].weight);
@@ -238,9 +235,9 @@ RestPlanes::RestPlanes(const Problem& problem,
                        Desk& desk)
     : prices_(std::make_unique<Prices>(problem, plans, forms, desk)) {}
 RestPlanes::~RestPlanes() = default;
-void RestPlanes::find(std::size_t score, double known) { prices_->find(score, known); }
-double RestPlanes::find_from(std::size_t score, double known, std::size_t stage, std::span<const double> state) {
-  return prices_->find_from(score, known, stage, state);
+void RestPlanes::find(const Mix& mix, double known) { prices_->find(mix, known); }
+double RestPlanes::find_from(const Mix& mix, double known, std::size_t stage, std::span<const double> state) {
+  return prices_->find_from(mix, known, stage, state);
 }
 bool RestPlanes::restrict_to(const std::vector<Pair>& corners) { return prices_->restrict_to(corners); }
 void RestPlanes::tighten_limits() { prices_->tighten_limits(); }

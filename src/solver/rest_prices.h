@@ -37,8 +37,8 @@ class RestPlanes::Prices {
  public:
   Prices(const Problem& problem, std::vector<StagePlan>& plans, std::span<const StateForm> forms, Desk& desk);
 
-  void find(std::size_t score, double known);
-  double find_from(std::size_t score, double known, std::size_t stage, std::span<const double> state);
+  void find(const Mix& mix, double known);
+  double find_from(const Mix& mix, double known, std::size_t stage, std::span<const double> state);
   bool restrict_to(const std::vector<Pair>& corners);
   void tighten_limits();
 
@@ -58,17 +58,18 @@ class RestPlanes::Prices {
   };
   /// A plane, and the bound at the tool without what each stage adds to it.
   struct Kept {
-    std::size_t score = 0;
+    Mix mix;
     std::vector<double> without;              ///< [stage]
     std::vector<std::vector<double>> weight;  ///< [stage]
   };
   /// An allowance that is kept as it is while the others have prices.
   struct KeptStairs {
-    std::size_t score = 0;
+    Mix mix;
     double constant = 0.0;                    ///< of all stages, with the state at the tool
     double limit = 0.0;                       ///< for what the stages take of the allowance
+    std::size_t end_stage = 0;                ///< where it ends
     std::vector<std::vector<double>> weight;  ///< [stage]: of what it adds to the state
-    std::vector<std::vector<double>> use;     ///< [stage]: of the allowance, by what it adds to the state
+    std::vector<std::vector<double>> use;     ///< [stage]: of the allowance, by the state before it
     std::vector<std::vector<Pair>> without;   ///< [stage]: what all others add at least, by what they take
   };
 
@@ -83,8 +84,9 @@ class RestPlanes::Prices {
   void keep(double bound);
 
   void find_stairs();
-  void keep_stairs(std::size_t end_stage, const Allowance& end);
-  std::vector<Pair> points(std::size_t stage, const Allowance& end, std::span<const double> use);
+  void keep_stairs(KeptStairs kept, const Allowance& end);
+  bool find_use(std::size_t end_stage, const Allowance& end, KeptStairs& kept) const;
+  std::vector<Pair> points(std::size_t stage, const Allowance& end, const KeptStairs& kept);
   [[nodiscard]] double least_total(const KeptStairs& stairs, std::size_t stage, const Bounds& bounds) const;
 
   const Problem& problem_;
@@ -96,14 +98,15 @@ class RestPlanes::Prices {
   std::vector<KeptStairs> kept_stairs_;
   std::vector<double> best_price_;  ///< of the last climb
   // Of the evaluation under way:
-  std::size_t score_ = 0, first_ = 0;
+  Mix mix_;
+  std::size_t first_ = 0;
   std::vector<double> state_;                ///< before the first of these stages
   std::vector<Plane> planes_;                ///< [stage]: after it
   std::vector<double> least_;                ///< [stage]: score and priced state handed on, where least
-  std::vector<double> own_;                  ///< [stage]: what it adds itself, where least
   std::vector<double> paid_;                 ///< [stage]: for allowances that end there
   std::vector<std::vector<double>> chosen_;  ///< [stage]: what the design of the least value adds to the state
   std::vector<std::vector<double>> used_;    ///< [stage][end]
+  std::vector<std::vector<double>> unit_;    ///< [stage][end]: price of a unit
   Plane before_;                             ///< the first of these stages
 };
 

@@ -2,7 +2,6 @@
 //
 // One allowance kept as it is while the others have prices (rest_prices.h), and what is left out for it.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -69,30 +68,45 @@ double least_flow(const StateForm& form, std::size_t component, std::span<const 
 
 /// For each allowance with a price: its staircase.
 void RestPlanes::Prices::find_stairs() {
-  const auto own = [this](const auto& stairs) { return stairs.score == score_; };
+  const auto own = [this](const auto& stairs) { return stairs.mix == mix_; };
   for (StagePlan& plan : plans_) std::erase_if(plan.stairs, own);
   std::erase_if(kept_stairs_, own);
   const std::vector<double> price = best_price_;
+  std::vector<double> slope(allowances_, 0.0);
   std::size_t number = 0;
   for (std::size_t i = 0; i < stages_.size(); ++i) {
     for (const Allowance& end : stages_[i].ends) {
-      const std::size_t kept = number++;
-      if (!(price[kept] > 0.0)) continue;
+      const std::size_t at = number++;
+      if (!(price[at] > 0.0)) continue;
       std::vector<double> others = price;
-      others[kept] = 0.0;
-      std::vector<double> slope(allowances_, 0.0);
-      if (std::isfinite(evaluate(others, slope))) keep_stairs(i, end);
+      others[at] = 0.0;
+      KeptStairs kept;
+      kept.mix = mix_;
+      kept.end_stage = i;
+      kept.limit = end.limit;
+      if (find_use(i, end, kept) && std::isfinite(evaluate(others, slope))) keep_stairs(std::move(kept), end);
     }
   }
 }
 
-/// What a stage may add to score and priced state, and what that takes of the allowance.
-std::vector<Pair> RestPlanes::Prices::points(std::size_t stage, const Allowance& end, std::span<const double> use) {
+/// What states and additions to them take of an allowance. False: something makes room for it.
+bool RestPlanes::Prices::find_use(std::size_t end_stage, const Allowance& end, KeptStairs& kept) const {
+  kept.use.assign(stages_.size() + 1, std::vector<double>(state_.size()));
+  for (std::size_t i = end_stage + 1; i-- > 0;) {
+    kept.use[i] = before(*stages_[i].form, kept.use[i + 1]);
+    if (i == end_stage) kept.use[i][end.component] += 1.0;
+    if (std::any_of(kept.use[i].begin(), kept.use[i].end(), [](double each) { return each < 0.0; })) return false;
+  }
+  return true;
+}
+
+/// What a stage may add to scores and priced state, and what that takes of the allowance.
+std::vector<Pair> RestPlanes::Prices::points(std::size_t stage, const Allowance& end, const KeptStairs& kept) {
   const PricedStage& own = stages_[stage];
   const std::vector<double>& weight = planes_[stage].weight;
+  const std::vector<double>& use = kept.use[stage + 1];
   std::vector<Pair> found;
-  const auto add_all = [&](const RegionPool& pool, double taken) {
-    double value = 0.0;
+  const auto add_all = [&](const RegionPool& pool, double value, double taken) {
     for (std::size_t h = 0; h < weight.size(); ++h) {
       if (weight[h] == 0.0 && use[h] == 0.0) continue;
       const double inherited = most_flow(*own.form, h, pool.inherited());
@@ -100,58 +114,49 @@ std::vector<Pair> RestPlanes::Prices::points(std::size_t stage, const Allowance&
       taken -= use[h] * inherited;
     }
     pool.for_each([&](const Bounds& bounds) {
-      found.push_back({value + priced(bounds, score_, weight), taken + used(bounds, use)});
+      found.push_back({value + priced(bounds, kept.mix, weight), taken + used(bounds, use)});
     });
   };
   if (own.pool) {
-    add_all(*own.pool, 0.0);
+    add_all(*own.pool, 0.0, 0.0);
     return lower_staircase(std::move(found));
   }
   const auto has_steps = [](const Allowance& each) { return !each.from.empty(); };
-  const Allowance& steps = *std::find_if(own.ends.begin(), own.ends.end(), has_steps);
-  // The allowance ends with this stage's steps: a dearer step is one that leaves more of it.
-  for (std::size_t k = 0; k < steps.pool.size(); ++k)
-    add_all(steps.pool[k], &steps == &end ? end.limit - end.up_to(k) : 0.0);
-  if (&steps == &end) return lower_staircase(std::move(found));
-  Pair least{own_[stage], infinity};
-  for (const Pair& each : found) least.second = std::min(least.second, each.second);
-  return {least};
+  const auto steps = std::find_if(own.ends.begin(), own.ends.end(), has_steps);
+  const std::size_t number = static_cast<std::size_t>(steps - own.ends.begin());
+  // What the evaluation has paid is for the step that it has chosen; a dearer step is one that leaves more of it.
+  for (std::size_t k = 0; k < steps->pool.size(); ++k) {
+    const double paid_more = unit_[stage][number] * (used_[stage][number] - steps->up_to(k));
+    add_all(steps->pool[k], paid_more, &*steps == &end ? end.limit - steps->up_to(k) : 0.0);
+  }
+  return lower_staircase(std::move(found));
 }
 
 /// Of the evaluation under way, in which this allowance has no price.
-void RestPlanes::Prices::keep_stairs(std::size_t end_stage, const Allowance& end) {
+void RestPlanes::Prices::keep_stairs(KeptStairs kept, const Allowance& end) {
   const std::size_t stages = stages_.size();
-  KeptStairs kept;
-  kept.score = score_;
-  kept.use.resize(stages);
-  std::vector<double> use = std::vector<double>(state_.size());
-  for (std::size_t i = stages; i-- > 0;) {
-    kept.use[i] = use;
-    use = before(*stages_[i].form, kept.use[i]);
-    if (i == end_stage) use[end.component] += 1.0;
-    if (std::any_of(use.begin(), use.end(), [](double each) { return each < 0.0; })) return;
-  }
   std::vector<std::vector<Pair>> own(stages), suffix(stages + 1, {Pair{}}), prefix(stages + 1, {Pair{}});
   for (std::size_t i = 0; i < stages; ++i) {
-    own[i] = points(i, end, kept.use[i]);
+    own[i] = points(i, end, kept);
     if (own[i].empty()) return;  // nothing is feasible: the search will find out
     prefix[i + 1] = sum_of_staircases(prefix[i], own[i], most_points);
   }
+  const double limit = kept.limit;
   double paid = 0.0;
   for (std::size_t i = stages; i-- > 0;) {
     const double room = planes_[i].room + std::fabs(paid) + std::fabs(suffix[i + 1].back().first);
-    if (i < end_stage)
+    if (i < kept.end_stage)
       plans_[i].stairs.push_back(
-          {score_, end.limit, -paid - slack * room, planes_[i].weight, kept.use[i], suffix[i + 1]});
+          {kept.mix, limit, -paid - slack * room, planes_[i].weight, kept.use[i + 1], suffix[i + 1]});
     suffix[i] = sum_of_staircases(own[i], suffix[i + 1], most_points);
     paid += paid_[i];
   }
   const double room = before_.room + std::fabs(paid) + std::fabs(suffix[0].back().first);
   kept.constant = -paid - slack * room;
-  kept.limit = end.limit * (1.0 + slack);
+  kept.limit += slack * std::fabs(limit);
   for (std::size_t c = 0; c < state_.size(); ++c) {
     kept.constant += before_.weight[c] * state_[c];
-    kept.limit -= use[c] * state_[c];
+    kept.limit -= kept.use[0][c] * state_[c];
   }
   for (std::size_t i = 0; i < stages; ++i) {
     kept.weight.push_back(planes_[i].weight);
@@ -163,13 +168,14 @@ void RestPlanes::Prices::keep_stairs(std::size_t end_stage, const Allowance& end
 /// What a build with a design of these bounds must come to at least.
 double RestPlanes::Prices::least_total(const KeptStairs& stairs, std::size_t stage, const Bounds& bounds) const {
   const RegionPool& pool = *stages_[stage].pool;
-  double total = stairs.constant + priced(bounds, stairs.score, stairs.weight[stage]);
-  double taken = used(bounds, stairs.use[stage]);
-  for (std::size_t h = 0; h < stairs.use[stage].size(); ++h) {
-    if (stairs.weight[stage][h] == 0.0 && stairs.use[stage][h] == 0.0) continue;
+  double total = stairs.constant + priced(bounds, stairs.mix, stairs.weight[stage]);
+  const std::vector<double>& use = stairs.use[stage + 1];
+  double taken = used(bounds, use);
+  for (std::size_t h = 0; h < use.size(); ++h) {
+    if (stairs.weight[stage][h] == 0.0 && use[h] == 0.0) continue;
     const double inherited = most_flow(*stages_[stage].form, h, pool.inherited());
     total -= stairs.weight[stage][h] * inherited;
-    taken -= stairs.use[stage][h] * inherited;
+    taken -= use[h] * inherited;
   }
   return total + least_within(stairs.without[stage], stairs.limit - taken);
 }
@@ -179,16 +185,10 @@ bool RestPlanes::Prices::restrict_to(const std::vector<Pair>& corners) {
     if (!stages_[i].pool) continue;
     const auto may_lead = [&](const Bounds& bounds) {
       constexpr double unknown = -std::numeric_limits<double>::max();
-      std::array<double, 2> least{unknown, unknown};
-      for (const Kept& kept : kept_) {
-        double& here = least[std::min<std::size_t>(kept.score, 1)];
-        here = std::max(here, kept.without[i] + priced(bounds, kept.score, kept.weight[i]));
-      }
-      for (const KeptStairs& kept : kept_stairs_) {
-        double& here = least[std::min<std::size_t>(kept.score, 1)];
-        here = std::max(here, least_total(kept, i, bounds));
-      }
-      return below_staircase(corners, least[0], least[1]);
+      LeastTotals totals(unknown, unknown);
+      for (const Kept& kept : kept_) totals.add(kept.mix, kept.without[i] + priced(bounds, kept.mix, kept.weight[i]));
+      for (const KeptStairs& kept : kept_stairs_) totals.add(kept.mix, least_total(kept, i, bounds));
+      return totals.below(corners);
     };
     if (!stages_[i].pool->keep_only(may_lead, desk_)) return false;
     stages_[i].pool->narrow(plans_[i].region);

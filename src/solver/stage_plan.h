@@ -48,17 +48,30 @@ struct RestCurve {
   std::vector<double> least;  ///< [i]: from from[i] on; ascending
 };
 
-/// What all stages after one add at least to a score: constant + weight * (state handed to them). Rounding is taken
-/// off.
+/// A weighted sum of the first two scores.
+struct Mix {
+  double first = 1.0, second = 0.0;
+
+  /// One score alone.
+  static Mix only(std::size_t score) { return score == 0 ? Mix{1.0, 0.0} : Mix{0.0, 1.0}; }
+  [[nodiscard]] bool is_pure() const { return first == 0.0 || second == 0.0; }
+  [[nodiscard]] double of(std::span<const double> score) const {
+    return second == 0.0 ? first * score[0] : first == 0.0 ? second * score[1] : first * score[0] + second * score[1];
+  }
+  friend bool operator==(const Mix& a, const Mix& b) = default;
+};
+
+/// What all stages after one add at least to a mix of scores: constant + weight * (state handed to them). Rounding is
+/// taken off.
 struct RestPlane {
-  std::size_t score = 0;
+  Mix mix;
   double constant = 0.0;
   std::vector<double> weight;  ///< [component], none negative
 };
 
 /// The same with one allowance that all stages share kept as it is: what must be added depends on what is left of it.
 struct RestStairs {
-  std::size_t score = 0;
+  Mix mix;
   double limit = 0.0;  ///< of the allowance
   double constant = 0.0;
   std::vector<double> weight;  ///< [component], none negative

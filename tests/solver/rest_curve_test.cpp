@@ -88,12 +88,12 @@ TEST_CASE("No completion of a design costs less than the planes say, nor is any 
           if (stage == 0) best = std::min(best, before + later);
         });
     RestPlanes planes(prepared.problem, plans, forms, prepared.desk);
-    planes.find(0, best);
+    planes.find(Mix::only(0), best);
     for (StagePlan& plan : plans) plan.curves.clear();
     std::size_t asked = 0;
     Chains(prepared.problem)
         .run(prepared.shared, [&](std::size_t stage, const std::vector<double>& state, double later, double) {
-          if (stage + 1 < plans.size() && asked++ % 97 == 0) planes.find_from(0, later, stage + 1, state);
+          if (stage + 1 < plans.size() && asked++ % 97 == 0) planes.find_from(Mix::only(0), later, stage + 1, state);
           comparisons.add(seed, plans[stage], plain[stage], state, later);
         });
     if (best == std::numeric_limits<double>::infinity()) continue;

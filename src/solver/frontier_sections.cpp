@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// A front section by section. What the whole front needs is too much at once: bounds that leave one end little leave
+// the other much. For a part of it prices and mixes of the objectives are found that fit there, and most rows are left
+// out.
+#include <algorithm>
+#include <cmath>
+
+#include "solver/frontier.h"
+
+namespace millwright::solver {
+/// Every design on the front is in the section of its first score. False: time is up, or something undecided.
+bool Frontier::by_sections() {
+  const std::vector<StagePlan> plans = plans_;
+  const std::vector<StateForm> forms = forms_;
+  std::vector<Section> open{Section{}};
+  while (!open.empty()) {
+    const Section section = open.back();
+    open.pop_back();
+    const bool whole = !std::isfinite(section.from) && !std::isfinite(section.to);
+    const std::size_t patience = control_.options().stage_patience / (whole ? 1 : 10);
+    if (settle(section, patience, plans, forms)) continue;
+    if (control_.time_is_up() || undecided_) {
+      open.push_back(section);
+      break;
+    }
+    // Cut in the middle of what is known of it.
+    const std::vector<double> inside = known_inside(section);
+    const double middle = inside.empty() ? section.to : inside[inside.size() / 2];
+    if (!inside.empty()) open.push_back({middle, section.to});
+    open.push_back({section.from, middle});
+  }
+  section_ = Section{};
+  std::copy(plans.begin(), plans.end(), plans_.begin());  // whoever goes on needs to know of all sections
+  return open.empty() && !undecided_;
+}
+
+/// First scores of known builds in it.
+std::vector<double> Frontier::known_inside(const Section& section) const {
+  std::vector<double> inside;
+  for (const RankedBuild& build : incumbents_.builds())
+    if (build.score[0] > section.from && build.score[0] < section.to) inside.push_back(build.score[0]);
+  return inside;
+}
+
+/// False: it is too much, time is up, or something is undecided.
+bool Frontier::settle(const Section& section,
+                      std::size_t patience,
+                      const std::vector<StagePlan>& plans,
+                      const std::vector<StateForm>& forms) {
+  section_ = section;
+  const std::vector<Pair> corners = this->corners();
+  std::copy(plans.begin(), plans.end(), plans_.begin());
+  std::copy(forms.begin(), forms.end(), forms_.begin());
+  mixes_ = {Mix::only(0), Mix::only(1)};
+  const auto has_end = [](const Pair& corner) { return std::isfinite(corner.first) && std::isfinite(corner.second); };
+  const auto first = std::find_if(corners.begin(), corners.end(), has_end);
+  const auto last = std::find_if(corners.rbegin(), corners.rend(), has_end);
+  if (last != corners.rend() && first->first < last->first)
+    mixes_.push_back({(first->second - last->second) / (last->first - first->first), 1.0});
+  const bool prepared = control_.while_there_is_time([&] {
+    planes_ = std::make_unique<RestPlanes>(problem_, plans_, forms_, control_.desk(0));
+    settled_ = find_planes() && !restrict_stages();
+  });
+  if (!prepared || settled_) return prepared;
+  const bool whole = known_inside(section).empty();  // it will not be cut
+  for (const Haste& haste : {Haste{.nodes = 1000}, {.nodes = 2000, .labels = 100, .digits = 14}}) {
+    Haste here = haste;
+    here.mix = mixes_.back();
+    if (!pass({.haste = here})) return false;
+    const bool again = control_.while_there_is_time([&] { settled_ = find_planes() && !restrict_stages(); });
+    if (!again || settled_) return again;
+    if (!whole) break;
+  }
+  undecided_ = false;
+  return pass({.patience = known_inside(section).empty() ? endless : patience}) && !undecided_;
+}
+
+}  // namespace millwright::solver
