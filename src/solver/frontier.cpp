@@ -50,7 +50,7 @@ bool Frontier::run(bool shared_allowances) {
   const bool nothing_yet = criteria_.objectives == 1 && incumbents_.builds().empty();
   if ((shared_allowances || nothing_yet) && !find_better_first()) return false;
   for (const double share : {0.03, 0.1, 0.3, 1.0}) {
-    if (!incumbents_.builds().empty()) break;
+    if (!incumbents_.builds().empty() || !control_.options().look_first) break;
     for (const std::size_t nodes : {std::size_t{100}, std::size_t{1000}})
       if (!pass({.haste = Haste{.share = share, .nodes = nodes}})) return false;
   }
@@ -61,6 +61,8 @@ bool Frontier::run(bool shared_allowances) {
   undecided_ = false;
   if (settled_) return true;
   if (criteria_.objectives > 1 && used_prices_) return by_sections();
+  if (criteria_.objectives == 1 && aim()) return !undecided_;
+  undecided_ = false;
   return pass({}) && !undecided_;
 }
 

@@ -103,6 +103,7 @@ class Frontier {
 
   bool pass(const Pass& pass);
   bool by_sections();
+  bool aim();
   bool settle(const Section& section,
               std::size_t patience,
               const std::vector<StagePlan>& plans,
@@ -149,6 +150,7 @@ class Frontier {
   std::vector<StateForm> forms_;
   std::unique_ptr<RestPlanes> planes_;
   std::vector<Mix> mixes_;                  ///< of the objectives that have planes
+  double least_total_ = 0.0;                ///< of the first score, by planes
   std::vector<std::vector<Pair>> rest_;     ///< [stage]: least added by this and all later stages
   std::vector<std::vector<Pair>> useful_;   ///< [stage]: what a label before it must be below
   std::vector<std::vector<Label>> labels_;  ///< [stage]

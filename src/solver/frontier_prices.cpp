@@ -40,6 +40,7 @@ bool Frontier::find_better_first() {
 /// A pass for each mix of the objectives; between the builds that are found there are further mixes. False: time is up.
 bool Frontier::look_for_builds(const Haste& haste) {
   constexpr std::size_t most_mixes = 7;
+  if (!control_.options().look_first) return true;
   Haste here = haste;
   for (std::size_t i = 0; i < mixes_.size(); ++i) {
     here.mix = mixes_[i];
@@ -103,7 +104,8 @@ bool Frontier::find_planes() {
 void Frontier::find_plane(const Mix& mix) {
   double known = infinity;
   for (const RankedBuild& build : incumbents_.builds()) known = std::min(known, mix.of(build.score));
-  planes_->find(mix, known);
+  const double least = planes_->find(mix, known);
+  if (mix == Mix::only(0)) least_total_ = std::max(least_total_, least);
 }
 
 /// Leaves out what cannot reach the known front. False: nothing that is left can.

@@ -1,14 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A front section by section. What the whole front needs is too much at once: bounds that leave one end little leave
-// the other much. For a part of it prices and mixes of the objectives are found that fit there, and most rows are left
-// out.
+// Parts of what is looked for, one after the other.
+//
+// A front is done section by section. What the whole front needs is too much at once: bounds that leave one end little
+// leave the other much. For a part of it prices and mixes of the objectives are found that fit there, and most rows are
+// left out.
 #include <algorithm>
 #include <cmath>
 
 #include "solver/frontier.h"
 
 namespace millwright::solver {
+/// A single objective: looks for builds that come to no more than a little above what every build comes to at least.
+/// There is little to look at below that, and the best of what is found is the best of all. True when one is found.
+bool Frontier::aim() {
+  double least = std::max(least_total_, rest_.front().front().first);
+  bool found = false;
+  for (const double share : {0.1, 0.2, 0.4}) {
+    const double known = incumbents_.best();
+    if (!std::isfinite(known) || !(known > least)) break;
+    section_.to = least + share * (known - least);
+    if (!pass({.patience = 10 * control_.options().stage_patience})) break;
+    found = incumbents_.best() <= section_.to;
+    if (found) break;
+    least = section_.to;
+  }
+  section_ = Section{};
+  return found;
+}
+
 /// Every design on the front is in the section of its first score. False: time is up, or something undecided.
 bool Frontier::by_sections() {
   const std::vector<StagePlan> plans = plans_;
@@ -65,6 +85,7 @@ bool Frontier::settle(const Section& section,
   if (!prepared || settled_) return prepared;
   const bool whole = known_inside(section).empty();  // it will not be cut
   for (const Haste& haste : {Haste{.nodes = 1000}, {.nodes = 2000, .labels = 100, .digits = 14}}) {
+    if (!control_.options().look_first) break;
     Haste here = haste;
     here.mix = mixes_.back();
     if (!pass({.haste = here})) return false;

@@ -31,15 +31,16 @@ RestPlanes::Prices::Prices(const Problem& problem,
   }
 }
 
-void RestPlanes::Prices::find(const Mix& mix, double known) {
+double RestPlanes::Prices::find(const Mix& mix, double known) {
   const auto own = [mix](const auto& plane) { return plane.mix == mix; };
   for (StagePlan& plan : plans_) std::erase_if(plan.planes, own);
   std::erase_if(kept_, own);
   mix_ = mix;
   first_ = 0;
   state_ = problem_.first_state;
-  climb(known, [this](double bound) { keep(bound); });
+  const double best = climb(known, [this](double bound) { keep(bound); });
   find_stairs();
+  return best;
 }
 
 double RestPlanes::Prices::find_from(const Mix& mix, double known, std::size_t stage, std::span<const double> state) {
@@ -235,7 +236,7 @@ RestPlanes::RestPlanes(const Problem& problem,
                        Desk& desk)
     : prices_(std::make_unique<Prices>(problem, plans, forms, desk)) {}
 RestPlanes::~RestPlanes() = default;
-void RestPlanes::find(const Mix& mix, double known) { prices_->find(mix, known); }
+double RestPlanes::find(const Mix& mix, double known) { return prices_->find(mix, known); }
 double RestPlanes::find_from(const Mix& mix, double known, std::size_t stage, std::span<const double> state) {
   return prices_->find_from(mix, known, stage, state);
 }

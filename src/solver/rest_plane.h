@@ -40,7 +40,8 @@ class RestPlanes {
 
   /// Sets StagePlan::planes and StagePlan::stairs of all stages for a mix of the objectives. `known`: a total that the
   /// bound will not exceed by far, for the length of the steps. Nothing where some stage is not additive.
-  void find(const Mix& mix, double known);
+  /// The best bound of a total.
+  double find(const Mix& mix, double known);
   /// Adds the best plane before a stage for a label of this state. What that label must still add at least.
   double find_from(const Mix& mix, double known, std::size_t stage, std::span<const double> state);
   /// Narrows the stages' regions to what may lead below some corner of an upper staircase of totals. False: nothing

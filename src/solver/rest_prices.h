@@ -37,7 +37,7 @@ class RestPlanes::Prices {
  public:
   Prices(const Problem& problem, std::vector<StagePlan>& plans, std::span<const StateForm> forms, Desk& desk);
 
-  void find(const Mix& mix, double known);
+  double find(const Mix& mix, double known);
   double find_from(const Mix& mix, double known, std::size_t stage, std::span<const double> state);
   bool restrict_to(const std::vector<Pair>& corners);
   void tighten_limits();
