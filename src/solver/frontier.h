@@ -117,7 +117,7 @@ class Frontier {
   std::vector<double> highest_scores() const;
   bool find_planes();
   void find_plane(const Mix& mix);
-  bool find_better_first();
+  bool find_better_first(bool shared_allowances);
   bool restrict_stages();
   void sharpen_planes(std::size_t stage, const std::vector<Chunk>& chunks);
   template <class Found>

@@ -17,7 +17,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 }  // namespace
 
 /// Before a long pass: prices for shared allowances, good builds by them, and less to choose from. False: time is up.
-bool Frontier::find_better_first() {
+/// `shared_allowances`: prices have been of use with other shared choices.
+bool Frontier::find_better_first(bool shared_allowances) {
   for (std::size_t score = 0; score < criteria_.objectives; ++score) mixes_.push_back(Mix::only(score));
   bool priced = false;
   const bool prepared = control_.while_there_is_time([&] {
@@ -26,8 +27,10 @@ bool Frontier::find_better_first() {
   });
   if (!prepared || !priced) return prepared;
   used_prices_ = true;
+  // What has been found with other shared choices says enough here.
+  const bool look = incumbents_.builds().empty() || !shared_allowances;
   for (const Haste& haste : {Haste{.nodes = 100}, {.nodes = 1000}, {.nodes = 2000, .labels = 100, .digits = 14}}) {
-    if (!look_for_builds(haste)) return false;
+    if (look && !look_for_builds(haste)) return false;
     const auto restrict_again = [&] {
       settled_ = find_planes() && !incumbents_.builds().empty() && !restrict_stages();
     };
