@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <numeric>
 
 #include "evaluation/cuts.h"
@@ -97,34 +98,48 @@ void StockBars::settle_row(Key row, std::size_t first_state) {
 
 /// Bars and metres of every code, then what is charged for it.
 void StockBars::fill(BarStock& stock, const std::vector<Digit>& digits) {
+  struct Value {
+    Lengths pieces;
+    double alone = 0.0;  // bars, if no other stage cuts from them
+  };
+  std::vector<std::vector<Value>> values_of;
+  for (const Digit& digit : digits) {
+    std::vector<Value>& values = values_of.emplace_back(1);
+    for (std::size_t value = 1; value < digit.values(); ++value) {
+      const bool times = digit.pieces.size() == 1;
+      const Lengths& pieces = digit.pieces[times ? 0 : value - 1];
+      const std::size_t count = times ? value : 1;
+      Value& next = values.emplace_back();
+      for (std::size_t i = 0; i < count; ++i) next.pieces.insert(next.pieces.end(), pieces.begin(), pieces.end());
+      next.alone = static_cast<double>(count) * bars_for(pieces, stock.size);
+    }
+  }
   auto& packed = packed_[{stock.size.stock_length, stock.size.cutting_loss, digits}];
-  std::vector<std::size_t> values(digits.size(), 0);
-  while (packed.empty() || std::any_of(values.begin(), values.end(), [](std::size_t value) { return value > 0; })) {
+  const bool is_known = !packed.empty();
+  bool is_shared = false;
+  std::vector<std::size_t> value(digits.size(), 0);
+  for (std::size_t code = 0, digit = 0; digit < digits.size(); ++code) {
     Lengths all;
     double alone = 0.0;
-    for (std::size_t i = 0; i < digits.size(); ++i)
-      for (std::size_t time = 0;
-           time < (digits[i].pieces.size() == 1 ? values[i] : std::min(values[i], std::size_t{1}));
-           ++time) {
-        const Lengths& pieces = digits[i].pieces[digits[i].pieces.size() == 1 ? 0 : values[i] - 1];
-        all.insert(all.end(), pieces.begin(), pieces.end());
-        alone += bars_for(pieces, stock.size);
-      }
-    std::sort(all.begin(), all.end(), std::greater<>());
-    packed.emplace_back(bars_for(all, stock.size), alone);
-    std::size_t digit = 0;
-    while (digit < digits.size() && ++values[digit] == digits[digit].values()) values[digit++] = 0;
-    if (digit == digits.size()) break;
+    for (std::size_t i = 0; i < digits.size(); ++i) {
+      const Value& of = values_of[i][value[i]];
+      all.insert(all.end(), of.pieces.begin(), of.pieces.end());
+      alone += of.alone;
+    }
+    if (!is_known) packed.emplace_back(bars_for(all, stock.size), sum_of(all));
+    is_shared = is_shared || packed[code].first != alone;
+    for (digit = 0; digit < digits.size() && ++value[digit] == digits[digit].values(); ++digit) value[digit] = 0;
   }
-  for (const auto& [bars, own] : packed)
-    if (own > 0.0) stock.share = std::min(stock.share, bars / own);
-  for (const auto& [bars, own] : packed)
-    stock.charge.push_back(stock.share == 1.0 ? 0.0 : std::max(0.0, (bars - stock.share * own) * stock.bar_price));
+  stock.share = std::numeric_limits<double>::infinity();
+  for (const auto& [bars, metres] : packed)
+    if (metres > 0.0) stock.share = std::min(stock.share, bars / metres);
+  for (const auto& [bars, metres] : packed)
+    stock.charge.push_back(is_shared ? std::max(0.0, (bars - stock.share * metres) * stock.bar_price) : 0.0);
   stock.summarise();
 }
 
 double StockBars::charged(const BarStock& stock, const std::vector<double>& lengths) const {
-  return stock.share * stock.bar_price * bars_for(lengths, stock.size);
+  return stock.bar_price * (stock.is_shared() ? stock.share * sum_of(lengths) : bars_for(lengths, stock.size));
 }
 
 std::optional<std::size_t> StockBars::stock_of(Place place, const PartUse& use) const {

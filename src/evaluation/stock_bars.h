@@ -2,15 +2,14 @@
 //
 // Parts that are sold in whole bars: the pieces that all axes cut of one row of a catalogue come from as few bars as
 // possible, and whole bars are paid. How many that takes is known only when all stages are decided, so every stage
-// charges a share of what its pieces would cost alone, says by a number which pieces it takes, and the last one charges
-// what is missing:
+// charges its lengths at the least that a metre can cost, says by a number which pieces it takes, and the last one
+// charges what is missing:
 //
-//   stage: price += share * bars for its own pieces, code += pieces' number     ...     last stage: price +=
-//   charge(code)
+//   stage: price += metre * lengths, code += pieces' number     ...     last stage: price += charge(code)
 //
-// charge(code) = bars for all pieces of that code - share * sum of the bars for each stage's own, and share is the
-// largest with which that is never less than nothing. Where no two stages can share a bar it is 1, and nothing is left
-// to charge.
+// charge(code) = bars for all pieces of that code - metre * their lengths, and metre is the largest with which that is
+// never less than nothing. Where no two stages can share a bar each charges the bars for its own pieces, and nothing is
+// left to charge.
 #pragma once
 
 #include <map>
@@ -35,7 +34,7 @@ struct BarStock : LateCharge {
   int row = 0;  ///< in the catalogue's table
   BarSize size;
   double bar_price = 0.0;  ///< in the problem's currency
-  double share = 1.0;      ///< of bars for their own pieces, what the stages charge
+  double share = 1.0;      ///< bars that the stages charge a metre, if bars are shared
   [[nodiscard]] bool is_shared() const { return any.upper > 0.0; }
 };
 
@@ -96,7 +95,7 @@ class StockBars {
   std::map<Key, std::map<Place, std::vector<Lengths>>> found_;
   std::map<std::pair<Key, Place>, Code> codes_;
   std::vector<BarStock> stocks_;
-  /// Bars of each code, together and of each stage alone, of digits that several rows have in common.
+  /// Bars and metres of each code, of digits that several rows have in common.
   std::map<std::tuple<double, double, std::vector<Digit>>, std::vector<std::pair<double, double>>> packed_;
   std::size_t components_ = 0;
 };
