@@ -25,7 +25,7 @@ inline constexpr ColumnDeclaration every_family[] = {
     text("confidence", expected, "high, medium or low"),
     text("note", optional, "what a reader has to know"),
     text("supplier", optional, "who sells it at this price"),
-    text("availability", optional, "unavailable: is not chosen; preferred: see [preferences]; empty = can be bought"),
+    text("availability", optional, "unavailable: is not chosen; empty = can be bought"),
     number("owned_quantity", "1", optional, 0, 1e6, "pieces already owned, free of charge"),
     number("pack_size", "1", optional, 1, 1e6, "pieces in a pack, if only whole packs are sold"),
     text("waiver", optional, "lint rules that this row is excused from, with the reason: rule: reason"),
