@@ -134,7 +134,7 @@ std::vector<report::LockedInput> locked_inputs(const MachineInput& input, const 
   for (const std::filesystem::path& place : input.catalogue.layers())
     for (const std::filesystem::path& file : catalogue::supplier_files(place))
       if (const auto text = text::SourceText::load(file.string(), unused))
-        inputs.push_back(locked("stock", file.string(), *text));
+        inputs.push_back(locked(file.stem().string(), file.string(), *text));  // "suppliers", "offers"
   for (const auto& bom : boms) inputs.push_back(locked("bill of materials", bom->path(), *bom));
   return inputs;
 }

@@ -169,19 +169,20 @@ void verify_inputs(const Lock& lock, const std::vector<LockedInput>& inputs, Dia
       if (each.kind == kind) found.push_back(&each);
     return found;
   };
-  for (const char* kind : {"problem", "bill of materials", "stock"}) {
+  for (const char* kind : {"problem", "bill of materials", "stock", "suppliers", "offers"}) {
     const auto then = of_kind(lock.inputs, kind), now = of_kind(inputs, kind);
     for (std::size_t i = 0; i < std::min(then.size(), now.size()); ++i) report_changed(*then[i], *now[i], diagnostics);
   }
-  const auto stock_then = of_kind(lock.inputs, "stock"), stock_now = of_kind(inputs, "stock");
-  if (stock_then.size() < stock_now.size())
-    diagnostics.error(text::whole(lock.source),
-                      fmt::format("{} is new: the lock does not know it", text::printable(stock_now.back()->file)),
-                      how_to_accept);
-  else if (stock_then.size() > stock_now.size())
-    diagnostics.error(stock_then.back()->where,
-                      fmt::format("{} is missing", text::printable(stock_then.back()->file)),
-                      how_to_accept);
+  for (const char* kind : {"stock", "suppliers", "offers"}) {
+    const auto then = of_kind(lock.inputs, kind), now = of_kind(inputs, kind);
+    if (then.size() < now.size())
+      diagnostics.error(text::whole(lock.source),
+                        fmt::format("{} is new: the lock does not know it", text::printable(now.back()->file)),
+                        how_to_accept);
+    else if (then.size() > now.size())
+      diagnostics.error(
+          then.back()->where, fmt::format("{} is missing", text::printable(then.back()->file)), how_to_accept);
+  }
   const auto profiles = of_kind(inputs, "profile");
   for (const LockedInput* then : of_kind(lock.inputs, "profile"))
     for (const LockedInput* now : profiles)

@@ -58,11 +58,32 @@ bool takes_tolerance(Column column) {
   if (declared.kind != Kind::number || declared.identity != Identity::none) return false;
   // Standards guarantee what materials bear; threads are standard geometry.
   if (column.family == Family::materials || column.family == Family::threads) return false;
-  constexpr std::array<std::string_view, 24> exact = {
-      "step_angle", "phases_on",      "starts",       "teeth",          "turns_per_circuit",    "circuits",
-      "module",     "pressure_angle", "pitch",        "lead",           "minimum_pulley_teeth", "maximum_microsteps",
-      "pack_size",  "owned_quantity", "piece_length", "output_voltage", "rating_distance",      "bore",
-      "belt_width", "shaft_diameter", "minimum_bore", "maximum_bore",   "nominal_diameter",     "size"};
+  constexpr std::array<std::string_view, 26> exact = {"step_angle",
+                                                      "phases_on",
+                                                      "starts",
+                                                      "teeth",
+                                                      "turns_per_circuit",
+                                                      "circuits",
+                                                      "module",
+                                                      "pressure_angle",
+                                                      "pitch",
+                                                      "lead",
+                                                      "minimum_pulley_teeth",
+                                                      "maximum_microsteps",
+                                                      "pack_size",
+                                                      "owned_quantity",
+                                                      "piece_length",
+                                                      "output_voltage",
+                                                      "rating_distance",
+                                                      "bore",
+                                                      "belt_width",
+                                                      "shaft_diameter",
+                                                      "stock_length",
+                                                      "cutting_loss",
+                                                      "minimum_bore",
+                                                      "maximum_bore",
+                                                      "nominal_diameter",
+                                                      "size"};
   if (std::find(exact.begin(), exact.end(), declared.name) != exact.end()) return false;
   return !(column.family == Family::belts && declared.name == "width");
 }

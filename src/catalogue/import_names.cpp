@@ -24,7 +24,8 @@ constexpr Synonyms synonyms[] = {
      "item|item no|item number|order code|order no|order number|type|product|product code|product no|"
      "artikelnummer|artikel|artikel nr|bestellnummer|bestell nr|typ|teilenummer|kode|kode barang|tipe"},
     {"price",
-     "unit price|net price|price each|list price|price per piece|cost|unit cost|preis|einzelpreis|"
+     "unit price|nut price|price nut|carriage price|block price|net price|price each|list price|price per "
+     "piece|cost|unit cost|preis|einzelpreis|"
      "st\xC3\xBC"
      "ckpreis|nettopreis|listenpreis|harga|harga satuan"},
     {"price_per_length",

@@ -19,7 +19,11 @@ enum Field : std::size_t {
   currency,
   price_basis,
   price_breaks,
-  pack_size
+  pack_size,
+  stock_length,
+  cutting_loss,
+  cut_price,
+  end_machining_price
 };
 constexpr KnownColumn columns[] = {{"manufacturer"},
                                    {"part_number", "", true},
@@ -29,7 +33,11 @@ constexpr KnownColumn columns[] = {{"manufacturer"},
                                    {"currency", "", true},
                                    {"price_basis"},
                                    {"price_breaks"},
-                                   {"pack_size"}};
+                                   {"pack_size"},
+                                   {"stock_length", "mm"},
+                                   {"cutting_loss", "mm"},
+                                   {"cut_price"},
+                                   {"end_machining_price"}};
 }  // namespace offer_fields
 
 class OfferReader {
@@ -59,6 +67,11 @@ class OfferReader {
     offer.price_basis = reader_.cell(row, price_basis);
     offer.price_breaks = reader_.cell(row, price_breaks);
     offer.pack_size = reader_.amount(row, pack_size, "a whole number");
+    constexpr double mm = 1e-3;
+    offer.cutting = {mm * reader_.amount(row, stock_length, "a length"),
+                     mm * reader_.amount(row, cutting_loss, "a length"),
+                     reader_.amount(row, cut_price, "0 or more"),
+                     reader_.amount(row, end_machining_price, "0 or more")};
     reader_.check_currency(row, currency);
     if (offer.supplier.empty())
       diagnostics_.error(reader_.span(row, supplier), "supplier is missing", "say who sells it at this price");
@@ -104,6 +117,7 @@ class OfferReader {
       diagnostics_.error(offer.where,
                          fmt::format("{} are not sold by the piece alone", family.title),
                          "leave price_breaks and pack_size empty");
+    check_cutting(row, part.family, offer.cutting);
     if (table.text("supplier", part.row) == offer.supplier)
       diagnostics_.error(reader_.span(row, supplier),
                          fmt::format("the catalogue says itself what it costs from {}", text::quoted(offer.supplier)),
@@ -117,6 +131,23 @@ class OfferReader {
       diagnostics_.error(offer.where,
                          fmt::format("{} offers {} twice", text::quoted(offer.supplier), table.part_number(part.row)),
                          fmt::format("first in line {}", csv_.row_span(earlier->second).line));
+  }
+
+  /// Only what is cut has pieces to cut and ends to machine.
+  void check_cutting(std::size_t row, Family family, const CuttingTerms& terms) {
+    using namespace offer_fields;
+    const auto check = [&](double amount, Field field) {
+      if (std::isnan(amount) || find_column(family, columns[field].name)) return;
+      diagnostics_.error(reader_.span(row, field),
+                         fmt::format("{} have no {}", declaration(family).title, columns[field].name),
+                         fmt::format("leave {} empty", columns[field].name));
+    };
+    check(terms.stock_length, stock_length);
+    check(terms.cutting_loss, cutting_loss);
+    check(terms.cut_price, cut_price);
+    check(terms.end_machining_price, end_machining_price);
+    if (terms.stock_length < 0.1)
+      diagnostics_.error(reader_.span(row, stock_length), "a bar of less than 100 mm is none", "check the unit");
   }
 
   void put(const Part& part, Offer offer) {

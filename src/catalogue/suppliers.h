@@ -13,6 +13,8 @@
 //   manufacturer,part_number,supplier,price,price_per_length [1/m],currency,price_basis,price_breaks,pack_size
 //   OMC,17HS19-2004S1,Shop A,8.90,,USD,"list, read 2026-09-03",10: 8.10,
 //
+// and of what is cut: stock_length [mm],cutting_loss [mm],cut_price,end_machining_price, as in catalogues.
+//
 // The row of the catalogue itself is an offer too: by its own supplier, or by nobody in particular. Suppliers without
 // a line in suppliers.csv ask for no shipping and no minimum. A later overlay's word on a supplier, or on the offer of
 // a part by a supplier, replaces an earlier one's.
@@ -24,7 +26,7 @@
 #include <string_view>
 #include <vector>
 
-#include "catalogue/family.h"
+#include "catalogue/table.h"
 #include "text/diagnostic.h"
 
 namespace millwright::catalogue {
@@ -48,6 +50,7 @@ struct Offer {
   double price_per_length = std::numeric_limits<double>::quiet_NaN();  ///< 1/m
   std::string currency, price_basis, price_breaks;
   double pack_size = std::numeric_limits<double>::quiet_NaN();
+  CuttingTerms cutting;
   text::SourceSpan where;
 };
 

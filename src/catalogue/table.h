@@ -61,12 +61,22 @@ struct TextCell {
   static constexpr std::uint32_t unescaped = std::numeric_limits<std::uint32_t>::max();  ///< as the length
 };
 
+/// What a seller of a length asks beside its price: the columns stock_length, cutting_loss, cut_price and
+/// end_machining_price. NaN = nothing.
+struct CuttingTerms {
+  double stock_length = std::numeric_limits<double>::quiet_NaN();  ///< m
+  double cutting_loss = std::numeric_limits<double>::quiet_NaN();  ///< m
+  double cut_price = std::numeric_limits<double>::quiet_NaN();
+  double end_machining_price = std::numeric_limits<double>::quiet_NaN();
+};
+
 /// A row once more, as somebody else sells the part.
 struct OfferedRow {
   int row = 0;
   double price = 0.0, price_per_length = 0.0, pack_size = 0.0;  ///< NaN = none
   std::string supplier, currency, price_basis, price_breaks;
   bool owned_pieces = false;  ///< it stands for the pieces that are owned and no others
+  CuttingTerms cutting = {};
 };
 
 /// Which pieces of a part that are owned a row of it stands for.
@@ -187,6 +197,7 @@ class Table {
   std::vector<std::vector<double>> numbers_;
   std::vector<std::vector<TextCell>> texts_;
   void repeat_companions(std::size_t row);
+  void set_cutting_terms(const CuttingTerms& terms);
 
   std::vector<std::vector<double>> tolerances_;
   std::vector<std::vector<TextCell>> figure_sources_, figure_confidences_;

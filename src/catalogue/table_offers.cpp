@@ -24,6 +24,17 @@ void Table::repeat_companions(std::size_t row) {
     }
 }
 
+/// Of the last row; a family that is not cut has no such columns.
+void Table::set_cutting_terms(const CuttingTerms& terms) {
+  const auto set = [&](std::string_view name, double value) {
+    if (const auto found = find_column(family_, name)) numbers_[found->index].back() = value;
+  };
+  set("stock_length", terms.stock_length);
+  set("cutting_loss", terms.cutting_loss);
+  set("cut_price", terms.cut_price);
+  set("end_machining_price", terms.end_machining_price);
+}
+
 void Table::append_offers(const std::vector<OfferedRow>& offers) {
   if (offers.empty()) return;
   const auto text_column = [&](std::string_view name) {
@@ -65,6 +76,7 @@ void Table::append_offers(const std::vector<OfferedRow>& offers) {
     numbers_[column(family_, "price").index].back() = offer.price;
     numbers_[column(family_, "price_per_length").index].back() = offer.price_per_length;
     numbers_[column(family_, "pack_size").index].back() = offer.pack_size;
+    set_cutting_terms(offer.cutting);
     ownership_.push_back(offer.owned_pieces ? Ownership::only : Ownership::none);
     repeat_companions(row);
   }
@@ -94,7 +106,9 @@ void Catalogue::add_offers() {
                            offer.supplier,
                            offer.currency,
                            offer.price_basis,
-                           offer.price_breaks});
+                           offer.price_breaks,
+                           false,
+                           offer.cutting});
     }
     // What is owned costs no order: where the part's own supplier charges for one, owned pieces are a row of their own.
     for (int row = 0; can_be_owned(table.family()) && row < table.rows(); ++row) {

@@ -1,10 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "evaluation/bill_ledger.h"
 
+#include <cmath>
+
 #include "evaluation/cuts.h"
 
 namespace millwright::evaluation {
 namespace {
+
+/// What is done to the pieces that are cut, and what of the line's price is paid for them.
+void add_work(const MachineModel& model,
+              const catalogue::Table& table,
+              const PartUse& use,
+              const std::string& axis_name,
+              PartLine& line) {
+  if (line.cuts.empty() || use.family == catalogue::Family::materials) return;
+  const PieceWork work = model.prices().work(table, use.row);
+  line.length_price = line.price;
+  if (use.family == catalogue::Family::linear_guides && !std::isnan(table.price(use.row).piece))
+    line.length_price -= model.prices().line(table, use.row, use.pieces(), 0.0);
+  line.from_bars = model.prices().bar(table, use.row).has_value();
+  line.cutting_loss = line.from_bars ? 0.0 : work.cutting_loss;
+  line.cut_price = work.cutting;
+  line.end_price = work.machined_end;
+  if (!(work.machined_end > 0.0)) return;
+  for (const machine::Axis& axis : model.machine().axes)
+    if (axis.name == axis_name) line.ends = use.pieces() * machined_ends(axis);
+}
 
 /// A line of the bill of materials: what the catalogue says of a part of a build, and its share of the price.
 PartLine part_line(const MachineModel& model,
@@ -43,7 +65,7 @@ PartLine part_line(const MachineModel& model,
   line.price_estimate = price.estimate;
   line.estimate = price.estimate || line.confidence == "low";
   line.cuts = cuts_of(model.machine(), use, axis);
-  line.length_price = length_price_of(price, use, line.cuts);
+  add_work(model, table, use, axis, line);
   return line;
 }
 
@@ -54,22 +76,28 @@ BillLedger::BillLedger(const MachineModel& model,
                        std::span<const CountedPart> counted_parts,
                        const Shops& shops,
                        Design& design)
-    : model_(model), counted_(counted_parts), shops_(shops), design_(design) {
+    : model_(model), counted_(counted_parts), bars_(model.bars(), model.catalogue()), shops_(shops), design_(design) {
   for (const machine::Axis& axis : model.machine().axes)
     if (axis.motor.brake_torque > 0.0 || axis.counterbalance_force > 0.0)
       design.stated_only.push_back({axis.name, axis.motor.brake_torque, axis.counterbalance_force});
   for (std::size_t i = 0; i < model.entries().size(); ++i)
     for (std::size_t slot = 0; slot < model.entries()[i].tables().size(); ++slot)
-      for (const PartUse& use : model.entries()[i].tables()[slot].candidate(build.stages[i].rows[slot]).parts)
+      for (const PartUse& use : model.entries()[i].tables()[slot].candidate(build.stages[i].rows[slot]).parts) {
         counted_.set_aside(use);
+        const std::string& axis = model.entries()[i].axis;
+        bars_.take({i, slot}, axis, use, cuts_of(model.machine(), use, axis));
+      }
+  bars_.finish();
 }
 
 void BillLedger::add_parts(const StageEntry& entry, std::span<const solver::Row> rows) {
   const auto& tables = entry.tables();
+  const auto stage = static_cast<std::size_t>(&entry - model_.entries().data());
   for (std::size_t slot = 0; slot < tables.size(); ++slot) {
     const Candidate& candidate = tables[slot].candidate(rows[slot]);
     for (const PartUse& use : candidate.parts) {
-      const CountedPartsLedger::Share share = counted_.take(use);
+      CountedPartsLedger::Share share = counted_.take(use);
+      share.price += bars_.share({stage, slot}, use, cuts_of(model_.machine(), use, entry.axis));
       shops_.take(use, share.owned, share.price);
       design_.parts.push_back(part_line(model_, use, entry.axis, design_.currency, share));
       design_.cost += share.price - use.price;
@@ -106,6 +134,9 @@ void BillLedger::charge_orders() {
   for (const ShopOrder& order : design_.orders) design_.cost += order.shipping_fee + order.top_up;
 }
 
-void BillLedger::finish() { design_.purchases = counted_.purchases(model_.catalogue()); }
+void BillLedger::finish() {
+  design_.purchases = counted_.purchases(model_.catalogue());
+  design_.bars = bars_.purchases();
+}
 
 }  // namespace millwright::evaluation

@@ -34,6 +34,7 @@ class BillLedger {
  private:
   const MachineModel& model_;
   CountedPartsLedger counted_;
+  StockBarsLedger bars_;
   ShopLedger shops_;
   Design& design_;
 };

@@ -13,6 +13,7 @@
 #include <numeric>
 
 #include "evaluation/held_parts.h"
+#include "evaluation/shops.h"
 #include "evaluation/synthesis.h"
 #include "solver/restricted_problem.h"
 
@@ -84,14 +85,15 @@ double price_to_compare(const MachineModel& model, const Candidate& candidate) {
   return candidate.price;
 }
 
-/// Slot rows of a stage, cheapest first, that fit those already chosen (all slots if none fits).
-Row cheapest_fitting(const MachineModel& model,
-                     const StageEntry& entry,
-                     const solver::RestrictedStage& stage,
-                     const HeldStage& held,
-                     std::size_t slot,
-                     const std::vector<std::optional<Row>>& chosen,
-                     std::span<const Row> shared) {
+/// Of the rows of a stage's slot that are offered: the cheapest that fits those already chosen, or if none does the
+/// cheapest. Nothing where none is offered.
+std::optional<Row> cheapest_fitting(const MachineModel& model,
+                                    const StageEntry& entry,
+                                    const solver::RestrictedStage& stage,
+                                    const HeldStage& held,
+                                    std::size_t slot,
+                                    const std::vector<std::optional<Row>>& chosen,
+                                    std::span<const Row> shared) {
   const SlotTable& table = entry.tables()[slot];
   std::vector<Row> order(held.allowed[slot].size());
   std::iota(order.begin(), order.end(), Row{0});
@@ -99,24 +101,24 @@ Row cheapest_fitting(const MachineModel& model,
     return price_to_compare(model, table.candidate(held.allowed[slot][a])) <
            price_to_compare(model, table.candidate(held.allowed[slot][b]));
   });
+  std::erase_if(order, [&](Row row) { return !stage.offered(shared, slot, row); });
   for (const Row row : order) {
     bool fits = true;
     for (std::size_t other = 0; other < chosen.size() && fits; ++other)
       if (chosen[other] && other != slot) fits = stage.fits(shared, slot, row, other, *chosen[other]);
     if (fits) return row;
   }
-  return order.front();
+  return order.empty() ? std::nullopt : std::optional(order.front());
 }
 
-/// The cheapest parts that fit, slot by slot: named slots first.
-solver::Build cheapest_build(const MachineModel& model,
-                             const HeldParts& held,
-                             const solver::RestrictedProblem& restricted,
-                             Row voltage) {
+/// The cheapest parts that fit and that these suppliers sell, slot by slot: named slots first. Nothing if they do not
+/// sell everything.
+std::optional<solver::Build> cheapest_build(const MachineModel& model,
+                                            const HeldParts& held,
+                                            const solver::RestrictedProblem& restricted,
+                                            std::vector<Row> shared) {
   solver::Build build;
-  build.shared = {voltage};
-  // All suppliers for now: what is bought from which is known at the end.
-  if (model.problem().shared.size() > 1) build.shared.push_back(model.problem().shared[1].rows - 1);
+  build.shared = std::move(shared);
   std::vector<double> state = model.problem().first_state;
   for (std::size_t i = 0; i < model.entries().size(); ++i) {
     const solver::RestrictedStage& stage = restricted.stage(i);
@@ -124,8 +126,10 @@ solver::Build cheapest_build(const MachineModel& model,
     std::vector<std::optional<Row>> chosen(slots);
     for (const bool named : {true, false})
       for (std::size_t slot = 0; slot < slots; ++slot)
-        if (held.stages[i].named[slot] == named)
+        if (held.stages[i].named[slot] == named) {
           chosen[slot] = cheapest_fitting(model, model.entries()[i], stage, held.stages[i], slot, chosen, build.shared);
+          if (!chosen[slot]) return std::nullopt;
+        }
     std::vector<Row> rows;
     for (const auto& row : chosen) rows.push_back(*row);
     const std::vector<double> free = least_bad_variables(stage, {build.shared, state, rows, {}});
@@ -136,6 +140,36 @@ solver::Build cheapest_build(const MachineModel& model,
   }
   model.set_suppliers(build);
   return build;
+}
+
+/// Where no build complies: the one with the least bad checks, of equal ones the cheapest with its orders.
+Design least_bad(const MachineModel& model,
+                 const HeldParts& held,
+                 const solver::RestrictedProblem& restricted,
+                 const SearchOptions& options) {
+  Design best;
+  std::pair<std::vector<double>, double> least{{std::numeric_limits<double>::infinity()}, 0.0};
+  const std::vector<solver::Slot>& choices = model.problem().shared;
+  const Row supplier_sets = choices.size() > shop_choice ? choices[shop_choice].rows : 1;
+  for (Row voltage = 0; voltage < choices.front().rows; ++voltage)
+    for (Row suppliers = 0; suppliers < supplier_sets; ++suppliers) {
+      std::vector<Row> shared{voltage};
+      if (choices.size() > shop_choice) shared.push_back(suppliers);
+      const auto build = cheapest_build(model, held, restricted, shared);
+      if (!build) continue;
+      Design design = model.design(*build, options.worksheets);
+      std::vector<double> utilisations;
+      for (const Check& c : design.checks)
+        if (c.kind != machine::ConstraintKind::soft)
+          utilisations.push_back(!std::isnan(c.utilisation)       ? c.utilisation
+                                 : c.verdict == Verdict::violated ? machine::useless_utilisation
+                                                                  : 0.0);
+      std::pair<std::vector<double>, double> bad{badness(std::move(utilisations)), design.cost};
+      if (!(bad < least)) continue;
+      least = std::move(bad);
+      best = std::move(design);
+    }
+  return best;
 }
 
 void report_missing(const MachineModel& model,
@@ -209,22 +243,7 @@ BomCheck check(const machine::Problem& problem,
       result.design.tolerances = std::make_shared<const ToleranceCheck>(check_tolerances(model, build, result.design));
     result.complete_is_optimal = summary.status == solver::Status::optimal;
   } else {
-    Design best;
-    std::vector<double> least{std::numeric_limits<double>::infinity()};
-    for (Row v = 0; v < at_voltage.supply_voltages.size(); ++v) {
-      Design design = model.design(cheapest_build(model, held, restricted, v), options.worksheets);
-      std::vector<double> utilisations;
-      for (const Check& c : design.checks)
-        if (c.kind != machine::ConstraintKind::soft)
-          utilisations.push_back(!std::isnan(c.utilisation)       ? c.utilisation
-                                 : c.verdict == Verdict::violated ? machine::useless_utilisation
-                                                                  : 0.0);
-      if (std::vector<double> u = badness(std::move(utilisations)); u < least) {
-        least = std::move(u);
-        best = std::move(design);
-      }
-    }
-    result.design = std::move(best);
+    result.design = least_bad(model, held, restricted, options);
   }
   mark_origins(result.design, bom);
   return result;

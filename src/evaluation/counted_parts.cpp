@@ -79,6 +79,7 @@ std::vector<CountedPart> CountedParts::finish() && {
     for (double pieces = 0.0; pieces < most_[i] + 1.0; pieces += 1.0)
       part.charge.push_back(part.only_owned && pieces > part.owned ? beyond_reach
                                                                    : part.purchase(pieces).price - pieces * part.least);
+    part.summarise();
   }
   return std::move(parts_);
 }

@@ -10,12 +10,12 @@
 // charge(n) = price of an order of max(0, n - owned) pieces - n * least.
 #pragma once
 
-#include <cmath>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "catalogue/catalogue.h"
+#include "evaluation/late_charge.h"
 #include "evaluation/ledger.h"
 #include "evaluation/price_book.h"
 #include "evaluation/slot_table.h"
@@ -25,7 +25,7 @@ namespace millwright::evaluation {
 /// What more pieces than there are would cost: nothing pays so much (MachineModel).
 inline constexpr double beyond_reach = 1e15;
 
-struct CountedPart {
+struct CountedPart : LateCharge {
   catalogue::Family family{};
   int row = 0;                            ///< in the catalogue's table
   double owned = 0.0;                     ///< pieces that are there
@@ -33,10 +33,7 @@ struct CountedPart {
   double rate = 1.0;                      ///< of that currency, in the problem's
   bool only_owned = false;                ///< no more of them than are there can be taken
   std::optional<std::size_t> whole = {};  ///< then: the counted part that its pieces count among, too
-  std::optional<std::size_t> shop;        ///< where it is bought, if that is one of Shops
   double least = 0.0;                     ///< what the stages charge for a piece, in the problem's currency
-  std::size_t state = 0;                  ///< where the state vector counts them
-  std::vector<double> charge;             ///< [pieces taken], in the problem's currency
 
   /// What has to be bought for so many pieces, in the problem's currency.
   [[nodiscard]] catalogue::PiecePrice::Purchase purchase(double pieces) const;
@@ -48,62 +45,6 @@ struct PieceCount {
   std::size_t state = 0;
   std::vector<double> of_row;  ///< [row of the slot's table]
 };
-
-namespace detail {
-
-struct Pieces {
-  std::size_t least = 0, most = 0;
-};
-
-/// The numbers of pieces in [lower, upper], which are whole but for rounding.
-inline Pieces pieces_between(const CountedPart& part, double lower, double upper) {
-  constexpr double rounding = 1e-6;
-  const double last = static_cast<double>(part.charge.size() - 1);
-  const double least = std::min(std::max(std::floor(lower + rounding), 0.0), last);
-  const double most = std::min(std::max(std::ceil(upper - rounding), least), last);
-  return {static_cast<std::size_t>(least), static_cast<std::size_t>(most)};
-}
-
-/// How much the next piece costs, over these numbers of pieces and their neighbours.
-inline scalar::Interval next_piece(const CountedPart& part, Pieces pieces) {
-  scalar::Interval range(0.0);
-  bool any = false;
-  const std::size_t first = pieces.least == 0 ? 0 : pieces.least - 1;
-  for (std::size_t n = first; n + 1 < part.charge.size() && n <= pieces.most; ++n) {
-    const double step = part.charge[n + 1] - part.charge[n];
-    range = any ? scalar::Interval(std::min(range.lower, step), std::max(range.upper, step)) : scalar::Interval(step);
-    any = true;
-  }
-  return range;
-}
-
-}  // namespace detail
-
-/// What is charged at the end for so many pieces taken.
-inline double charge(const CountedPart& part, double taken) {
-  return part.charge[detail::pieces_between(part, taken, taken).least];
-}
-
-inline scalar::Interval charge(const CountedPart& part, const scalar::Interval& taken) {
-  const detail::Pieces pieces = detail::pieces_between(part, taken.lower, taken.upper);
-  const auto first = part.charge.begin();
-  const auto [least, most] = std::minmax_element(first + static_cast<std::ptrdiff_t>(pieces.least),
-                                                 first + static_cast<std::ptrdiff_t>(pieces.most) + 1);
-  return {*least, *most};
-}
-
-/// The slope is the price of the next piece: with it the charge is a broken line through the whole numbers.
-template <class B>
-scalar::Dual<B, 1> charge(const CountedPart& part, const scalar::Dual<B, 1>& taken) {
-  scalar::Dual<B, 1> result(charge(part, taken.value));
-  if constexpr (std::is_same_v<B, scalar::Interval>)
-    result.slope[0] =
-        taken.slope[0] * detail::next_piece(part, detail::pieces_between(part, taken.value.lower, taken.value.upper));
-  else
-    result.slope[0] =
-        taken.slope[0] * middle(detail::next_piece(part, detail::pieces_between(part, taken.value, taken.value)));
-  return result;
-}
 
 /// Finds the counted parts among the candidates of all stages.
 class CountedParts {

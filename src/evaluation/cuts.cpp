@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "evaluation/cuts.h"
 
-#include <cmath>
-
 namespace millwright::evaluation {
 
 namespace {
@@ -33,11 +31,6 @@ std::vector<Cut> cuts_of(const machine::Problem& problem, const PartUse& use, co
   return {{use.pieces(), use.length, member->plate_width}};
 }
 
-double length_price_of(const catalogue::Price& price, const PartUse& use, const std::vector<Cut>& cuts) {
-  if (cuts.empty() || use.family == catalogue::Family::materials) return 0.0;
-  if (use.family != catalogue::Family::linear_guides || std::isnan(price.piece)) return use.price;
-  const double rails = cuts.front().count * cuts.front().length * price.length;
-  return use.price * rails / (rails + use.pieces() * price.piece);
-}
+double machined_ends(const machine::Axis& axis) { return axis.mechanism.ends == machine::Ends::fixed_free ? 1.0 : 2.0; }
 
 }  // namespace millwright::evaluation

@@ -16,7 +16,7 @@ namespace millwright::evaluation {
 /// Empty for whole pieces, among them racks, which are joined.
 std::vector<Cut> cuts_of(const machine::Problem& problem, const PartUse& use, const std::string& axis_name);
 
-/// The share of the part's price that is paid for lengths, in its currency. None of what is sold by mass.
-double length_price_of(const catalogue::Price& price, const PartUse& use, const std::vector<Cut>& cuts);
+/// How many ends of a screw of this axis are machined for a bearing.
+double machined_ends(const machine::Axis& axis);
 
 }  // namespace millwright::evaluation

@@ -59,7 +59,8 @@ GuideStage::GuideStage(const machine::Axis& axis,
     const double carriages = readings[carriages_field], rails = readings[rails_field];
     const double rail_length = readings[length_field];
     // Carriage and rail are one line: the carriages by piece, each rail cut to length.
-    const double price = prices.line(t, row, choice.carriages, choice.rails * rail_length);
+    const double by_piece = std::isnan(t.price(row).piece) ? 0.0 : prices.line(t, row, choice.carriages, 0.0);
+    const double price = by_piece + prices.cut(t, row, {{choice.rails, rail_length}});
     Candidate candidate = candidate_of(
         {{"guide", Family::linear_guides, row, choice.carriages, rail_length, price, carriages + rails}}, carriages);
     if (t.has_ranges()) {

@@ -51,7 +51,12 @@ struct PartLine {
   double unit_price = 0.0;    ///< of each piece that is not, in `currency`
   double price = 0.0;         ///< of the line, in `currency`
   std::vector<Cut> cuts;      ///< empty for what is bought in whole pieces; of a guide its rails
-  double length_price = 0.0;  ///< share of `price` that is paid for lengths; the rest is paid for pieces
+  double length_price = 0.0;  ///< share of `price` that is paid for lengths and for work on what is cut
+  double cutting_loss = 0.0;  ///< m, paid with every piece where no whole bars are bought
+  double cut_price = 0.0;     ///< of it, of cutting one piece
+  double end_price = 0.0;     ///< of it, of machining one end
+  double ends = 0.0;          ///< so many ends are machined
+  bool from_bars = false;     ///< cut from whole bars (Design::bars), whose price lines share by length
   std::string currency;
   double mass = 0.0;  ///< kg, of the line
   std::string where;  ///< catalogue file and line
@@ -99,6 +104,26 @@ struct Purchase {
   double price = 0.0;   ///< of those, in `currency` of the design
 };
 
+/// A piece that is cut.
+struct BarPiece {
+  std::string axis, slot;
+  double length = 0.0;  ///< m
+};
+
+struct CutBar {
+  std::vector<BarPiece> pieces;
+  double left_over = 0.0;  ///< m
+};
+
+/// The whole bars that pieces of one part are cut from.
+struct BarPurchase {
+  std::string family, manufacturer, part_number, supplier;
+  double stock_length = 0.0;  ///< m
+  double cutting_loss = 0.0;  ///< m, between two pieces
+  double bar_price = 0.0;     ///< in `currency` of the design
+  std::vector<CutBar> bars;
+};
+
 /// An order from a supplier that charges for the order itself, in `currency` of the design.
 struct ShopOrder {
   std::string supplier;  ///< empty: of what names none
@@ -119,6 +144,7 @@ struct StatedOnly {
 struct Design {
   std::vector<PartLine> parts;
   std::vector<Purchase> purchases;      ///< of counted parts only
+  std::vector<BarPurchase> bars;        ///< where whole bars are bought
   std::vector<ShopOrder> orders;        ///< from suppliers that charge for orders only
   std::vector<StatedOnly> stated_only;  ///< neither bought nor weighed here
   std::vector<DimensionLine> dimensions;

@@ -74,17 +74,16 @@ MachineModel::MachineModel(const machine::Problem& given,
                            ModelOptions options)
     : options_(std::move(options)),
       problem_(without_wishes(given, given_slots)),
-      catalogue_(given_catalogue.with_offers()) {
+      catalogue_(given_catalogue.with_offers()),
+      prices_(given, catalogue_) {
   const catalogue::Catalogue& catalogue = catalogue_;
   take_fixed_settings(problem_, options_.fixed, problems_);
   for (machine::Axis& axis : problem_.axes)
     axis.keep_covered_candidates =
         axis.keep_covered_candidates || options_.every_candidate || is_fixed(options_.fixed, axis.name, "driver");
   const catalogue::Table& drivers = catalogue.table(catalogue::Family::drivers);
-  const PriceBook known_prices(given, catalogue);
   bool counts_drivers = false;
-  for (int row = 0; row < drivers.rows(); ++row)
-    counts_drivers = counts_drivers || known_prices.is_counted(drivers, row);
+  for (int row = 0; row < drivers.rows(); ++row) counts_drivers = counts_drivers || prices_.is_counted(drivers, row);
   // Which of two drivers is cheaper is not known before it is known how many are taken.
   // Nor which of them are worth keeping where tolerances move currents.
   const bool drivers_differ = !options_.scenarios.empty() &&
@@ -92,7 +91,8 @@ MachineModel::MachineModel(const machine::Problem& given,
   for (machine::Axis& axis : problem_.axes)
     axis.keep_every_candidate = axis.keep_every_candidate || counts_drivers || drivers_differ;
   const machine::Problem& problem = problem_;
-  const PriceBook prices(problem, catalogue);
+  prices_ = PriceBook(problem, catalogue);
+  const PriceBook& prices = prices_;
   solver_problem_.shared.push_back({"supply_voltage", static_cast<solver::Row>(problem.supply_voltages.size())});
   solver_problem_.first_state.assign(first_load_state + problem.axes.size(), 0.0);
   solver_problem_.first_state.resize(first_load_state + problem.axes.size() + tool_states(problem).count, 0.0);
@@ -109,10 +109,16 @@ MachineModel::MachineModel(const machine::Problem& given,
   const auto tool_error =
       problem.tool && problem.tool->position_error ? find_resource(machine::Quantity::position_error) : std::nullopt;
   add_spares(prices);
+  bars_ = std::make_unique<StockBars>(catalogue_, prices_, problem_);
   count_parts(prices);
-  if (problem.tool || problem.cost_limit || problem.mass_limit || !counted_parts_.empty() || !shops_.empty()) {
+  std::vector<LateCharge> charges(counted_parts_.begin(), counted_parts_.end());
+  std::copy_if(bars_->stocks().begin(), bars_->stocks().end(), std::back_inserter(charges), [](const BarStock& stock) {
+    return stock.is_shared();
+  });
+  if (problem.tool || problem.cost_limit || problem.mass_limit || !counted_parts_.empty() || !bars_->stocks().empty() ||
+      !shops_.empty()) {
     auto whole = std::make_unique<WholeStage>(problem, tool_error);
-    whole->set_counted_parts(counted_parts_);
+    whole->set_charges(std::move(charges));
     whole->set_suppliers(shops_.shops());
     entries_.push_back({"machine", "whole", std::move(whole)});
   }
@@ -148,7 +154,7 @@ void MachineModel::add_spares(const PriceBook& prices) {
           if (!(use.spares > 0.0)) continue;
           const double more = use.spares * price_of(use);
           use.price += more;
-          table.change(row).price += more;
+          add_to_price(table.change(row), more);
         }
 }
 
@@ -163,17 +169,21 @@ void MachineModel::count_parts(const PriceBook& prices) {
   }
   counted_parts_ = std::move(counted).finish();
   state.resize(state.size() + counted_parts_.size(), 0.0);
+  for (std::size_t i = 0; i < entries_.size(); ++i) bars_->find(i, entries_[i].axis, entries_[i].tables());
+  state.resize(state.size() + bars_->settle(state.size()), 0.0);
   state.resize(state.size() + shops_.settle(state.size(), options_.every_candidate), 0.0);
   for (CountedPart& part : counted_parts_) part.shop = shops_.shop_of(part.family, part.row);
+  for (BarStock& stock : bars_->stocks()) stock.shop = shops_.shop_of(stock.family, stock.row);
   if (!shops_.empty()) solver_problem_.shared.push_back({"suppliers", solver::Row{1} << shops_.shops().size()});
   for (std::size_t i = 0; i < entries_.size(); ++i) {
+    std::visit([&](auto& stage) { bars_->reprice(i, stage->change_tables()); }, entries_[i].stage);
     const std::vector<SlotTable>& tables = entries_[i].tables();
-    if (!shops_.empty()) {
-      const std::vector<PieceCount> spent = shops_.counts(tables);
-      counts[i].insert(counts[i].end(), spent.begin(), spent.end());
-      std::stable_sort(
-          counts[i].begin(), counts[i].end(), [](const auto& a, const auto& b) { return a.slot < b.slot; });
-    }
+    const auto add = [&](const std::vector<PieceCount>& more) {
+      counts[i].insert(counts[i].end(), more.begin(), more.end());
+    };
+    add(bars_->counts(i, tables));
+    if (!shops_.empty()) add(shops_.counts(tables));
+    std::stable_sort(counts[i].begin(), counts[i].end(), [](const auto& a, const auto& b) { return a.slot < b.slot; });
     std::visit(
         [&](auto& stage) {
           stage->set_piece_counts(std::move(counts[i]));

@@ -15,8 +15,10 @@
 #include "catalogue/catalogue.h"
 #include "evaluation/counted_parts.h"
 #include "evaluation/ledger.h"
+#include "evaluation/price_book.h"
 #include "evaluation/shops.h"
 #include "evaluation/slot_table.h"
+#include "evaluation/stock_bars.h"
 #include "machine/bill_of_materials.h"
 #include "machine/problem.h"
 #include "solver/restricted_problem.h"
@@ -34,7 +36,6 @@ class MemberStage;
 class BoltStage;
 class SupplyStage;
 class WholeStage;
-class PriceBook;
 
 /// Whoever looks inside includes machine_stages.h: the elements behind these names take the compiler seconds to read.
 using StagePointer = std::variant<std::unique_ptr<ScrewDriveStage>,
@@ -101,7 +102,10 @@ class MachineModel {
   [[nodiscard]] const machine::Problem& machine() const { return problem_; }
   /// With a row for every offer of a part.
   [[nodiscard]] const catalogue::Catalogue& catalogue() const { return catalogue_; }
+  [[nodiscard]] const PriceBook& prices() const { return prices_; }
   [[nodiscard]] const std::vector<StageEntry>& entries() const { return entries_; }
+  /// What pieces are cut from where whole bars are sold.
+  [[nodiscard]] const StockBars& bars() const { return *bars_; }
   [[nodiscard]] std::vector<EmptySlot> empty_slots() const;
   [[nodiscard]] const ModelOptions& options() const { return options_; }
   /// The candidate of a row of problem().
@@ -140,8 +144,10 @@ class MachineModel {
 
   machine::Problem problem_;
   const catalogue::Catalogue& catalogue_;
+  PriceBook prices_;
   std::vector<StageEntry> entries_;
   std::vector<CountedPart> counted_parts_;
+  std::unique_ptr<StockBars> bars_;  ///< looks at what stands above
   Shops shops_;
   solver::Problem solver_problem_;
   std::vector<std::unique_ptr<MachineModel>> scenarios_;

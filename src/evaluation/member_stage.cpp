@@ -108,8 +108,12 @@ void MemberStage::take_sections(const catalogue::Catalogue& catalogue, const Pri
           place_.tool && place_.tool->height_arm + place_.tool->across_arm + place_.tool->along_arm > 0.0;
       const double piece = m.kind == MemberKind::portal_frame ? m.length + 2.0 * m.column_height : m.length;
       const double length = m.count * piece;
-      Candidate candidate = candidate_of(
-          {{m.name, family, row, m.count, piece, prices.line(t, row, 0.0, length), readings[5] * length}}, 0.0);
+      const std::vector<CutPieces> pieces =
+          m.kind == MemberKind::portal_frame
+              ? std::vector<CutPieces>{{m.count, m.length}, {2.0 * m.count, m.column_height}}
+              : std::vector<CutPieces>{{m.count, m.length}};
+      Candidate candidate =
+          candidate_of({{m.name, family, row, m.count, piece, prices.cut(t, row, pieces), readings[5] * length}}, 0.0);
       if (t.has_ranges())
         candidate.ranges = candidate_ranges(readings_of([&](catalogue::Column c) { return t.range(c, row); }),
                                             candidate.price,

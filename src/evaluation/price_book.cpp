@@ -67,4 +67,43 @@ double PriceBook::line(const catalogue::Table& table, int row, double pieces, do
   return amount * rate(price.currency);
 }
 
+namespace {
+
+/// A number that not every family has; 0 where it is not stated.
+double number_or_nothing(const catalogue::Table& table, int row, std::string_view name) {
+  const auto column = catalogue::find_column(table.family(), name);
+  const double value = column ? table.number(*column, row) : 0.0;
+  return value > 0.0 ? value : 0.0;
+}
+
+}  // namespace
+
+PieceWork PriceBook::work(const catalogue::Table& table, int row) const {
+  const double in_problem = rate(table.price(row).currency);
+  return {number_or_nothing(table, row, "cutting_loss"),
+          number_or_nothing(table, row, "cut_price") * in_problem,
+          number_or_nothing(table, row, "end_machining_price") * in_problem};
+}
+
+std::optional<PriceBook::Bar> PriceBook::bar(const catalogue::Table& table, int row) const {
+  const double length = number_or_nothing(table, row, "stock_length");
+  const catalogue::Price price = table.price(row);
+  if (!(length > 0.0) || std::isnan(price.length)) return std::nullopt;
+  return Bar{{length, number_or_nothing(table, row, "cutting_loss")}, length * price.length * rate(price.currency)};
+}
+
+double PriceBook::cut(const catalogue::Table& table, int row, const std::vector<CutPieces>& pieces) const {
+  const catalogue::Price price = table.price(row);
+  const std::optional<Bar> whole = bar(table, row);
+  const PieceWork each = work(table, row);
+  const double lost = whole ? 0.0 : each.cutting_loss;
+  double sum = 0.0;
+  for (const CutPieces& cut : pieces) {
+    if (whole && !whole->size.holds(cut.length)) return std::numeric_limits<double>::quiet_NaN();
+    sum += cut.count * ((cut.length + lost) * price.length * rate(price.currency) + each.cutting +
+                        cut.machined_ends * each.machined_end);
+  }
+  return sum;
+}
+
 }  // namespace millwright::evaluation

@@ -2,14 +2,30 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "catalogue/catalogue.h"
+#include "evaluation/bar_packing.h"
 #include "machine/problem.h"
 
 namespace millwright::evaluation {
+
+/// Equal pieces that are cut from what is sold by length.
+struct CutPieces {
+  double count = 1.0;
+  double length = 0.0;         ///< m, of one
+  double machined_ends = 0.0;  ///< of one, for bearings
+};
+
+/// What a piece costs beside its length.
+struct PieceWork {
+  double cutting_loss = 0.0;  ///< m, paid where no whole bars are
+  double cutting = 0.0;       ///< in the problem's currency
+  double machined_end = 0.0;  ///< of one end, in the problem's currency
+};
 
 /// Turns catalogue prices into the problem's currency. Rows in a currency without a rate are not for sale.
 class PriceBook {
@@ -29,6 +45,18 @@ class PriceBook {
   /// Price of whole pieces plus a length; of what is counted the least that so many pieces can cost.
   /// Parts of the price that the row does not have count as 0. NaN if nothing is priced.
   [[nodiscard]] double line(const catalogue::Table& table, int row, double pieces, double metres) const;
+  /// Price of pieces that are cut, with what is done to them; where whole bars are sold their lengths cost what they do
+  /// of a bar without waste (stock_bars.h). NaN if the row has no price by length, or a piece is longer than its bar.
+  [[nodiscard]] double cut(const catalogue::Table& table, int row, const std::vector<CutPieces>& pieces) const;
+  /// What a row says of work on pieces; nothing of what it does not say.
+  [[nodiscard]] PieceWork work(const catalogue::Table& table, int row) const;
+
+  struct Bar {
+    BarSize size;
+    double price = 0.0;  ///< in the problem's currency
+  };
+  /// Where a row is sold in whole bars.
+  [[nodiscard]] std::optional<Bar> bar(const catalogue::Table& table, int row) const;
 
  private:
   std::map<std::string, double, std::less<>> rates_;

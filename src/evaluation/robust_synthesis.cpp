@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "evaluation/longer_bars.h"
 #include "evaluation/synthesis.h"
 #include "evaluation/toleranced_machine.h"
 
@@ -66,6 +67,7 @@ std::shared_ptr<const Catalogue> scenario(const Catalogue& catalogue,
               .same_part(row, catalogue.table(figure.family), figure.row, catalogue::Identity::point))
         result->changeable_table(figure.family).set_number(row, figure.column, value);
   }
+  lengthen_bars(*result);
   return result;
 }
 

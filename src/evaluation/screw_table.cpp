@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "evaluation/cuts.h"
 #include "evaluation/drive_tables.h"
 #include "machine/screw.h"
 
@@ -124,7 +125,7 @@ void add_ball_screws(const catalogue::Catalogue& catalogue,
     std::optional<ScrewFigures<Interval>> ranges;
     if (t.has_ranges()) ranges = ball_screw_figures(t, row, axis, [&](catalogue::Column c) { return t.range(c, row); });
     const double cut = supported_length(axis, f.nut_length) + axis.mechanism.end_allowance;
-    const double shaft_price = prices.line(t, row, 0.0, cut);
+    const double shaft_price = prices.cut(t, row, {{1.0, cut, machined_ends(axis)}});
     const double nut_price = prices.line(t, row, 1.0, 0.0);
     finish(result,
            ScrewKind::ball,
@@ -247,7 +248,7 @@ void add_lead_screws(const catalogue::Catalogue& catalogue,
                             row,
                             1.0,
                             cut,
-                            prices.line(screws, row, 0.0, cut),
+                            prices.cut(screws, row, {{1.0, cut, machined_ends(axis)}}),
                             f.mass_per_length * cut},
                            {"nut", Family::lead_nuts, nut, 1.0, 0.0, prices.line(nuts, nut, 1.0, 0.0), f.nut_mass}},
                           f.nut_mass),

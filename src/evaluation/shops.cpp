@@ -41,7 +41,9 @@ class Comparison {
  private:
   /// What it costs is not known before the end.
   [[nodiscard]] bool is_counted(const PartUse& use) const {
-    return use.stated.empty() && prices_.is_counted(catalogue_.table(use.family), use.row);
+    if (!use.stated.empty()) return false;
+    const catalogue::Table& table = catalogue_.table(use.family);
+    return prices_.is_counted(table, use.row) || (use.length > 0.0 && prices_.bar(table, use.row));
   }
   [[nodiscard]] bool helps_to_minimum(const PartUse& use) const {
     const auto shop = shops_.shop_of(use);

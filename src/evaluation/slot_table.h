@@ -102,6 +102,16 @@ inline std::shared_ptr<const CandidateRanges> candidate_ranges(std::span<const s
   return ranges;
 }
 
+/// Makes a candidate dearer, or cheaper.
+inline void add_to_price(Candidate& candidate, double more) {
+  candidate.price += more;
+  if (!candidate.ranges) return;
+  auto ranges = std::make_shared<CandidateRanges>(*candidate.ranges);
+  scalar::Interval& price = ranges->totals[static_cast<std::size_t>(Total::price)];
+  price = price + scalar::Interval(more);
+  candidate.ranges = std::move(ranges);
+}
+
 /// So many of a candidate.
 inline Candidate times(double count, Candidate candidate) {
   if (candidate.ranges) {

@@ -169,7 +169,7 @@ SlotTable belt_table(const catalogue::Catalogue& catalogue, const machine::Axis&
         const double length = readings[length_field], belt_mass = readings[mass_field];
         // The belt moves with the carriage (a reading of the drive) and hangs on the parent (its standing mass).
         Candidate candidate =
-            candidate_of({{"belt", Family::belts, b, 1.0, length, prices.line(belts, b, 0.0, length), belt_mass},
+            candidate_of({{"belt", Family::belts, b, 1.0, length, prices.cut(belts, b, {{1.0, length}}), belt_mass},
                           {"pulley_drive",
                            Family::pulleys,
                            d,

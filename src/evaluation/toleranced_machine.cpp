@@ -7,6 +7,7 @@
 
 #include "catalogue/companions.h"
 #include "evaluation/ledger.h"
+#include "evaluation/longer_bars.h"
 
 namespace millwright::evaluation {
 
@@ -166,6 +167,7 @@ Catalogue TolerancedMachine::parts_with(Set&& set) const {
     for (const int row : figure.rows)
       set(parts.changeable_table(figure.family), find(figure.family, row)->row, figure.column, i);
   }
+  lengthen_bars(parts);
   return parts;
 }
 

@@ -63,8 +63,8 @@ void WholeStage::charge_orders(const Selection<T>& s, solver::Answer<T>& out) co
     cost = cost + T(shop.shipping_fee);
     if (!shop.spent_state) continue;
     T spent = s.inherited[*shop.spent_state];
-    for (const CountedPart& part : counted_parts_)
-      if (part.shop == i) spent = spent + charge(part, s.inherited[part.state]);
+    for (const LateCharge& late : charges_)
+      if (late.shop == i) spent = spent + charge(late, s.inherited[late.state]);
     cost = cost + larger(T(0.0), T(shop.minimum_order) - spent);
   }
 }
@@ -73,8 +73,8 @@ template <class T>
 void WholeStage::answer(const Selection<T>& s, solver::Answer<T>& out) const {
   const WholeMachine<T> d = design(s);
   whole_constraints(UtilisationVisitor<T, WholeMachine<T>>(d, out.utilisation));
-  for (const CountedPart& part : counted_parts_)
-    out.resources[cost_resource] = out.resources[cost_resource] + charge(part, s.inherited[part.state]);
+  for (const LateCharge& late : charges_)
+    out.resources[cost_resource] = out.resources[cost_resource] + charge(late, s.inherited[late.state]);
   charge_orders(s, out);
   if (!error_resource_) return;
   for (std::size_t i = 0; i < states_.error.size(); ++i)

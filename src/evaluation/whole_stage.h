@@ -125,8 +125,8 @@ class WholeStage final : public ElementStage<WholeStage> {
   /// `error_resource`: where the tool's position error is counted, if an objective asks for it.
   explicit WholeStage(const machine::Problem& problem, std::optional<std::size_t> error_resource = {});
 
-  /// What is still charged for them here; before the stage is asked for the first time.
-  void set_counted_parts(std::vector<CountedPart> parts) { counted_parts_ = std::move(parts); }
+  /// What is charged here for what all stages have counted; before the stage is asked for the first time.
+  void set_charges(std::vector<LateCharge> charges) { charges_ = std::move(charges); }
 
   /// Whose shipping and minimum is charged here; before the stage is asked for the first time.
   void set_suppliers(std::vector<Shop> shops);
@@ -140,7 +140,7 @@ class WholeStage final : public ElementStage<WholeStage> {
   WholeData data_;
   ToolStates states_;
   std::optional<std::size_t> error_resource_;
-  std::vector<CountedPart> counted_parts_;
+  std::vector<LateCharge> charges_;
   std::vector<Shop> suppliers_;
 
   template <class T>

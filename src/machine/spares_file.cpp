@@ -23,7 +23,7 @@ void keep_unique(std::vector<std::string>& names) {
 
 /// Every key that may stand there.
 std::vector<std::string> keys_of(const Problem& problem) {
-  std::vector<std::string> all{"supply"}, of_axes;
+  std::vector<std::string> all{"supply"}, of_axes{"machine.supply"};
   for (const Axis& axis : problem.axes)
     for (const std::string& slot : catalogue_slots(axis)) {
       all.push_back(slot);

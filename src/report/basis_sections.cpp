@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "report/cut_text.h"
 #include "report/design_text.h"
 #include "report/html.h"
 #include "report/machine_text.h"
@@ -87,8 +88,8 @@ std::string outside_html(const Design& design, const Texts& t) {
 std::string assumptions_html(const Design& design, const Texts& t) {
   std::string list;
   const auto item = [&](const std::string& text) { list += "<li>" + escaped(text) + "</li>\n"; };
-  item(t("assume.machining"));
-  item(t("assume.length"));
+  item(t(machining_assumption(design)));
+  item(t(length_assumption(design)));
   for (const std::string& line : stated_only_lines(design, t)) item(line);
   if (!std::isnan(design.total(machine::Quantity::cycle_time))) item(t("assume.cycle"));
   if (!std::isnan(design.total(machine::Quantity::energy))) item(t("assume.energy"));
@@ -116,6 +117,31 @@ std::string assumptions_html(const Design& design, const Texts& t) {
   if (!estimates.empty())
     content += "<h3>" + escaped(t("assume.estimates")) + "</h3>\n<ul class=\"columns\">\n" + estimates + "</ul>\n";
   return section("assumptions", t("assumptions"), content);
+}
+
+}  // namespace
+
+namespace {
+
+/// Bar by bar what is cut from it; empty where no whole bars are bought.
+std::string bars_table(const Design& design, const Texts& t) {
+  HtmlTable table("<><>", {t("parts.part"), t("parts.bar"), t("parts.pieces"), t("parts.left_over")});
+  const auto millimetres = [](double metres) { return escaped(shown_quantity(1e3 * metres, "mm")); };
+  for (const evaluation::BarPurchase& purchase : design.bars) {
+    bool first = true;
+    for (const evaluation::CutBar& bar : purchase.bars) {
+      std::vector<std::string> pieces;
+      for (const evaluation::BarPiece& piece : bar.pieces)
+        pieces.push_back(escaped(piece.axis + "." + piece.slot) + " " + millimetres(piece.length));
+      table.add({first ? escaped(part_name(purchase.manufacturer, purchase.part_number)) : "",
+                 millimetres(purchase.stock_length),
+                 fmt::format("{}", fmt::join(pieces, ", ")),
+                 millimetres(bar.left_over)},
+                first ? "first" : "");
+      first = false;
+    }
+  }
+  return table.empty() ? std::string() : "<h3>" + escaped(t("parts.bars")) + "</h3>\n" + table.str();
 }
 
 }  // namespace
@@ -196,7 +222,8 @@ std::string parts_table(const MachineResult& result, const Design& design, const
              "",
              ""},
             "sum");
-  return table.str() + "<p class=\"hint\">" + escaped(t("parts.estimate")) + "</p>\n" + notes.list();
+  return table.str() + "<p class=\"hint\">" + escaped(t("parts.estimate")) + "</p>\n" + bars_table(design, t) +
+         notes.list();
 }
 
 std::string basis_sections(const MachineResult& result, const Design& design, const Texts& t) {

@@ -28,6 +28,10 @@ Json part_of(const evaluation::PartLine& part) {
             {"row", part.where}};
   if (part.spares > 0.0) json["spares"] = number(part.spares);
   if (part.owned > 0.0) json["owned"] = number(part.owned);
+  double pieces = 0.0;
+  for (const evaluation::Cut& cut : part.cuts) pieces += cut.count;
+  if (part.cut_price > 0.0) json["cutting_price"] = number(pieces * part.cut_price);
+  if (part.ends * part.end_price > 0.0) json["end_machining_price"] = number(part.ends * part.end_price);
   if (!part.supplier.empty()) json["supplier"] = part.supplier;
   if (!part.origin.empty()) json["origin"] = part.origin;
   return json;
@@ -90,6 +94,26 @@ Json totals_of(const Design& design) {
   return totals;
 }
 
+/// The bars that are bought of one part, with what is cut from each.
+Json bars_of(const evaluation::BarPurchase& purchase, const std::string& currency) {
+  Json bars = Json::array();
+  for (const evaluation::CutBar& bar : purchase.bars) {
+    Json pieces = Json::array();
+    for (const evaluation::BarPiece& piece : bar.pieces)
+      pieces.push_back({{"axis", piece.axis}, {"slot", piece.slot}, {"length_m", number(piece.length)}});
+    bars.push_back({{"pieces", pieces}, {"left_over_m", number(bar.left_over)}});
+  }
+  return {{"family", purchase.family},
+          {"manufacturer", purchase.manufacturer},
+          {"part_number", purchase.part_number},
+          {"supplier", purchase.supplier},
+          {"stock_length_m", number(purchase.stock_length)},
+          {"cutting_loss_m", number(purchase.cutting_loss)},
+          {"bar_price", number(purchase.bar_price)},
+          {"currency", currency},
+          {"bars", bars}};
+}
+
 Json build_of(const Design& design) {
   Json parts = Json::array();
   for (const evaluation::PartLine& part : design.parts) parts.push_back(part_of(part));
@@ -102,6 +126,8 @@ Json build_of(const Design& design) {
     json["not_included"].push_back({{"axis", each.axis},
                                     {"brake_torque", number(each.brake_torque)},
                                     {"counterbalance_force", number(each.counterbalance_force)}});
+  for (const evaluation::BarPurchase& purchase : design.bars)
+    json["bars"].push_back(bars_of(purchase, design.currency));
   for (const evaluation::ShopOrder& order : design.orders)
     json["orders"].push_back({{"supplier", order.supplier},
                               {"goods", number(order.goods)},

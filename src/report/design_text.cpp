@@ -2,11 +2,13 @@
 #include "report/design_text.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 
+#include "report/cut_text.h"
 #include "scalar/unit.h"
 
 namespace millwright::report {
@@ -179,8 +181,8 @@ std::string parts_text(const MachineResult& result, const Design& design, const 
       shown.clear();
     }
   }
-  out += table.str(2, style) + made_to_measure(design);
-  out += in_stock_text(design) + spares_text(design) + orders_text(design);
+  out += table.str(2, style) + made_to_measure(design) + work_text(design);
+  out += in_stock_text(design) + spares_text(design) + bars_lines(design, style) + orders_text(design);
   out += fmt::format("  Total: {}\n", totals_text(design));
   for (const std::string& line : stated_only_lines(design, Texts(Language::english)))
     out += "  " + style.bad("not included") + ": " + wrapped(line, style.width - 16, 4) + "\n";
@@ -340,8 +342,8 @@ std::string assumptions_text(const Design& design, const Style& style) {
   for (const PartLine& part : design.parts)
     if (!part.price_basis.empty()) bases.insert(part.price_basis);
   std::string out = style.heading("Assumptions") + "\n";
-  out += "  End machining of screws and shafts costs nothing here; cables, fasteners and tax are not included.\n";
-  out += "  Parts are cut to the length shown; what is left of a bar is not paid for.\n";
+  const Texts t(Language::english);
+  out += "  " + t(machining_assumption(design)) + "\n  " + t(length_assumption(design)) + "\n";
   const auto counts = [&](machine::Quantity quantity) { return !std::isnan(design.total(quantity)); };
   if (counts(machine::Quantity::cycle_time))
     out += "  Cycle time: every move of every axis, and its dwell, one after the other; coordinated moves once.\n";

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include "catalogue/family.h"
+#include "catalogue/suppliers.h"
 #include "report/lock.h"
 #include "report/lock_seal.h"
 #include "text/document.h"
@@ -65,8 +68,13 @@ LockedInput read_input(const Node& node, Diagnostics& diagnostics) {
   TableReader table(node, "[[input]]", diagnostics);
   LockedInput input;
   input.kind =
-      table.word("kind", {"problem", "profile", "stock", "bill of materials"}, Presence::required).value_or("");
+      table
+          .word("kind", {"problem", "profile", "stock", "suppliers", "offers", "bill of materials"}, Presence::required)
+          .value_or("");
   input.file = required(table, "file");
+  // Locks were written that call all these files the stock.
+  const std::filesystem::path file(input.file);
+  if (input.kind == "stock" && catalogue::is_supplier_file(file)) input.kind = file.stem().string();
   input.sha256 = required_sha256(table, diagnostics);
   input.where = table.find("file") != nullptr ? table.find("file")->span() : node.span();
   table.finish();

@@ -77,7 +77,7 @@ std::string order_csv(const OrderList& list) {
 }
 
 std::string cutting_csv(const OrderList& list) {
-  std::string out = "stock,manufacturer,part_number,axis,slot,section,count,length [mm],sum [mm]\n";
+  std::string out = "stock,manufacturer,part_number,axis,slot,section,count,length [mm],sum [mm],bar\n";
   std::size_t cut = 0;
   for (const StockTotal& stock : list.stock) {
     const auto begin = [&](const std::string& axis, const std::string& slot, const std::string& section) {
@@ -92,13 +92,18 @@ std::string cutting_csv(const OrderList& list) {
     for (double pieces = 0.0; pieces < stock.pieces; ++cut) {
       const CutLine& line = list.cuts[cut];
       pieces += line.count;
-      out += fmt::format("{},{},{},{}\n",
+      out += fmt::format("{},{},{},{},{}\n",
                          begin(line.axis, line.slot, line.section),
                          plain_number(line.count),
                          millimetres(line.length),
-                         millimetres(line.count * line.length));
+                         millimetres(line.count * line.length),
+                         line.bar > 0 ? std::to_string(line.bar) : "");
     }
-    out += fmt::format("{},{},,{}\n", begin("", "", "sum"), plain_number(stock.pieces), millimetres(stock.length));
+    out += fmt::format("{},{},,{},{}\n",
+                       begin("", "", "sum"),
+                       plain_number(stock.pieces),
+                       millimetres(stock.length),
+                       text_cell(stock.bars));
   }
   return out;
 }

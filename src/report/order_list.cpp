@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "catalogue/family.h"
+#include "report/cut_text.h"
 #include "scalar/unit.h"
 
 namespace millwright::report {
@@ -117,8 +118,11 @@ void add_part(OrderList& list, const PartLine& part) {
   line.price_estimate = part.price_estimate;
   line.used_for = part.axis + "." + part.slot;
   if (part.spares > 0.0) line.used_for += fmt::format(" and {} spare", scalar::format_number(part.spares));
-  double metres = 0.0;
-  for (const Cut& cut : part.cuts) metres += cut.count * cut.length;
+  double metres = 0.0, pieces = 0.0;
+  for (const Cut& cut : part.cuts) {
+    metres += cut.count * (cut.length + part.cutting_loss);
+    pieces += cut.count;
+  }
   const auto add = [&](bool cut, std::string_view unit, double quantity, double total) {
     line.unit = unit;
     line.description = description_of(part, line.family, cut);
@@ -134,7 +138,21 @@ void add_part(OrderList& list, const PartLine& part) {
   // A guide's carriages and rails are one line of a build. What is only cut has no pieces beside.
   if (part.cuts.empty() || part.family == "linear_guides")
     add(false, "pcs", part.quantity + part.spares - part.owned, part.price - part.length_price);
-  if (!part.cuts.empty()) add(true, "m", metres, part.length_price);
+  if (!part.cuts.empty()) {
+    const double cutting = pieces * part.cut_price, machining = part.ends * part.end_price;
+    add(true, "m", metres, part.length_price - cutting - machining);
+    const std::string words = line.description;
+    const auto add_work = [&](std::string_view what, double quantity, double each) {
+      line.unit = "pcs";
+      line.description = words + std::string(what);
+      line.quantity = quantity;
+      line.unit_price = each;
+      line.total = quantity * each;
+      if (line.total > 0.0) put(list, line);
+    };
+    add_work(", cut to length", pieces, part.cut_price);
+    add_work(", end machined", part.ends, part.end_price);
+  }
   // What is there is listed, so that nobody looks for it in vain, and costs nothing.
   line.supplier = in_stock;
   line.price_estimate = false;
@@ -156,6 +174,7 @@ std::string section_of(const Design& design, const PartLine& part, const Cut& cu
 }
 
 void add_cuts(OrderList& list, const Design& design, const PartLine& part) {
+  if (part.from_bars) return;
   for (const Cut& cut : part.cuts)
     list.cuts.push_back({description_of(part, family_of(part), true),
                          part.manufacturer,
@@ -165,6 +184,61 @@ void add_cuts(OrderList& list, const Design& design, const PartLine& part) {
                          section_of(design, part, cut),
                          cut.count,
                          cut.length});
+}
+
+/// Bar by bar what is cut from it.
+void add_bars(OrderList& list, const evaluation::BarPurchase& purchase) {
+  PartLine part;
+  part.family = purchase.family;
+  part.cuts.emplace_back();
+  const std::string description = description_of(part, family_of(part), true);
+  const auto is_same_stock = [&](const CutLine& line) {
+    return line.description == description && line.manufacturer == purchase.manufacturer &&
+           line.part_number == purchase.part_number;
+  };
+  std::size_t number = 0;
+  for (const CutLine& line : list.cuts)
+    if (is_same_stock(line)) number = std::max(number, line.bar);
+  for (const evaluation::CutBar& bar : purchase.bars) {
+    ++number;
+    for (const evaluation::BarPiece& piece : bar.pieces) {
+      const auto same = std::find_if(list.cuts.begin(), list.cuts.end(), [&](const CutLine& line) {
+        return is_same_stock(line) && line.bar == number && line.axis == piece.axis && line.slot == piece.slot &&
+               line.length == piece.length;
+      });
+      if (same != list.cuts.end())
+        same->count += 1.0;
+      else
+        list.cuts.push_back({description,
+                             purchase.manufacturer,
+                             purchase.part_number,
+                             piece.axis,
+                             piece.slot,
+                             {},
+                             1.0,
+                             piece.length,
+                             number});
+    }
+  }
+}
+
+/// Whole bars in the place of their metres.
+void settle(OrderList& list, const evaluation::BarPurchase& purchase) {
+  const auto is_of = [&](const OrderLine& line) {
+    return line.unit == "m" && line.family < catalogue::family_count &&
+           catalogue::families[line.family].name == purchase.family && line.manufacturer == purchase.manufacturer &&
+           line.part_number == purchase.part_number && line.supplier == purchase.supplier;
+  };
+  const auto first = std::find_if(list.lines.begin(), list.lines.end(), is_of);
+  if (first == list.lines.end()) return;
+  for (auto other = std::next(first); other != list.lines.end(); ++other)
+    if (is_of(*other)) first->used_for += ", " + other->used_for;
+  first->unit = "pcs";
+  first->description += fmt::format(", bar of {}", scalar::format(purchase.stock_length, scalar::Unit::of("mm")));
+  first->quantity = static_cast<double>(purchase.bars.size());
+  first->unit_price = purchase.bar_price;
+  first->total = first->quantity * first->unit_price;
+  list.lines.erase(std::remove_if(std::next(first), list.lines.end(), is_of), list.lines.end());
 }
 
 /// One line for a part whose price depends on how many are bought, with as many as it is cheapest to buy.
@@ -204,8 +278,19 @@ void sort(OrderList& list) {
     return key(a) < key(b);
   });
   std::stable_sort(list.cuts.begin(), list.cuts.end(), [](const CutLine& a, const CutLine& b) {
-    return stock_of(a) != stock_of(b) ? stock_of(a) < stock_of(b) : a.length > b.length;
+    if (stock_of(a) != stock_of(b)) return stock_of(a) < stock_of(b);
+    return a.bar != b.bar ? a.bar < b.bar : a.length > b.length;
   });
+}
+
+/// What is bought for a piece that comes from a bar; of each seller.
+std::string bars_of(const Design& design, const CutLine& cut) {
+  std::string out;
+  if (cut.bar == 0) return out;
+  for (const evaluation::BarPurchase& purchase : design.bars)
+    if (purchase.manufacturer == cut.manufacturer && purchase.part_number == cut.part_number)
+      out += (out.empty() ? "" : "; ") + bars_text(purchase);
+  return out;
 }
 
 /// Without lines as yet.
@@ -254,6 +339,10 @@ OrderList order_list(const Design& design, const std::string& title) {
     add_cuts(list, design, part);
   }
   for (const evaluation::Purchase& purchase : design.purchases) settle(list, purchase);
+  for (const evaluation::BarPurchase& purchase : design.bars) {
+    add_bars(list, purchase);
+    settle(list, purchase);
+  }
   sort(list);
   for (const OrderLine& line : list.lines) {
     if (line.supplier == in_stock) continue;
@@ -263,7 +352,7 @@ OrderList order_list(const Design& design, const std::string& title) {
   }
   for (const CutLine& cut : list.cuts) {
     if (list.stock.empty() || stock_of(list.stock.back()) != stock_of(cut))
-      list.stock.push_back({cut.description, cut.manufacturer, cut.part_number, 0.0, 0.0});
+      list.stock.push_back({cut.description, cut.manufacturer, cut.part_number, 0.0, 0.0, bars_of(design, cut)});
     list.stock.back().pieces += cut.count;
     list.stock.back().length += cut.count * cut.length;
   }

@@ -42,6 +42,7 @@ struct CutLine {
   std::string section;  ///< "diameter 12.4 mm" of what is made to measure
   double count = 0.0;
   double length = 0.0;  ///< m, of one piece
+  std::size_t bar = 0;  ///< which of the bars that are bought, from 1 on; 0 where none are
 };
 
 /// What is cut of one stock part.
@@ -49,6 +50,7 @@ struct StockTotal {
   std::string description, manufacturer, part_number;
   double pieces = 0.0;
   double length = 0.0;  ///< m, in all
+  std::string bars;     ///< "2 bars of 2000 mm, left over 310 and 45 mm"; empty where no whole bars are bought
 };
 
 struct OrderList {

@@ -156,7 +156,8 @@ void write_cuts(const OrderList& list, lxw_workbook* book, const Formats& format
                                                         {"section", 26},
                                                         {"count", 7},
                                                         {"length [mm]", 12},
-                                                        {"sum [mm]", 12}};
+                                                        {"sum [mm]", 12},
+                                                        {"bar", 40}};
   int at = 0;
   for (const auto& [title, width] : columns) sheet.column(at++, width, title, formats.bold);
   std::size_t row = 0;
@@ -176,12 +177,14 @@ void write_cuts(const OrderList& list, lxw_workbook* book, const Formats& format
       sheet.number(row, 6, line.count);
       sheet.number(row, 7, 1e3 * line.length, formats.length);
       sheet.formula(row, 8, fmt::format("=G{0}*H{0}", row + 1), 1e3 * line.count * line.length, formats.length);
+      if (line.bar > 0) sheet.number(row, 9, static_cast<double>(line.bar));
     }
     const std::size_t last = row + 1;
     ++row;
     sheet.text(row, 5, "sum", formats.bold);
     sheet.formula(row, 6, fmt::format("=SUM(G{}:G{})", first, last), stock.pieces, formats.bold);
     sheet.formula(row, 8, fmt::format("=SUM(I{}:I{})", first, last), 1e3 * stock.length, formats.length_sum);
+    if (!stock.bars.empty()) sheet.text(row, 9, stock.bars);
   }
 }
 

@@ -179,6 +179,10 @@ const std::vector<PageText>& page_texts() {
       {"parts.owned", "in stock", "tersedia"},
       {"parts.length", "Length", "Panjang"},
       {"parts.spare", "spare", "cadangan"},
+      {"parts.bars", "Cut from whole bars", "Dipotong dari batang utuh"},
+      {"parts.bar", "Bar", "Batang"},
+      {"parts.pieces", "Pieces", "Potongan"},
+      {"parts.left_over", "Left over", "Sisa"},
       {"parts.shipping", "Shipping", "Ongkos kirim"},
       {"parts.top_up", "Filling up to the minimum order", "Penggenapan ke pesanan minimum"},
       {"parts.supplier", "Supplier", "Pemasok"},
@@ -243,9 +247,19 @@ const std::vector<PageText>& page_texts() {
       {"requirements.given", "problem file", "berkas masalah"},
       {"requirements.default", "default", "bawaan"},
       {"assumptions", "Assumptions and estimates", "Asumsi dan perkiraan"},
+      {"assume.machining_stated",
+       "End machining of screws costs what the catalogue states of each, and that of shafts nothing; cables, fasteners "
+       "and tax are not included.",
+       "Biaya pengerjaan ujung ulir menurut katalog masing-masing, ujung poros tidak dihitung; kabel, pengikat dan "
+       "pajak tidak termasuk."},
       {"assume.machining",
        "End machining of screws and shafts costs nothing here; cables, fasteners and tax are not included.",
        "Pengerjaan ujung ulir dan poros tidak dihitung; kabel, pengikat dan pajak tidak termasuk."},
+      {"assume.length_bars",
+       "Parts are cut to the length shown. Where whole bars are sold they are paid; elsewhere what is left of a bar is "
+       "not.",
+       "Komponen dipotong sesuai panjang yang tertera. Batang yang dijual utuh dibayar utuh; selain itu sisa batang "
+       "tidak dibayar."},
       {"assume.length",
        "Parts are cut to the length shown; what is left of a bar is not paid for.",
        "Komponen dipotong sesuai panjang yang ditampilkan; sisa batang tidak dibayar."},

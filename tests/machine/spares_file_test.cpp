@@ -44,6 +44,11 @@ TEST_CASE("Spares are counted by slot, of all axes or of one") {
   CHECK(machine::spares_of(*read.problem, "y", "motor") == 1.0);
   CHECK(machine::spares_of(*read.problem, "x", "belt") == 3.0);
   CHECK(machine::spares_of(*read.problem, "machine", "supply") == 1.0);
+  // As reports and bills of materials call it.
+  const Read machine("[spares]\n\"machine.supply\" = 2\n");
+  REQUIRE(machine.problem);
+  CHECK(machine::spares_of(*machine.problem, "machine", "supply") == 2.0);
+  CHECK(machine::spares_of(*machine.problem, "x", "motor") == 0.0);
   CHECK(machine::spares_of(*read.problem, "x", "driver") == 0.0);
 }
 

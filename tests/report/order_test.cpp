@@ -182,12 +182,58 @@ TEST_CASE("Order list: what is bought of a part is settled supplier by supplier"
 TEST_CASE("Cutting list: every piece with its place, the sum of each stock part") {
   const OrderList list = order_list(two_axes(), "Two axes");
   CHECK(cutting_csv(list) ==
-        "stock,manufacturer,part_number,axis,slot,section,count,length [mm],sum [mm]\n"
-        "bar stock,generic,C45,x,spindle,diameter 12.5 mm,2,250,500\n"
-        "bar stock,generic,C45,,,sum,2,,500\n"
-        "guide rail,Rails Ltd,R20,x,guide,,2,600,1200\n"
-        "guide rail,Rails Ltd,R20,y,guide,,1,350,350\n"
-        "guide rail,Rails Ltd,R20,,,sum,3,,1550\n");
+        "stock,manufacturer,part_number,axis,slot,section,count,length [mm],sum [mm],bar\n"
+        "bar stock,generic,C45,x,spindle,diameter 12.5 mm,2,250,500,\n"
+        "bar stock,generic,C45,,,sum,2,,500,\n"
+        "guide rail,Rails Ltd,R20,x,guide,,2,600,1200,\n"
+        "guide rail,Rails Ltd,R20,y,guide,,1,350,350,\n"
+        "guide rail,Rails Ltd,R20,,,sum,3,,1550,\n");
+}
+
+// Rails of x (600 mm, two) and y (350 mm) from bars of 1 m at 20 a metre: 600 + 350 of one and 600 of another, 3 mm
+// lost at each cut; each piece is cut for 0.5, and both ends of a screw sold by the metre are machined for 4 each.
+TEST_CASE("Order and cutting list: whole bars, what is cut from each, and work on pieces") {
+  evaluation::Design design = two_axes();
+  for (PartLine& line : design.parts) {
+    if (line.slot != "guide") continue;
+    line.from_bars = true;
+    line.cut_price = 0.5;
+    double pieces = 0.0, metres = 0.0;
+    for (const evaluation::Cut& cut : line.cuts) {
+      pieces += cut.count;
+      metres += cut.count * cut.length;
+    }
+    line.price -= line.length_price;
+    line.length_price = metres / 1.55 * 40.0 + pieces * 0.5;
+    line.price += line.length_price;
+  }
+  design.bars = {{"linear_guides", "Rails Ltd", "R20", "A shop", 1.0, 0.003, 20.0, {}}};
+  design.bars[0].bars = {{{{"x", "guide", 0.6}, {"y", "guide", 0.35}}, 0.044}, {{{"x", "guide", 0.6}}, 0.397}};
+  PartLine screw = part("x", "screw", "lead_screws", "Maker", "Tr10x2");
+  screw.cuts = {{1.0, 0.5}};
+  screw.cutting_loss = 0.002;
+  screw.end_price = 4.0;
+  screw.ends = 2.0;
+  screw.price = screw.length_price = 0.502 * 10.0 + 8.0;
+  design.parts.push_back(screw);
+  const OrderList list = order_list(design, "");
+  const std::string csv = order_csv(list);
+  CHECK(csv.find("2,2,pcs,\"guide rail, bar of 1000 mm\",Rails Ltd,R20,A shop,20,USD,2024-2026,estimate,40,") !=
+        std::string::npos);
+  CHECK(csv.find(",3,pcs,\"guide rail, cut to length\",Rails Ltd,R20,A shop,0.5,USD,2024-2026,estimate,1.5,") !=
+        std::string::npos);
+  CHECK(csv.find(",0.502,m,lead screw,Maker,Tr10x2,,10,USD,,,5.02,x.screw\n") != std::string::npos);
+  CHECK(csv.find(",2,pcs,\"lead screw, end machined\",Maker,Tr10x2,,4,USD,,,8,x.screw\n") != std::string::npos);
+  CHECK(cutting_csv(list) ==
+        "stock,manufacturer,part_number,axis,slot,section,count,length [mm],sum [mm],bar\n"
+        "bar stock,generic,C45,x,spindle,diameter 12.5 mm,2,250,500,\n"
+        "bar stock,generic,C45,,,sum,2,,500,\n"
+        "guide rail,Rails Ltd,R20,x,guide,,1,600,600,1\n"
+        "guide rail,Rails Ltd,R20,y,guide,,1,350,350,1\n"
+        "guide rail,Rails Ltd,R20,x,guide,,1,600,600,2\n"
+        "guide rail,Rails Ltd,R20,,,sum,3,,1550,\"2 bars of 1000 mm, left over 44 + 397 mm\"\n"
+        "lead screw,Maker,Tr10x2,x,screw,,1,500,500,\n"
+        "lead screw,Maker,Tr10x2,,,sum,1,,500,\n");
 }
 
 TEST_CASE("Order list as CSV: totals without a number, no text becomes a formula") {
