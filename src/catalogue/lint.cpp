@@ -10,6 +10,7 @@
 #include "catalogue/files.h"
 #include "catalogue/header.h"
 #include "catalogue/lint_row.h"
+#include "catalogue/lint_twins.h"
 #include "catalogue/read_table.h"
 
 namespace millwright::catalogue {
@@ -77,12 +78,14 @@ void lint(const Table& table, text::Diagnostics& diagnostics) {
   lint_missing(table, diagnostics);
   Waivers waivers(table, diagnostics);
   const Plausibility plausibility(table);
+  const Twins twins(table);
   for (int row = 0; row < table.rows(); ++row) {
     const LintRow each(table, row, waivers);
     each.magnitudes();
     lint_drive(table.family(), each);
     lint_structure(table.family(), each);
     lint_designation(table.family(), each);
+    twins.examine(row, each);
     each.conclude(plausibility, diagnostics);
   }
   if (table.family() == Family::stepper_curves) lint_curves(table, waivers, diagnostics);
