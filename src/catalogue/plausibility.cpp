@@ -30,8 +30,8 @@ constexpr double swapped_neighbours = 3e-3, swapped_alike = 5e-4, swapped_any = 
 constexpr double certainty_of_impossible = 0.95;
 
 /// Rows of which no figure promises to explain more than this, and no relation is farther off than so many spreads,
-/// are not looked into: e^-3.3 is less than what all hypotheses together would need.
-constexpr double promise_needed = 3.3;
+/// are not looked into: e^-4 is less than what all hypotheses together would need.
+constexpr double promise_needed = 4.0;
 constexpr double far_off = 4.5;
 
 /// Minus the logarithm of Student's t density, up to a constant.

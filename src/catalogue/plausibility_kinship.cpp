@@ -96,7 +96,7 @@ Plausibility::Kinship Plausibility::learn_kinship(std::vector<std::uint32_t> gro
         if (!std::isnan(sum)) seen[each.index].push_back(static_cast<float>(sum));
       }
     }
-    kinship.siblings.add_group(seen);
+    kinship.siblings.add_group(seen, sizes[group] > Siblings::sample);
     kinship.place_of_group[group] = places++;
   }
   return kinship;

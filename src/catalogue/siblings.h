@@ -30,8 +30,8 @@ class Siblings {
   explicit Siblings(std::size_t relations) : relations_(relations) {}
 
   /// Adds the next group: for each relation what its rows' logarithms are, in any order; the vectors are left empty.
-  /// A relation that too few rows speak of may be left in or out.
-  void add_group(std::vector<std::vector<float>>& seen);
+  /// `sampled`: they are some rows of many, so that none of them weighs much and all are seen alike.
+  void add_group(std::vector<std::vector<float>>& seen, bool sampled = false);
 
   /// What the members of a group but one whose logarithm is `own` say of a relation.
   std::optional<View> without(std::uint32_t group, std::size_t relation, double own) const;
@@ -39,7 +39,9 @@ class Siblings {
  private:
   std::size_t relations_ = 0;
   std::vector<float> values_;
-  std::vector<std::uint32_t> ends_;  ///< of each group and relation, into values_
+  std::vector<std::uint32_t> ends_;         ///< of each group and relation, into values_
+  std::vector<std::optional<View>> views_;  ///< of each relation of the groups that are sampled
+  std::vector<std::uint32_t> view_of_;      ///< of each group, the first of its views; none if it is not sampled
 };
 
 }  // namespace millwright::catalogue
