@@ -138,7 +138,8 @@ constexpr std::pair<std::string_view, std::string_view> texts[] = {
     {"lint",
      "Each row is judged by what usually holds between its figures. A finding says which figure is odd, by how much, "
      "what would explain it and how surely; the rules it rests on stand in brackets. A row that is right nevertheless "
-     "says so in its column waiver: \"motor-mass: with brake\".\n"
+     "says so in its column waiver: \"motor-mass: with brake\". stock.csv, suppliers.csv and offers.csv of a folder "
+     "are read too: parts that nobody has, prices far from the catalogue's own, fees above all that is sold there.\n"
      "Exit code 2 if a file cannot be read or holds impossible rows; warnings alone leave it 0.\n"
      "Examples:\n"
      "  millwright catalogue lint my-parts\n"

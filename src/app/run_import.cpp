@@ -120,8 +120,8 @@ class Import {
     const Consent consent = said_.output.empty() ? Consent::none : consent_of(options_);
     if (consent == Consent::given) report_assumed(*mapping, diagnostics_);
     if (diagnostics_.has_errors()) {
-      (void)save(*mapping, false);  // to be edited
-      return stop();
+      print(diagnostics_);
+      return fail(*mapping);
     }
     return write(*sheet, *mapping, consent);
   }
@@ -131,6 +131,17 @@ class Import {
 
   int stop() {
     print(diagnostics_);
+    return exit_bad_input;
+  }
+
+  /// After errors, which are printed: nothing is left behind, unless the mapping is all that was asked for.
+  int fail(const ImportMapping& mapping) {
+    if (said_.output.empty())
+      (void)save(mapping, false);
+    else if (!said_.save_mapping.empty() && !options_.quiet)
+      fmt::print(stderr,
+                 "{} was not written either; without --output it is, to be edited.\n",
+                 text::printable(said_.save_mapping));
     return exit_bad_input;
   }
 
@@ -160,9 +171,8 @@ class Import {
       diagnostics_.error(mapping.header, "there are no parts below the header");
     print(diagnostics_);
     if (diagnostics_.has_errors() || !written) {
-      (void)save(mapping, false);
       if (!options_.quiet) fmt::print(stderr, "Nothing was written: mend the table, or change how it is read.\n");
-      return exit_bad_input;
+      return fail(mapping);
     }
     if (consent == Consent::asked_for) {
       const std::size_t assumed = catalogue::assumed_units(mapping).size();
@@ -170,16 +180,16 @@ class Import {
       const std::string doubt = assumed == 0 ? "" : fmt::format(" ({} units are assumed)", assumed);
       if (!ask(fmt::format("Write {} rows to {}{}?", summary.rows, shown, doubt))) consent = Consent::none;
     }
-    if (!save(mapping, consent != Consent::none)) return exit_bad_input;
     if (consent == Consent::none) {
+      if (!save(mapping, false)) return exit_bad_input;
       fmt::print(stderr,
                  "Nothing was written{}.\n",
                  said_.output.empty() ? ": say --output FILE.csv, and --yes if it is read as it should be"
                                       : ": not confirmed; say --yes if it is read as it should be");
       return exit_failed;
     }
-    text::Diagnostics failures;
     if (!file->commit()) return stop();
+    if (!save(mapping, true)) return exit_bad_input;
     if (!options_.quiet)
       show(fmt::format("{}: {} rows written{}.\n",
                        text::printable(said_.output),

@@ -90,6 +90,12 @@ bool takes_tolerance(Column column) {
 
 bool is_companion(std::string_view name) { return suffix_of(name) != nullptr; }
 
+std::string companion_name(Column figure, CompanionKind kind) {
+  const auto suffix =
+      std::find_if(suffixes.begin(), suffixes.end(), [&](const Suffix& each) { return each.kind == kind; });
+  return fmt::format("{}{}", declaration(figure).name, suffix->text);
+}
+
 std::optional<Companion> match_companion(const text::CsvTable& csv,
                                          std::size_t field,
                                          Family family,

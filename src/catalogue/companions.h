@@ -45,6 +45,9 @@ std::optional<Companion> match_companion(const text::CsvTable& csv,
                                          text::Diagnostics& diagnostics);
 bool is_companion(std::string_view name);
 
+/// The name of such a column: `rotor_inertia_tolerance`.
+std::string companion_name(Column figure, CompanionKind kind);
+
 /// Half the width [SI] of the tolerance that a cell states for a figure [SI]. On failure nothing, and why in `reason`.
 std::optional<double> parse_tolerance(std::string_view cell,
                                       const Companion& companion,

@@ -10,6 +10,8 @@
 
 #include "catalogue/cell_text.h"
 #include "catalogue/column_unit.h"
+#include "catalogue/standing.h"
+#include "scalar/unit.h"
 
 namespace millwright::catalogue {
 namespace {
@@ -130,6 +132,37 @@ CellChange change_of(const Table& a, int a_row, const Table& b, int b_row, Colum
   return change;
 }
 
+/// The tolerance that the figure's own companion states; NaN where none does.
+double own_tolerance(const Table& table, int row, Column column) {
+  const double share = table.tolerance(row, column);
+  return same_value(share, stated_tolerance(table.basis(row, column))) ? std::nan("") : share;
+}
+
+std::string tolerance_text(double share, int digits) {
+  return std::isnan(share) ? std::string() : scalar::format_number(100.0 * share, digits) + " %";
+}
+
+/// What changed of what is said of one figure.
+void compare_companions(
+    const Table& a, int a_row, const Table& b, int b_row, Column column, std::vector<CellChange>& cells) {
+  const auto add = [&](CompanionKind kind, std::string before, std::string after) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    cells.push_back(
+        {column, {}, std::move(before), std::move(after), none, a.where(a_row, column), b.where(b_row, column), kind});
+  };
+  const auto text = [&](CompanionKind kind, std::string_view before, std::string_view after) {
+    if (before != after) add(kind, std::string(before), std::string(after));
+  };
+  text(CompanionKind::source, a.figure_source(a_row, column), b.figure_source(b_row, column));
+  text(CompanionKind::confidence, a.figure_confidence(a_row, column), b.figure_confidence(b_row, column));
+  // A share stays the same where it is the same share, or the same width about another figure.
+  const double before = own_tolerance(a, a_row, column), after = own_tolerance(b, b_row, column);
+  if (same_value(before, after)) return;
+  if (!std::isnan(before) && same_value(a.half_width(a_row, column), b.half_width(b_row, column))) return;
+  const bool alike = tolerance_text(before, 4) == tolerance_text(after, 4);
+  add(CompanionKind::tolerance, tolerance_text(before, alike ? 17 : 4), tolerance_text(after, alike ? 17 : 4));
+}
+
 /// Compares two parts, whose rows are `[a_begin, a_end)` and `[b_begin, b_end)` of the sorted ones.
 class PartComparison {
  public:
@@ -158,11 +191,15 @@ class PartComparison {
 
  private:
   void pair(int a_row, int b_row, std::vector<CellChange>& cells) const {
+    const std::size_t before = cells.size();
     for (const Column each : columns_) {
-      if (same_cell(a_.table(), a_row, b_.table(), b_row, each)) continue;
-      cells.push_back(change_of(a_.table(), a_row, b_.table(), b_row, each));
-      cells.back().point = a_.point_text(a_row);
+      if (!same_cell(a_.table(), a_row, b_.table(), b_row, each))
+        cells.push_back(change_of(a_.table(), a_row, b_.table(), b_row, each));
+      const Kind kind = declaration(each).kind;
+      if (kind == Kind::number || kind == Kind::money)
+        compare_companions(a_.table(), a_row, b_.table(), b_row, each, cells);
     }
+    for (std::size_t i = before; i < cells.size(); ++i) cells[i].point = a_.point_text(a_row);
   }
 
   void lone_point(const SortedRows& side, int row, bool in_a, std::vector<CellChange>& cells) const {
@@ -182,7 +219,9 @@ class PartComparison {
     std::vector<std::size_t> order;  // a point that only one has is said as such
     for (std::size_t i = 0; i < cells.size(); ++i)
       if (cells[i].a_where.text && cells[i].b_where.text) order.push_back(i);
-    const auto key = [&](std::size_t i) { return std::tie(cells[i].column.index, cells[i].a, cells[i].b); };
+    const auto key = [&](std::size_t i) {
+      return std::tie(cells[i].column.index, cells[i].companion, cells[i].a, cells[i].b);
+    };
     std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return key(i) < key(j); });
     std::vector<bool> gathered(cells.size(), false);
     for (std::size_t begin = 0; begin < order.size();) {
@@ -207,6 +246,11 @@ class PartComparison {
 };
 
 }  // namespace
+
+std::string changed_column(const CellChange& change) {
+  return change.companion ? companion_name(change.column, *change.companion)
+                          : std::string(declaration(change.column).name);
+}
 
 bool same_value(double a, double b) {
   constexpr double tolerance = 1e-12;

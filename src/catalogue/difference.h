@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "catalogue/catalogue.h"
+#include "catalogue/companions.h"
 
 namespace millwright::catalogue {
 
@@ -23,7 +24,12 @@ struct CellChange {
   std::string a, b;       ///< as cell_text() has it; empty where a side does not give it
   double relative = 0.0;  ///< (b - a) / |a|; NaN where that means nothing: texts, other currencies, nothing before
   text::SourceSpan a_where, b_where;  ///< of the row where a side has no such column; without text: no such row
+  /// What changed is what is said of the figure (companions.h), not the figure.
+  std::optional<CompanionKind> companion = std::nullopt;
 };
+
+/// The name of the column that changed: `rotor_inertia`, or `rotor_inertia_tolerance`.
+std::string changed_column(const CellChange& change);
 
 /// A part of both with cells that are not the same; a point that only one side has is a changed cell too.
 struct PartChange {

@@ -9,7 +9,9 @@
 
 #include "catalogue/files.h"
 #include "catalogue/header.h"
+#include "catalogue/lint_overlay.h"
 #include "catalogue/lint_row.h"
+#include "catalogue/lint_twins.h"
 #include "catalogue/read_table.h"
 
 namespace millwright::catalogue {
@@ -77,21 +79,42 @@ void lint(const Table& table, text::Diagnostics& diagnostics) {
   lint_missing(table, diagnostics);
   Waivers waivers(table, diagnostics);
   const Plausibility plausibility(table);
+  const Twins twins(table);
   for (int row = 0; row < table.rows(); ++row) {
     const LintRow each(table, row, waivers);
     each.magnitudes();
     lint_drive(table.family(), each);
     lint_structure(table.family(), each);
     lint_designation(table.family(), each);
+    twins.examine(row, each);
     each.conclude(plausibility, diagnostics);
   }
   if (table.family() == Family::stepper_curves) lint_curves(table, waivers, diagnostics);
   waivers.report_unneeded(diagnostics);
 }
 
+namespace {
+
+/// The parts of all places, without what is said of stock and offers. What is wrong with them is told elsewhere.
+Catalogue parts_of(const std::vector<std::filesystem::path>& beside, const std::vector<std::filesystem::path>& places) {
+  text::Diagnostics told;
+  std::vector<std::filesystem::path> files;
+  for (const auto& each : {beside, places}) {
+    for (const std::filesystem::path& place : each) {
+      const bool overlay = is_stock_file(place) || is_supplier_file(place);
+      for (const CatalogueFile& file : catalogue_files(overlay ? folder_of(place) : place, told))
+        files.emplace_back(file.text->path());
+    }
+  }
+  return Catalogue::load(files, told);
+}
+
+}  // namespace
+
 LintSummary lint_files(const std::vector<std::filesystem::path>& places,
                        std::optional<Family> family,
-                       text::Diagnostics& diagnostics) {
+                       text::Diagnostics& diagnostics,
+                       const std::vector<std::filesystem::path>& beside) {
   LintSummary summary;
   const std::size_t errors = diagnostics.error_count();
   const std::size_t warnings = diagnostics.warning_count();
@@ -99,7 +122,7 @@ LintSummary lint_files(const std::vector<std::filesystem::path>& places,
   for (const std::filesystem::path& place : places) {
     std::vector<CatalogueFile> files;
     std::error_code ignored;
-    if (family && !std::filesystem::is_directory(place, ignored)) {
+    if (family && !std::filesystem::is_directory(place, ignored) && !is_stock_file(place) && !is_supplier_file(place)) {
       if (auto file = catalogue_file(place, family, diagnostics)) files.push_back(std::move(*file));
     } else {
       files = catalogue_files(place, diagnostics);
@@ -114,6 +137,10 @@ LintSummary lint_files(const std::vector<std::filesystem::path>& places,
     drop_duplicates(table, diagnostics);
     summary.rows += table.rows();
     lint(table, diagnostics);
+  }
+  if (const std::vector<std::filesystem::path> said = overlay_files(places); !said.empty()) {
+    summary.files += static_cast<int>(said.size());
+    lint_overlay(said, parts_of(beside, places), diagnostics);
   }
   summary.errors = diagnostics.error_count() - errors;
   summary.warnings = diagnostics.warning_count() - warnings;

@@ -25,9 +25,11 @@ struct LintSummary {
 };
 
 /// Reads and examines files and folders; duplicates are looked for across all of them. `family` says what they are
-/// where folder, name and header do not.
+/// where folder, name and header do not. Files of stock, suppliers and offers (lint_overlay.h) may name parts of the
+/// places and of the catalogues `beside` them.
 LintSummary lint_files(const std::vector<std::filesystem::path>& places,
                        std::optional<Family> family,
-                       text::Diagnostics& diagnostics);
+                       text::Diagnostics& diagnostics,
+                       const std::vector<std::filesystem::path>& beside = {});
 
 }  // namespace millwright::catalogue

@@ -138,6 +138,8 @@ void LintRow::magnitudes() const {
 }
 
 std::optional<Suspicion> LintRow::suspicion(const Plausibility& plausibility) const {
+  // With other rows beside it a row may be told or not; its waiver is right as long as the figure is unusual.
+  waivers_.need_where(row_, [&](std::string_view rule) { return plausibility.is_unusual(row_, rule); });
   const auto nothing = [](std::string_view) { return false; };
   std::optional<Suspicion> found = plausibility.examine(row_, nothing);
   if (!found) return found;

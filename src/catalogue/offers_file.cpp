@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads offers.csv.
+#include "catalogue/offers_file.h"
+
 #include <map>
 #include <tuple>
 
 #include "catalogue/catalogue.h"
-#include "catalogue/supplier_lines.h"
+#include "catalogue/known_columns.h"
 
 namespace millwright::catalogue {
 namespace {
@@ -66,7 +67,8 @@ class OfferReader {
     offer.currency = reader_.cell(row, currency);
     offer.price_basis = reader_.cell(row, price_basis);
     offer.price_breaks = reader_.cell(row, price_breaks);
-    offer.pack_size = reader_.amount(row, pack_size, "a whole number");
+    offer.pack_size =
+        reader_.count(row, pack_size, 1, 1e6, [](double n) { return fmt::format("pack_size is {} pieces", n); });
     constexpr double mm = 1e-3;
     offer.cutting = {mm * reader_.amount(row, stock_length, "a length"),
                      mm * reader_.amount(row, cutting_loss, "a length"),
@@ -75,9 +77,6 @@ class OfferReader {
     reader_.check_currency(row, currency);
     if (offer.supplier.empty())
       diagnostics_.error(reader_.span(row, supplier), "supplier is missing", "say who sells it at this price");
-    if (!std::isnan(offer.pack_size) && (offer.pack_size < 1.0 || offer.pack_size != std::floor(offer.pack_size)))
-      diagnostics_.error(
-          reader_.span(row, pack_size), fmt::format("pack_size is {} pieces", offer.pack_size), "write a whole number");
     if (!parse_price_breaks(offer.price_breaks))
       diagnostics_.error(reader_.span(row, price_breaks),
                          fmt::format("{} are no price breaks", text::quoted(offer.price_breaks)),
@@ -166,7 +165,7 @@ class OfferReader {
   const Catalogue& catalogue_;
   Suppliers& result_;
   text::Diagnostics& diagnostics_;
-  SupplierLines reader_;
+  KnownColumns reader_;
   std::map<std::tuple<Family, std::string, std::string, std::string>, std::size_t> seen_;
 };
 

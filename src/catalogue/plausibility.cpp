@@ -30,8 +30,8 @@ constexpr double swapped_neighbours = 3e-3, swapped_alike = 5e-4, swapped_any = 
 constexpr double certainty_of_impossible = 0.95;
 
 /// Rows of which no figure promises to explain more than this, and no relation is farther off than so many spreads,
-/// are not looked into: e^-3.3 is less than what all hypotheses together would need.
-constexpr double promise_needed = 3.3;
+/// are not looked into: e^-4 is less than what all hypotheses together would need.
+constexpr double promise_needed = 4.0;
 constexpr double far_off = 4.5;
 
 /// Minus the logarithm of Student's t density, up to a constant.
@@ -45,6 +45,7 @@ double surprise(double residual, double spread) {
 }  // namespace
 
 struct Plausibility::Evidence {
+  std::array<Reference, most> references;
   std::array<double, most> logs;
   std::array<double, most> residuals;
   std::array<double, most> surprises;  ///< of the relations as they are
@@ -57,24 +58,23 @@ struct Plausibility::Evidence {
   double written(std::size_t a) const { return logs[a] - added(a); }
 
   /// How much better the relations are explained if column `a` is off by `by` (logarithm).
-  double gain(const Kind& kind, const Group& group, std::size_t a, double by) const {
+  double gain(const Kind& kind, std::size_t a, double by) const {
     double sum = 0.0;
     for (const Part& part : kind.of_column[a]) {
       if (std::isnan(residuals[part.slot])) continue;
-      sum += surprises[part.slot] -
-             surprise(residuals[part.slot] - part.exponent * by, group.references[part.slot].spread);
+      sum += surprises[part.slot] - surprise(residuals[part.slot] - part.exponent * by, references[part.slot].spread);
     }
     return sum;
   }
 
   /// The same if `a` and `b` stand in each other's place.
-  double gain_of_swap(const Kind& kind, const Group& group, std::size_t a, std::size_t b) const {
+  double gain_of_swap(const Kind& kind, std::size_t a, std::size_t b) const {
     const double by = written(a) - written(b);
-    double sum = gain(kind, group, a, by) + gain(kind, group, b, -by);
+    double sum = gain(kind, a, by) + gain(kind, b, -by);
     for (const Part& one : kind.of_column[a]) {  // relations that both stand in were counted twice, and wrongly
       for (const Part& other : kind.of_column[b]) {
         if (one.slot != other.slot || std::isnan(residuals[one.slot])) continue;
-        const double spread = group.references[one.slot].spread, residual = residuals[one.slot];
+        const double spread = references[one.slot].spread, residual = residuals[one.slot];
         sum += surprise(residual - one.exponent * by, spread) + surprise(residual + other.exponent * by, spread) -
                surprises[one.slot] - surprise(residual - (one.exponent - other.exponent) * by, spread);
       }
@@ -92,9 +92,11 @@ std::optional<Suspicion> Plausibility::examine(int row, const std::function<bool
   evidence.more_torque = with_all_phases(kind, kind.torque, row);
   bool strange = false;
   for (std::size_t i = 0; i < kind.relations.size(); ++i) {
-    const Reference& reference = group.references[i];
-    double residual = -reference.centre;
-    for (const Part& part : kind.relations[i].parts) residual += part.exponent * evidence.logs[part.slot];
+    double sum = 0.0;
+    for (const Part& part : kind.relations[i].parts) sum += part.exponent * evidence.logs[part.slot];
+    evidence.references[i] = reference_for(group, kind, i, row, sum);
+    const Reference& reference = evidence.references[i];
+    const double residual = sum - reference.centre;
     evidence.residuals[i] = residual;
     strange |=
         residual < reference.least || residual > reference.greatest || std::abs(residual) > far_off * reference.spread;
@@ -104,7 +106,7 @@ std::optional<Suspicion> Plausibility::examine(int row, const std::function<bool
   for (std::size_t a = 0; a < kind.columns.size(); ++a) {
     double pull = 0.0, precision = 0.0;
     for (const Part& part : kind.of_column[a]) {
-      const double residual = evidence.residuals[part.slot], spread = group.references[part.slot].spread;
+      const double residual = evidence.residuals[part.slot], spread = evidence.references[part.slot].spread;
       if (std::isnan(residual)) continue;
       const double weight = part.exponent / (spread * spread);
       pull += weight * residual;
@@ -116,14 +118,14 @@ std::optional<Suspicion> Plausibility::examine(int row, const std::function<bool
   if (!strange) return std::nullopt;
   for (std::size_t i = 0; i < kind.relations.size(); ++i) {
     if (excused(kind.relations[i].relation->id)) evidence.residuals[i] = not_known;
-    const double spread = group.references[i].spread;
+    const double spread = evidence.references[i].spread;
     evidence.surprises[i] = surprise(evidence.residuals[i], spread);
     const double residual = evidence.residuals[i];
-    const bool impossible = residual < group.references[i].least || residual > group.references[i].greatest;
+    const bool impossible = residual < evidence.references[i].least || residual > evidence.references[i].greatest;
     if (!impossible && !(std::abs(residual) > far_off * spread)) continue;
     for (const Part& part : kind.relations[i].parts) evidence.promise[part.slot] = evidence.surprises[i] + 99.0;
   }
-  Suspicion found = describe(kind, group, evidence);
+  Suspicion found = describe(kind, evidence);
   if (found.certainty < certainty_to_report) return std::nullopt;
   return found;
 }
@@ -146,62 +148,61 @@ struct Plausibility::Fault {
   double weight = 0.0;  ///< logarithm of prior times likelihood, that of "all is well" being 0
 };
 
-std::vector<Plausibility::Fault> Plausibility::faults_of(const Kind& kind, const Group& group, const Evidence& row) {
+std::vector<Plausibility::Fault> Plausibility::faults_of(const Kind& kind, const Evidence& row) {
   const std::size_t slots = kind.columns.size();
   std::vector<Fault> faults;
   for (std::size_t a = 0; a < slots; ++a) {
-    if (std::isnan(row.logs[a]) || row.promise[a] < 0.5 * promise_needed) continue;
+    if (kind.given[a] || std::isnan(row.logs[a]) || row.promise[a] < 0.5 * promise_needed) continue;
     double precision = 0.0;
     Fault best{a, a, 0.0, {}, 0.0};
     for (const Part& part : kind.of_column[a]) {
       if (std::isnan(row.residuals[part.slot])) continue;
-      const double spread = group.references[part.slot].spread / std::abs(part.exponent);
+      const double spread = row.references[part.slot].spread / std::abs(part.exponent);
       precision += 1.0 / (spread * spread);
       const double by = row.residuals[part.slot] / part.exponent;
       if (std::abs(by) < least_of_others) continue;
-      const double gain = row.gain(kind, group, a, by);
+      const double gain = row.gain(kind, a, by);
       if (gain > best.weight) best = {a, a, by, {}, gain};
     }
     if (precision == 0.0) continue;  // no relation that counts says anything of it
-    for (const Slip& slip : slips(declaration(kind.columns[a]))) {
+    for (const Slip& slip : slips(kind.columns[a])) {
       const double by = std::log(slip.factor);
-      faults.push_back({a, a, by, slip.words, std::log(wrong_before * slip.weight) + row.gain(kind, group, a, by)});
+      faults.push_back({a, a, by, slip.words, std::log(wrong_before * slip.weight) + row.gain(kind, a, by)});
     }
     best.weight +=
         std::log(wrong_before * share_of_others * std::min(1.0, 2.5 / std::sqrt(precision) / width_of_others));
     faults.push_back(best);
     for (std::size_t b = 0; b < slots; ++b) {
       const double by = row.written(a) - row.written(b);
-      if (b == a || std::isnan(by) || std::abs(by) < 0.05) continue;
+      if (b == a || kind.given[b] || std::isnan(by) || std::abs(by) < 0.05) continue;
       if (b < a && row.promise[b] >= 0.5 * promise_needed) continue;  // seen from b
       const double prior = std::log(swap_prior(kind.columns[a], kind.columns[b]));
       if (prior + 1.5 * (row.promise[a] + row.promise[b]) < -4.0) continue;
-      faults.push_back({a, b, by, {}, prior + row.gain_of_swap(kind, group, a, b)});
+      faults.push_back({a, b, by, {}, prior + row.gain_of_swap(kind, a, b)});
     }
   }
   return faults;
 }
 
-bool Plausibility::explain(
-    const Kind& kind, const Group& group, const Evidence& row, const Fault& fault, Suspicion& found) {
+bool Plausibility::explain(const Kind& kind, const Evidence& row, const Fault& fault, Suspicion& found) {
   // What the other figures say, each relation by its spread, and less the farther it is from the fault's own guess.
   const double guess = row.logs[fault.a] - fault.by;
   double sum = 0.0, weights = 0.0;
   std::vector<std::pair<double, std::size_t>> off;
   for (std::size_t i = 0; i < kind.relations.size(); ++i) {
     if (std::isnan(row.residuals[i])) continue;
-    const double scaled = std::abs(row.residuals[i]) / group.references[i].spread;
+    const double scaled = std::abs(row.residuals[i]) / row.references[i].spread;
     for (const Part& part : kind.relations[i].parts) {
       if (part.slot == fault.b && fault.a != fault.b && scaled > 2.0) off.emplace_back(-scaled, i);
       if (part.slot != fault.a) continue;
-      const double spread = group.references[i].spread / std::abs(part.exponent);
+      const double spread = row.references[i].spread / std::abs(part.exponent);
       const double says = row.logs[fault.a] - row.residuals[i] / part.exponent;
       const double away = (says - guess) / spread;
       const double weight = 1.0 / (spread * spread * (1.0 + 0.25 * away * away));
       sum += weight * says;
       weights += weight;
       off.emplace_back(-scaled, i);
-      found.impossible |= group.references[i].excludes(row.residuals[i]);
+      found.impossible |= row.references[i].excludes(row.residuals[i]);
     }
   }
   if (off.empty() || !(weights > 0.0)) return false;
@@ -218,7 +219,7 @@ bool Plausibility::explain(
   }
   const std::size_t worst = off.front().second;
   const Relation& relation = *kind.relations[worst].relation;
-  const std::size_t peers = group.references[worst].peers;
+  const std::size_t peers = row.references[worst].peers;
   const double excess = std::exp(row.residuals[worst]);
   found.evidence = fmt::format("{} is {} {} the usual ({})",
                                relation.title,
@@ -228,9 +229,9 @@ bool Plausibility::explain(
   return true;
 }
 
-Suspicion Plausibility::describe(const Kind& kind, const Group& group, const Evidence& row) {
+Suspicion Plausibility::describe(const Kind& kind, const Evidence& row) {
   const std::size_t slots = kind.columns.size();
-  const std::vector<Fault> faults = faults_of(kind, group, row);
+  const std::vector<Fault> faults = faults_of(kind, row);
   double top = 0.0;
   for (const Fault& each : faults) top = std::max(top, each.weight);
   double wrong = 0.0;
@@ -244,7 +245,7 @@ Suspicion Plausibility::describe(const Kind& kind, const Group& group, const Evi
   found.certainty = wrong / (wrong + std::exp(-top));
   bool any_impossible = false;
   for (std::size_t i = 0; i < kind.relations.size(); ++i)
-    any_impossible |= group.references[i].excludes(row.residuals[i]);
+    any_impossible |= row.references[i].excludes(row.residuals[i]);
   if (any_impossible) found.certainty = std::max(found.certainty, certainty_of_impossible);
   if (found.certainty < certainty_to_report) return found;
 
@@ -266,7 +267,7 @@ Suspicion Plausibility::describe(const Kind& kind, const Group& group, const Evi
     found.instead = kind.columns[slot];
   }
   found.value = std::exp(row.written(fault->a));
-  return explain(kind, group, row, *fault, found) ? found : Suspicion{};
+  return explain(kind, row, *fault, found) ? found : Suspicion{};
 }
 
 }  // namespace millwright::catalogue

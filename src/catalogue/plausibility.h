@@ -11,7 +11,9 @@
 //
 // Usual value and spread are those declared, or, where at least `peers_needed` rows of the table are of the same kind
 // and maker (or else kind), the median of those rows and their spread: as long as that median lies within 2.5 declared
-// spreads of the declared value. So a column that is wrong in every row of a file cannot vouch for itself.
+// spreads of the declared value. So a column that is wrong in every row of a file cannot vouch for itself. Where rows
+// of the same series (or else of the same kind and maker, or else of the same maker) agree still better, what they say
+// without the row that is judged counts instead (siblings.h).
 //
 // Declared prices are in US dollars or euros, which are near enough to each other. Prices in any other currency are
 // compared with none but prices in it, and not at all where the table has fewer than `peers_needed` of them.
@@ -28,12 +30,13 @@
 #include <vector>
 
 #include "catalogue/relation.h"
+#include "catalogue/siblings.h"
 #include "catalogue/slip.h"
 #include "catalogue/table.h"
 
 namespace millwright::catalogue {
 
-inline constexpr double certainty_to_report = 0.5;
+inline constexpr double certainty_to_report = 2.0 / 3.0;
 inline constexpr std::size_t peers_needed = 10;
 
 /// What is odd about a row. Figures in declared units.
@@ -60,6 +63,9 @@ class Plausibility {
   /// Examines a row. Relations that `excused` names are left out. Nothing if the row is in order.
   std::optional<Suspicion> examine(int row, const std::function<bool(std::string_view)>& excused) const;
 
+  /// Whether a relation of that name is off by more than its spread in the row, told or not.
+  bool is_unusual(int row, std::string_view rule) const;
+
  private:
   static constexpr std::size_t most = 64;  ///< relations and columns of a family
 
@@ -70,13 +76,15 @@ class Plausibility {
   struct Active {
     const Relation* relation;
     std::vector<Part> parts;
-    bool priced = false;  ///< it compares money with something else, so the currency counts
+    std::size_t index = 0;  ///< among the relations of the family
+    bool priced = false;    ///< it compares money with something else, so the currency counts
   };
   struct Kind {
     std::vector<Active> relations;
     std::vector<Column> columns;
     std::vector<std::span<const double>> numbers;
     std::vector<double> offsets;  ///< logarithm of SI to that of the declared unit
+    std::vector<bool> given;      ///< columns that no relation blames
     /// For each column the relations it stands in, `slot` being the relation, with its power.
     std::vector<std::vector<Part>> of_column;
     std::size_t torque = most;       ///< the column whose figure depends on how many phases are on
@@ -98,6 +106,14 @@ class Plausibility {
   using OwnPrices = std::unordered_map<const Relation*, Reference>;
   struct Evidence;  ///< the logarithms and residuals of one row
 
+  /// Rows that are compared with each other, from the closest kin to the widest.
+  struct Kinship {
+    std::vector<std::uint32_t> group_of_row;
+    std::vector<std::uint32_t> place_of_group;  ///< in `siblings`, none if it is too small
+    Siblings siblings;
+  };
+  static constexpr std::uint32_t none = 0xffffffff;
+
   Kind make_kind(std::string_view name) const;
   void group_rows(std::vector<std::vector<int>>& rows_of_group);
   void logarithms(const Kind& kind, int row, double* logs) const;
@@ -106,16 +122,25 @@ class Plausibility {
                                const std::vector<int>& rows,
                                const std::vector<Reference>& otherwise) const;
   OwnPrices learn_prices(const std::vector<int>& rows) const;
+  static double least_spread(const Relation& relation);
+  void learn_kinships();
+  std::vector<std::uint32_t> groups_by_series() const;
+  std::vector<std::uint32_t> groups_by_maker() const;
+  Kinship learn_kinship(std::vector<std::uint32_t> group_of_row) const;
+  /// The group's reference, or that of the row's closest siblings where they agree better. `sum`: the logarithm of the
+  /// relation in this row.
+  Reference reference_for(const Group& group, const Kind& kind, std::size_t relation, int row, double sum) const;
   struct Fault;
-  static std::vector<Fault> faults_of(const Kind& kind, const Group& group, const Evidence& row);
+  static std::vector<Fault> faults_of(const Kind& kind, const Evidence& row);
   /// What speaks for a fault: expected range, rules, evidence. False if no relation does.
-  static bool explain(const Kind& kind, const Group& group, const Evidence& row, const Fault& fault, Suspicion& found);
-  static Suspicion describe(const Kind& kind, const Group& group, const Evidence& row);
+  static bool explain(const Kind& kind, const Evidence& row, const Fault& fault, Suspicion& found);
+  static Suspicion describe(const Kind& kind, const Evidence& row);
 
   const Table& table_;
   std::vector<Kind> kinds_;
   std::vector<Group> groups_;
   std::vector<std::uint32_t> group_of_row_;
+  std::vector<Kinship> kinships_;
 };
 
 }  // namespace millwright::catalogue

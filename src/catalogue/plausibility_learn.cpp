@@ -45,31 +45,40 @@ double logarithm_of(const Parts& parts, const double* logs) {
 }
 
 /// How far logarithms of a relation scatter about their centre. Leaves `values` changed.
-double spread_about(double centre, std::vector<double>& values, const Relation& relation) {
+double spread_about(double centre, std::vector<double>& values, const Relation& relation, double least) {
   for (double& value : values) value = std::abs(value - centre);
   // The middle deviation, or that of 85 % where most rows agree to the digit; of a normal scatter both are the same.
   const double middle = 1.4826 * element(values, values.size() / 2);
   const double wide = element(values, static_cast<std::size_t>(0.85 * static_cast<double>(values.size() - 1))) / 1.44;
   const double few = 1.0 + 2.0 / static_cast<double>(values.size());
-  // Few parts do not make a law of what only happens to be usual; a single figure has no law at all.
-  const double least = (relation.habit ? 0.2 : relation.used().size() == 1 ? 0.7 : 0.33) * relation.spread;
   // Nor does a column that is wrong at random in many rows make a law of having none.
   const double most = 1.5 * relation.spread;
-  return std::max({std::min(few * std::max(middle, wide), most), least, 0.02});
+  return std::max({std::min(few * std::max(middle, wide), most), least});
 }
 
 }  // namespace
 
+/// Few parts do not make a law of what only happens to be usual; a single figure has no law at all.
+double Plausibility::least_spread(const Relation& relation) {
+  return std::max((relation.habit ? 0.2 : relation.used().size() == 1 ? 0.7 : 0.33) * relation.spread, 0.02);
+}
+
 Plausibility::Kind Plausibility::make_kind(std::string_view name) const {
   Kind kind;
-  for (const Relation& relation : relations(table_.family())) {
+  const std::span<const Relation> all = relations(table_.family());
+  for (std::size_t index = 0; index < all.size(); ++index) {
+    const Relation& relation = all[index];
     if (!applies(relation, name)) continue;
-    Active active{&relation, {}, false};
+    Active active{&relation, {}, index, false};
     double money = 0.0;
     for (const Term& term : relation.used()) {
       const Column wanted = column(table_.family(), term.column);
       auto at = std::find(kind.columns.begin(), kind.columns.end(), wanted);
-      if (at == kind.columns.end()) at = kind.columns.insert(at, wanted);
+      if (at == kind.columns.end()) {
+        at = kind.columns.insert(at, wanted);
+        kind.given.push_back(true);
+      }
+      if (!term.given) kind.given[static_cast<std::size_t>(at - kind.columns.begin())] = false;
       if (declaration(wanted).kind == catalogue::Kind::money) money += term.exponent;
       active.parts.push_back({static_cast<std::uint8_t>(at - kind.columns.begin()), term.exponent});
     }
@@ -134,7 +143,7 @@ std::vector<Plausibility::Reference> Plausibility::learn(const Kind& kind,
     if (std::abs(centre - std::log(relation.typical)) > 2.5 * relation.spread) continue;
     const double shift = learnt[i].centre - centre;
     learnt[i] = {centre,
-                 spread_about(centre, values, relation),
+                 spread_about(centre, values, relation, least_spread(relation)),
                  rows.size(),
                  learnt[i].least + shift,
                  learnt[i].greatest + shift};
@@ -162,7 +171,7 @@ Plausibility::OwnPrices Plausibility::learn_prices(const std::vector<int>& rows)
     const std::size_t peers = values.size();
     const double centre = element(values, peers / 2);
     const double limit = std::log(relation->impossible);
-    usual[relation] = {centre, spread_about(centre, values, *relation), peers, -limit, limit};
+    usual[relation] = {centre, spread_about(centre, values, *relation, least_spread(*relation)), peers, -limit, limit};
   }
   return usual;
 }
@@ -236,6 +245,7 @@ Plausibility::Plausibility(const Table& table) : table_(table) {
       }
     }
   }
+  learn_kinships();
 }
 
 }  // namespace millwright::catalogue

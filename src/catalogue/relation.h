@@ -19,6 +19,7 @@ namespace millwright::catalogue {
 struct Term {
   std::string_view column;
   double exponent = 0.0;
+  bool given = false;  ///< taken as it is: rules of its own judge it, and no relation blames it
 };
 
 /// One relation. `typical` is the usual value of the product of its terms, each figure in its declared unit. Logarithms
@@ -32,8 +33,9 @@ struct Relation {
   double spread;
   double impossible;        ///< beyond this factor from `typical` a finding is an error
   std::string_view origin;  ///< where value and spread come from
-  std::array<Term, 5> terms;
-  std::string_view when = {};  ///< only rows of this kind (see kind_column); "rail*" = every kind that begins so
+  std::array<Term, 6> terms;
+  /// Only rows of this kind (see kind_column); "rail*" = every kind that begins so, "!rail" = every other kind.
+  std::string_view when = {};
 
   bool habit = false;  ///< a maker states it the same way in all rows, so one that differs is odd
 
@@ -83,6 +85,7 @@ constexpr std::string_view kind_column(Family family) {
 /// Whether a relation speaks of rows of that kind.
 constexpr bool applies(const Relation& relation, std::string_view kind) {
   if (relation.when.empty()) return true;
+  if (relation.when.starts_with('!')) return relation.when.substr(1) != kind;
   if (!relation.when.ends_with('*')) return relation.when == kind;
   return kind.starts_with(relation.when.substr(0, relation.when.size() - 1));
 }

@@ -68,6 +68,7 @@ inline constexpr Relation bearing_relations[] = {
 
 inline constexpr Relation guide_relations[] = {
     {"load-ratings", "C0 / C", 1.45, 0.13, 3, "ISO 14728-1 and -2", {{{"static_load_rating", 1}, {"dynamic_load_rating", -1}}}},
+    {"load-ratings", "C0 / C for the relative length", 0.753, 0.14, 3, "C grows with fewer powers of the balls under load than C0; ISO 14728", {{{"static_load_rating", 1}, {"dynamic_load_rating", -1}, {"block_length", -0.5}, {"size", 0.5}}}, "profile rail*"},
     {"guide-rating", "C / size squared", 48.7, 0.16, 5, "published profile rails", {{{"dynamic_load_rating", 1}, {"size", -2}}}, "profile rail"},
     {"guide-rating", "C0 / (size x length)", 18.4, 0.15, 5, "balls under load fill the carriage", {{{"static_load_rating", 1}, {"size", -1}, {"block_length", -1}}}, "profile rail"},
     {"guide-rating", "C / size squared", 25.2, 0.17, 5, "published miniature rails", {{{"dynamic_load_rating", 1}, {"size", -2}}}, "profile rail miniature"},

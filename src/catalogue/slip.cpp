@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -28,9 +28,7 @@ const std::vector<UnitSlips>& by_unit() {
         {10.1972, 0.05, "kgf.cm read as N.m"},
         {141.612, 0.05, "oz.in read as N.m"},
         {8.85075, 0.03, "lb.in read as N.m"},
-        {0.101972, 0.02, "kgf.m read as N.m"},
-        {0.707107, 0.03, "torque with one phase on, where two are meant (column phases_on)"},
-        {1.414214, 0.03, "torque with two phases on, where one is said"}}},
+        {0.101972, 0.02, "kgf.m read as N.m"}}},
       {"g.cm2",
        {{1e-3, 0.08, "kg.cm2 read as g.cm2"},
         {100, 0.06, "g.mm2 read as g.cm2"},
@@ -125,6 +123,27 @@ const std::vector<UnitSlips>& by_unit() {
   return all;
 }
 
+struct ColumnSlips {
+  Family family;
+  std::string_view column;
+  std::vector<Slip> slips;
+};
+
+/// What data sheets state in two ways, so that one is easily taken for the other.
+const std::vector<ColumnSlips>& by_column() {
+  static const std::vector<ColumnSlips> all = {
+      {Family::steppers,
+       "holding_torque",
+       {{0.707107, 0.1, "torque with one phase on, where two are meant (column phases_on)"},
+        {1.414214, 0.03, "torque with two phases on, where one is said"}}},
+      {Family::linear_guides,
+       "dynamic_load_rating",
+       {{0.793701, 0.15, "C for 100 km of travel, where 50 km are said (column rating_distance)"},
+        {1.259921, 0.08, "C for 50 km of travel, where 100 km are said (column rating_distance)"}}},
+  };
+  return all;
+}
+
 constexpr std::array<Slip, 8> general = {{{10, 0.14, "decimal point, or a unit ten times smaller"},
                                           {0.1, 0.14, "decimal point, or a unit ten times larger"},
                                           {100, 0.04, "decimal point, or a unit a hundred times smaller"},
@@ -136,28 +155,44 @@ constexpr std::array<Slip, 8> general = {{{10, 0.14, "decimal point, or a unit t
 
 bool same_factor(double a, double b) { return a < b * 1.001 && b < a * 1.001; }
 
+/// Adds slips to others, the same one once.
+void merge(std::span<const Slip> more, std::vector<Slip>& slips) {
+  for (const Slip& each : more) {
+    const auto there =
+        std::find_if(slips.begin(), slips.end(), [&](const Slip& one) { return same_factor(one.factor, each.factor); });
+    if (there != slips.end())
+      there->weight += each.weight;
+    else
+      slips.push_back(each);
+  }
+}
+
+std::vector<Slip> slips_of(Column column) {
+  const ColumnDeclaration& declared = declaration(column);
+  std::vector<Slip> slips;
+  for (const ColumnSlips& each : by_column()) {
+    if (each.family == column.family && each.column == declared.name) merge(each.slips, slips);
+  }
+  for (const UnitSlips& each : by_unit()) {
+    if (each.unit == declared.unit) merge(each.slips, slips);
+  }
+  merge(general, slips);
+  return slips;
+}
+
 }  // namespace
 
-std::span<const Slip> slips(const ColumnDeclaration& column) {
-  static const std::map<std::string_view, std::vector<Slip>> all = [] {
-    std::map<std::string_view, std::vector<Slip>> merged;
-    for (const UnitSlips& unit : by_unit()) {
-      std::vector<Slip> of_unit = unit.slips;
-      for (const Slip& each : general) {
-        bool known = false;
-        for (Slip& there : of_unit) {
-          if (!same_factor(there.factor, each.factor)) continue;
-          there.weight += each.weight;
-          known = true;
-        }
-        if (!known) of_unit.push_back(each);
-      }
-      merged.emplace(unit.unit, std::move(of_unit));
+std::span<const Slip> slips(Column column) {
+  static const std::vector<std::vector<std::vector<Slip>>> all = [] {
+    std::vector<std::vector<std::vector<Slip>>> of_family(family_count);
+    for (const FamilyDeclaration& each : families) {
+      for (std::size_t i = 0; i < column_count(each.family); ++i)
+        of_family[static_cast<std::size_t>(each.family)].push_back(
+            slips_of({each.family, static_cast<std::uint8_t>(i)}));
     }
-    return merged;
+    return of_family;
   }();
-  const auto found = column.unit == "1" ? all.end() : all.find(column.unit);
-  return found == all.end() ? std::span<const Slip>(general) : std::span<const Slip>(found->second);
+  return all[static_cast<std::size_t>(column.family)][column.index];
 }
 
 std::string times(double factor) {

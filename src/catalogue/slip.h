@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "catalogue/column.h"
+#include "catalogue/family.h"
 
 namespace millwright::catalogue {
 
@@ -18,8 +18,9 @@ struct Slip {
   std::string_view words;
 };
 
-/// The slips that a column's unit makes possible, then those of any figure (decimal point, doubled, halved).
-std::span<const Slip> slips(const ColumnDeclaration& column);
+/// The slips that a column invites (a torque with one phase on), those that its unit makes possible, then those of any
+/// figure (decimal point, doubled, halved).
+std::span<const Slip> slips(Column column);
 
 /// "10 times too large", "2.45 times too small" for a factor above or below 1.
 std::string times(double factor);

@@ -4,90 +4,57 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <vector>
 
 #include "catalogue/catalogue.h"
+#include "catalogue/known_columns.h"
 #include "text/csv.h"
-#include "text/nearest.h"
 
 namespace millwright::catalogue {
 namespace {
 
 constexpr std::string_view file_name = "stock.csv";
-constexpr std::array<std::string_view, 4> column_names = {"manufacturer", "part_number", "owned", "available"};
-enum Field : std::size_t { manufacturer_field, part_number_field, owned_field, available_field };
+namespace stock_fields {
+enum Field : std::size_t { manufacturer, part_number, owned, available };
+constexpr KnownColumn columns[] = {{"manufacturer"}, {"part_number", "", true}, {"owned"}, {"available"}};
+}  // namespace stock_fields
 
 class StockReader {
  public:
   StockReader(const text::CsvTable& csv, const Catalogue& catalogue, Stock& stock, text::Diagnostics& diagnostics)
-      : csv_(csv), catalogue_(catalogue), stock_(stock), diagnostics_(diagnostics) {}
+      : csv_(csv),
+        catalogue_(catalogue),
+        stock_(stock),
+        diagnostics_(diagnostics),
+        reader_(csv, file_name, stock_fields::columns, diagnostics) {}
 
   void read() {
-    if (!match_header()) return;
+    if (!reader_.match_header()) return;
     for (std::size_t row = 0; row < csv_.row_count(); ++row) read_row(row);
   }
 
  private:
-  bool match_header() {
-    if (csv_.columns().empty()) return false;  // reported
-    bool good = true;
-    for (std::size_t i = 0; i < csv_.columns().size(); ++i) {
-      const text::CsvColumn& column = csv_.columns()[i];
-      const auto known = std::find(column_names.begin(), column_names.end(), column.name);
-      if (known != column_names.end()) {
-        fields_[static_cast<std::size_t>(known - column_names.begin())] = i;
-        continue;
-      }
-      const std::vector<std::string_view> names(column_names.begin(), column_names.end());
-      diagnostics_.error(
-          column.name_span,
-          fmt::format("{} has no column {}", file_name, text::quoted(column.name)),
-          text::did_you_mean(column.name, names, "its columns: manufacturer, part_number, owned, available"));
-      good = false;
-    }
-    if (!fields_[part_number_field]) {
-      diagnostics_.error(csv_.header_span(),
-                         fmt::format("{} has no column part_number", file_name),
-                         "a header could be: manufacturer,part_number,owned,available");
-      good = false;
-    }
-    return good;
-  }
-
-  [[nodiscard]] std::string_view cell(std::size_t row, Field field) const {
-    return fields_[field] ? csv_.cell(row, *fields_[field]) : std::string_view();
-  }
-  [[nodiscard]] text::SourceSpan span(std::size_t row, Field field) const {
-    return fields_[field] ? csv_.cell_span(row, *fields_[field]) : csv_.row_span(row);
-  }
-
   void read_row(std::size_t row) {
+    using namespace stock_fields;
     const std::size_t errors = diagnostics_.error_count();
     StockMark mark;
-    mark.where = span(row, part_number_field);
-    if (cell(row, owned_field).empty() && cell(row, available_field).empty())
+    mark.where = reader_.span(row, part_number);
+    if (!reader_.says(row, owned) && !reader_.says(row, available))
       diagnostics_.error(csv_.row_span(row),
                          "nothing is said about this part",
                          "owned: how many pieces you have; available: no if it cannot be had");
-    if (!cell(row, owned_field).empty()) {
-      const auto pieces = csv_.number(row, *fields_[owned_field], diagnostics_);
-      if (pieces && (*pieces < 0.0 || *pieces != std::floor(*pieces) || *pieces > 1e6))
-        diagnostics_.error(span(row, owned_field),
-                           fmt::format("{} pieces cannot be owned", cell(row, owned_field)),
-                           "write a whole number");
-      mark.owned = pieces.value_or(0.0);
-    }
-    if (const std::string_view word = cell(row, available_field); !word.empty()) {
+    const double pieces = reader_.count(
+        row, owned, 0, 1e6, [&](double) { return fmt::format("{} pieces cannot be owned", reader_.cell(row, owned)); });
+    mark.owned = std::isnan(pieces) ? 0.0 : pieces;
+    if (const std::string_view word = reader_.cell(row, available); !word.empty()) {
       mark.available = word == "yes";
       if (word != "yes" && word != "no")
-        diagnostics_.error(span(row, available_field),
+        diagnostics_.error(reader_.span(row, available),
                            fmt::format("available: {} is neither yes nor no", text::quoted(word)),
                            "write yes or no");
     }
     if (!mark.available && mark.owned > 0.0)
-      diagnostics_.error(span(row, available_field),
+      diagnostics_.error(reader_.span(row, available),
                          "a part that is not available is not chosen at all, and this one is owned",
                          "leave 'available' empty to use what you own");
     const FoundParts found = part_of(row, mark.owned > 0.0);
@@ -99,12 +66,13 @@ class StockReader {
   }
 
   /// The rows that a line names, of families that are for sale.
-  FoundParts part_of(std::size_t row, bool owned) {
-    FoundParts found = catalogue_.find(cell(row, part_number_field), cell(row, manufacturer_field));
+  FoundParts part_of(std::size_t row, bool some_owned) {
+    using namespace stock_fields;
+    FoundParts found = catalogue_.find(reader_.cell(row, part_number), reader_.cell(row, manufacturer));
     std::erase_if(found.parts, [](const Part& part) { return !declaration(part.family).priced(); });
     if (found.parts.empty()) {
       diagnostics_.error(
-          span(row, part_number_field), found.error.empty() ? "this is not for sale" : found.error, found.hint);
+          reader_.span(row, part_number), found.error.empty() ? "this is not for sale" : found.error, found.hint);
       return found;
     }
     for (const Part& part : found.parts) {
@@ -112,20 +80,20 @@ class StockReader {
       const auto name = std::pair(std::string(table.manufacturer(part.row)), std::string(table.part_number(part.row)));
       const auto [earlier, is_new] = seen_.try_emplace(name, row);
       if (!is_new && earlier->second != row)
-        diagnostics_.error(span(row, part_number_field),
+        diagnostics_.error(reader_.span(row, part_number),
                            fmt::format("{} {} stands in this file twice", name.first, name.second),
                            fmt::format("first in line {}", csv_.row_span(earlier->second).line));
       if (part.family == Family::materials)
-        diagnostics_.error(span(row, part_number_field),
+        diagnostics_.error(reader_.span(row, part_number),
                            fmt::format("{} is a material, and those are chosen by the problem", name.second),
                            "name another one there");
-      else if (owned && !can_be_owned(part.family))
+      else if (some_owned && !can_be_owned(part.family))
         diagnostics_.error(
-            span(row, owned_field),
+            reader_.span(row, owned),
             fmt::format("{} are cut to length: pieces of them cannot be owned here", declaration(part.family).title),
             "give the part a price of 0 in an overlay if what you have is long enough");
-      else if (owned && std::isnan(table.price(part.row).piece))
-        diagnostics_.error(span(row, owned_field),
+      else if (some_owned && std::isnan(table.price(part.row).piece))
+        diagnostics_.error(reader_.span(row, owned),
                            fmt::format("{} {} has no price for more pieces than are owned", name.first, name.second),
                            "give it one in an overlay; without a price it is not chosen");
     }
@@ -136,7 +104,7 @@ class StockReader {
   const Catalogue& catalogue_;
   Stock& stock_;
   text::Diagnostics& diagnostics_;
-  std::array<std::optional<std::size_t>, column_names.size()> fields_;
+  KnownColumns reader_;
   std::map<std::pair<std::string, std::string>, std::size_t> seen_;
 };
 

@@ -8,7 +8,8 @@
 #include <set>
 
 #include "catalogue/catalogue.h"
-#include "catalogue/supplier_lines.h"
+#include "catalogue/known_columns.h"
+#include "catalogue/offers_file.h"
 #include "text/nearest.h"
 
 namespace millwright::catalogue {
@@ -23,7 +24,7 @@ constexpr KnownColumn columns[] = {{"supplier", "", true}, {"shipping_fee"}, {"m
 
 void read_supplier_lines(const text::CsvTable& csv, Suppliers& result, text::Diagnostics& diagnostics) {
   using namespace supplier_fields;
-  SupplierLines reader(csv, suppliers_name, columns, diagnostics);
+  KnownColumns reader(csv, suppliers_name, columns, diagnostics);
   if (!reader.match_header()) return;
   std::map<std::string, std::size_t, std::less<>> seen;
   for (std::size_t row = 0; row < csv.row_count(); ++row) {

@@ -22,6 +22,14 @@ class Waivers {
   bool excuses(int row, std::string_view rule) const;
   /// The same, when the rule has found fault with the row: the waiver is needed.
   bool excuse(int row, std::string_view rule);
+  /// Marks those of the row's waivers as needed of whose rule `odd` says that the row is at odds with it.
+  template <class Odd>
+  void need_where(int row, const Odd& odd) {
+    if (of_row_.empty()) return;
+    const auto found = of_row_.find(row);
+    if (found == of_row_.end()) return;
+    for (Waiver& each : found->second) each.needed |= odd(each.rule);
+  }
   /// Warns of each waiver that nothing needed.
   void report_unneeded(text::Diagnostics& diagnostics) const;
 

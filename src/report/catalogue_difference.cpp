@@ -42,7 +42,7 @@ std::string cells_text(const PartChange& part, const Style& style) {
   std::size_t points = 0;
   for (const CellChange& cell : part.cells) {
     if (!cell.point.empty() && ++points > most_points) continue;
-    std::string name(catalogue::declaration(cell.column).name);
+    std::string name = catalogue::changed_column(cell);
     if (!cell.point.empty()) name += " at " + cell.point;
     table.add({std::move(name), value_text(cell.a) + " -> " + value_text(cell.b), relative_text(cell.relative)});
   }
@@ -105,7 +105,7 @@ Json part_json(const Table& table, int row) {
 
 Json cell_json(const CellChange& cell) {
   const auto given = [](const std::string& value) { return value.empty() ? Json(nullptr) : Json(value); };
-  Json json{{"column", catalogue::declaration(cell.column).name}};
+  Json json{{"column", catalogue::changed_column(cell)}};
   if (!cell.point.empty()) json["point"] = cell.point;
   json["a"] = given(cell.a);
   json["b"] = given(cell.b);

@@ -49,6 +49,9 @@ TEST_CASE("A mapping is saved, edited and replayed for the next price list") {
   CHECK(assumed.says("prices.csv:1:32: error: nothing says the unit of holding_torque"));
   CHECK(assumed.says("say --unit holding_torque=N.m, if that is its unit"));
   CHECK_FALSE(shop.has("steppers.csv"));
+  CHECK_FALSE(shop.has("m.toml"));  // the import failed as a whole
+  CHECK(assumed.says("m.toml was not written either; without --output it is, to be edited"));
+  CHECK(shop.run(import({"--family", "steppers", "--save-mapping", "m.toml"})).exit_code == 1);
   CHECK(shop.read("m.toml").find("# unit = \"N.m\"? nothing says it") != std::string::npos);
   const Outcome open = shop.run(import({"--mapping", "m.toml", "--output", "steppers.csv"}));
   CHECK(open.exit_code == 2);
@@ -99,6 +102,16 @@ TEST_CASE("Nothing is overwritten without force, and nothing is written through 
   CHECK(shop.entries() == 3);
   CHECK(to("mine.csv", true).exit_code == 0);
   CHECK(shop.read("mine.csv").rfind("# Imported from prices.csv.", 0) == 0);
+}
+
+TEST_CASE("A failed import leaves no file behind") {
+  const Workshop shop;
+  shop.write("prices.csv", std::string(table) + "ACME,009,1.8,126000,2.8 A,1,20,1\n");
+  const Outcome wrong =
+      shop.run(import({"--family", "steppers", "--yes", "--output", "steppers.csv", "--save-mapping", "m.toml"}));
+  CHECK(wrong.exit_code == 2);
+  CHECK(wrong.says("m.toml was not written either"));
+  CHECK(shop.entries() == 1);
 }
 
 TEST_CASE("An error of lint leaves the file as it was") {

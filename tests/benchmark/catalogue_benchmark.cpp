@@ -60,9 +60,10 @@ class Generator {
     const auto& [file, row] = rows_[random_() % rows_.size()];
     const text::CsvTable& table = files_[file];
     std::string line;
-    for (std::size_t column = 0; column < table.columns().size(); ++column) {
-      const text::CsvColumn& of = table.columns()[column];
-      std::string content(table.cell(row, column));
+    for (std::size_t column = 0; column < files_.front().columns().size(); ++column) {
+      const text::CsvColumn& of = files_.front().columns()[column];
+      const auto there = table.find_column(of.name);
+      std::string content(there ? table.cell(row, *there) : std::string_view());
       if (of.name == "part_number") {
         content += fmt::format("-{}", number);
       } else if (!content.empty() && (of.name == "price" || of.unit) && of.name != "step_angle" &&

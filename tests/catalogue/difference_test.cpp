@@ -53,8 +53,7 @@ Sides of_curves(const std::string& a, const std::string& b) {
 }
 
 std::string told(const CellChange& cell) {
-  return std::string(declaration(cell.column).name) + (cell.point.empty() ? "" : " at " + cell.point) + ": " + cell.a +
-         " -> " + cell.b;
+  return changed_column(cell) + (cell.point.empty() ? "" : " at " + cell.point) + ": " + cell.a + " -> " + cell.b;
 }
 
 std::vector<std::string> told(const std::vector<CellChange>& cells) {
@@ -244,4 +243,29 @@ TEST_CASE("random catalogues: the same parts came, went and changed as by lookin
     CHECK(sides.found.changed.size() == changed);
     CHECK(static_cast<std::size_t>(sides.found.same) == a.size() - removed - changed);
   }
+}
+
+TEST_CASE("what is said of a figure alone is a change of the figure's provenance") {
+  const std::string head =
+      "manufacturer,part_number,mass [kg],mass_source,mass_confidence,mass_tolerance,holding_torque [N.m],step_angle "
+      "[deg],rated_current [A],price,"
+      "currency\n";
+  const auto sides = [&](const std::string& a, const std::string& b) {
+    return Sides(Family::steppers,
+                 "steppers/m.csv",
+                 head + "Acme,M1," + a + ",1.2,1.8,2,9,USD\n",
+                 head + "Acme,M1," + b + ",1.2,1.8,2,9,USD\n");
+  };
+  const Sides changed = sides("0.5,list,low,10 %", "0.5,scales,high,0.01 kg");  // 0.01 of 0.5: 2 %
+  REQUIRE(changed.found.changed.size() == 1);
+  CHECK(told(changed.found.changed.front().cells) == std::vector<std::string>{"mass_source: list -> scales",
+                                                                              "mass_confidence: low -> high",
+                                                                              "mass_tolerance: 10 % -> 2 %"});
+  const Sides gone = sides("0.5,list,low,10 %", "0.6,,,");
+  REQUIRE(gone.found.changed.size() == 1);
+  CHECK(told(gone.found.changed.front().cells) ==
+        std::vector<std::string>{
+            "mass: 0.5 kg -> 0.6 kg", "mass_source: list -> ", "mass_confidence: low -> ", "mass_tolerance: 10 % -> "});
+  CHECK(sides("0.5,list,low,10 %", "0.5,list,low,0.1").found.equal());
+  CHECK(sides("0.5,list,low,10 %", "0.5,list,low,0.05 kg").found.equal());
 }

@@ -372,7 +372,7 @@ TEST_CASE("what is wrong is told apart by the other figures of the row") {
   };
   const text::Diagnostic inductance = blamed("phase_inductance [mH]", "36");
   CHECK(inductance.message.find("P1: phase_inductance 36 mH is ") == 0);
-  CHECK(inductance.message.find("[time-constant, torque-constant]") != std::string::npos);
+  CHECK(inductance.message.find("[time-constant, torque-constant, torque-energy]") != std::string::npos);
   CHECK(inductance.hint.find("decimal point") == 0);
   CHECK(inductance.hint.find("certainty ") != std::string::npos);
   CHECK(blamed("phase_resistance [ohm]", "11.3").message.find("P1: phase_resistance 11.3 ohm is ") == 0);

@@ -38,7 +38,7 @@ struct Kind {
   Change change;
   double factor = 1.0;
   std::vector<Place> places;  ///< empty: every number of every family
-  double at_least = 0.0;      ///< share that must be found; 0 where no row can give it away
+  double at_least = 0.0;      ///< share that must be found
 };
 
 /// What came of one kind.
@@ -81,7 +81,7 @@ inline const std::vector<Kind>& kinds() {
        {{steppers, "phase_resistance"}, {steppers, "phase_inductance"}},
        0.3},
       {"current of the parallel winding", factor, 2, {{steppers, "rated_current"}}, 0.4},
-      {"torque with one phase on", factor, 0.707107, {{steppers, "holding_torque"}}, 0.0},
+      {"torque with one phase on", factor, 0.707107, {{steppers, "holding_torque"}}, 0.3},
       // Masses
       {"g read as kg",
        factor,
@@ -153,7 +153,7 @@ inline const std::vector<Kind>& kinds() {
         {support_bearings, "static_load_rating"}},
        0.8},
       {"100 km said where the maker rates for 50 km", replace_with, 100, {{linear_guides, "rating_distance"}}, 0.5},
-      {"rating for 100 km given for 50 km", factor, 0.793701, {{linear_guides, "dynamic_load_rating"}}, 0.0},
+      {"rating for 100 km given for 50 km", factor, 0.793701, {{linear_guides, "dynamic_load_rating"}}, 0.3},
       {"kgf/um read as N/um",
        factor,
        0.101972,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What suppliers.csv and offers.csv have in common: a header of known columns, texts, sums of money.
+// What stock.csv, suppliers.csv and offers.csv have in common: a header of known columns, texts, counts, sums of money.
 #pragma once
 
 #include <fmt/format.h>
@@ -14,13 +14,10 @@
 #include <string_view>
 #include <vector>
 
-#include "catalogue/suppliers.h"
 #include "text/csv.h"
 #include "text/nearest.h"
 
 namespace millwright::catalogue {
-
-inline constexpr std::string_view offers_name = "offers.csv";
 
 struct KnownColumn {
   std::string_view name;
@@ -29,12 +26,12 @@ struct KnownColumn {
 };
 
 /// Reads cells of one of the files and reports what is wrong with them.
-class SupplierLines {
+class KnownColumns {
  public:
-  SupplierLines(const text::CsvTable& csv,
-                std::string_view file_name,
-                std::span<const KnownColumn> columns,
-                text::Diagnostics& diagnostics)
+  KnownColumns(const text::CsvTable& csv,
+               std::string_view file_name,
+               std::span<const KnownColumn> columns,
+               text::Diagnostics& diagnostics)
       : csv_(csv), file_name_(file_name), columns_(columns), diagnostics_(diagnostics), fields_(columns.size()) {}
 
   bool match_header() {
@@ -66,6 +63,20 @@ class SupplierLines {
       diagnostics_.error(
           span(row, field), fmt::format("{} cannot be {}", columns_[field].name, *number), std::string(hint));
     return number.value_or(0.0);
+  }
+
+  /// Whether the line says something there.
+  [[nodiscard]] bool says(std::size_t row, std::size_t field) const { return !cell(row, field).empty(); }
+
+  /// A whole number of these limits, NaN where nothing is written. `problem` says of a number what is wrong with it.
+  template <class Problem>
+  double count(std::size_t row, std::size_t field, double least, double most, const Problem& problem) {
+    if (!says(row, field)) return std::numeric_limits<double>::quiet_NaN();
+    const auto number = csv_.number(row, *fields_[field], diagnostics_);
+    if (!number) return 0.0;
+    if (!(*number >= least && *number <= most) || *number != std::floor(*number))
+      diagnostics_.error(span(row, field), problem(*number), "write a whole number");
+    return *number;
   }
 
   void check_currency(std::size_t row, std::size_t field) {
@@ -106,11 +117,5 @@ class SupplierLines {
   text::Diagnostics& diagnostics_;
   std::vector<std::optional<std::size_t>> fields_;
 };
-
-/// Adds the lines of offers.csv (offers_file.cpp).
-void read_offers(const text::CsvTable& csv,
-                 const Catalogue& catalogue,
-                 Suppliers& suppliers,
-                 text::Diagnostics& diagnostics);
 
 }  // namespace millwright::catalogue
