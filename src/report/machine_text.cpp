@@ -318,6 +318,9 @@ std::string check_text(const MachineResult& result, const Style& style) {
   out += fmt::format("Totals: {}\n\n", totals_text(design));
   out += failures_text(result, design, style);
   if (style.brief) return out;
+  if (!style.full)
+    return out + closest_checks_text(result, design, style, false) + parts_text(result, design, style) +
+           dimensions_text(design, style) + tolerances_text(result, design, style) + more_text(design);
   return out + governing_text(result, design, style) + parts_text(result, design, style) +
          dimensions_text(design, style) + checks_text(result, design, style) + tolerances_text(result, design, style) +
          outside_validity_text(design, style) + requirements_text(result, style) + assumptions_text(design, style);
