@@ -28,6 +28,7 @@ Json part_of(const evaluation::PartLine& part) {
             {"row", part.where}};
   if (part.spares > 0.0) json["spares"] = number(part.spares);
   if (part.owned > 0.0) json["owned"] = number(part.owned);
+  if (part.paper_only) json["known_from_paper_only"] = true;
   if (!part.supplier.empty()) json["supplier"] = part.supplier;
   if (!part.origin.empty()) json["origin"] = part.origin;
   return json;

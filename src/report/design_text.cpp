@@ -169,7 +169,7 @@ std::string parts_text(const MachineResult& result, const Design& design, const 
       if (part.axis != axis) continue;
       estimates = estimates || part.estimate;
       table.add({shown,
-                 part.slot,
+                 part.slot + (part.paper_only ? " !" : ""),
                  part_name(part),
                  scalar::format_number(part.quantity),
                  length_text(part.length),
@@ -184,6 +184,8 @@ std::string parts_text(const MachineResult& result, const Design& design, const 
   out += fmt::format("  Total: {}\n", totals_text(design));
   for (const std::string& line : stated_only_lines(design, Texts(Language::english)))
     out += "  " + style.bad("not included") + ": " + wrapped(line, style.width - 16, 4) + "\n";
+  if (std::any_of(design.parts.begin(), design.parts.end(), [](const PartLine& part) { return part.paper_only; }))
+    out += "  ! known only from a paper, from no maker: verify before ordering\n";
   if (estimates) out += "  ~ the price, or a figure of the part that matters, is an estimate\n";
   return out + "\n";
 }
