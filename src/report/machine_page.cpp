@@ -69,7 +69,7 @@ std::string totals_html(const Design& design, const Texts& t) {
 
 /// Axis, check, value, limit and use: of a check in a table of the summary; its last cell is left to the caller.
 std::vector<std::string> check_cells(const std::string& axis, const Check& check, std::string last, const Texts& t) {
-  return {escaped(axis),
+  return {escaped(axis == "machine" ? t("machine") : axis),
           fmt::format("<a href=\"#{}\">{}</a>", calculation_id(check), escaped(check.id)),
           escaped(t.said(check.title)),
           value_cell(check.value, check.unit),
@@ -87,8 +87,7 @@ HtmlTable check_table(const std::string& last, std::string_view css_class, const
 std::string governing_table(const MachineResult& result, const Design& design, const Texts& t) {
   HtmlTable table = check_table("", "checks verdicts", t);
   for (const std::string& axis : checked_axes(result))
-    if (const Check* check = design.governing(axis))
-      table.add(check_cells(axis == "machine" ? t("machine") : axis, *check, verdict_mark(*check, t), t));
+    if (const Check* check = design.governing(axis)) table.add(check_cells(axis, *check, verdict_mark(*check, t), t));
   return table.empty() ? std::string() : "<h3>" + escaped(t("summary.governing")) + "</h3>\n" + table.str();
 }
 
