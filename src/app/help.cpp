@@ -50,9 +50,11 @@ constexpr std::pair<std::string_view, std::string_view> texts[] = {
      "  millwright pareto problems/sander.toml --report front.html\n"
      "  millwright pareto problems/lifter.toml --without BK10 --limit cost='200 USD'"},
     {"check",
-     "Exit code 1 if a check fails. A slot that the bill of materials leaves open is an error without --complete.\n"
+     "Exit code 1 if a check fails. Printed is what fails, what is next to its limit, and the parts; --full prints the\n"
+     "rest. A slot that the bill of materials leaves open is an error without --complete.\n"
      "Examples:\n"
      "  millwright check problems/sander.toml problems/sander-bom.csv\n"
+     "  millwright check problems/sander.toml problems/sander-bom.csv --full\n"
      "  millwright check problems/sander.toml problems/sander-bom.csv --hold-origin paper\n"
      "  millwright check problems/lifter.toml problems/lifter-bom.csv --robust\n"
      "  millwright check problems/sander.toml problems/sander-bom.csv --report sander.html --language id\n"

@@ -4,10 +4,11 @@
 #include <string>
 #include <string_view>
 
+#include "report/version.h"
+
 namespace millwright::app {
 
-/// Kept equal to the project version of CMakeLists.txt by a test.
-inline constexpr const char* version = "0.1.0";
+inline constexpr const char* version = report::program_version;
 
 /// Examples and notes that follow the options in the help of a verb.
 std::string examples(std::string_view verb);

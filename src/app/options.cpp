@@ -198,6 +198,10 @@ class CommandLine {
     start.add_flag("--force", options_.force, "overwrite the file if it is there");
   }
 
+  void add_full_flag(CLI::App& verb) {
+    verb.add_flag("--full", options_.full, "print every check, all requirements and assumptions too");
+  }
+
   void add_machine_verbs() {
     CLI::App& solve =
         add(app_, "solve", Verb::solve, "the cheapest (lightest, fastest, ...) compliant build, with proof");
@@ -209,7 +213,7 @@ class CommandLine {
     solve.add_option("--bom", options_.bom, "write the build as a bill of materials, which 'check' reads")
         ->type_name("FILE.csv");
     add_order_option(solve, options_);
-    solve.add_flag("--full", options_.full, "print every check, all requirements and assumptions too");
+    add_full_flag(solve);
     solve.add_option("--csv", options_.csv, "with --set over a range: write the table")->type_name("FILE.csv");
     solve
         .add_option(
@@ -233,6 +237,7 @@ class CommandLine {
     check.add_flag("--robust",
                    options_.robust,
                    "exit code 1 unless compliant for every value within the tolerances that the catalogues state");
+    add_full_flag(check);
     check.add_flag("--complete", options_.complete, "choose what the bill of materials leaves open");
     check.add_option("--hold-origin", options_.hold_origin, "hold only the lines of this origin, choose the rest")
         ->type_name("ORIGIN");

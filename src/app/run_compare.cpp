@@ -83,7 +83,11 @@ ComparedBuild recorded_build(Side&& side) {
   build.file = side.file;
   build.origin = fmt::format("as recorded by {} of {}", recorded.command, text::printable(recorded.problem_file));
   if (!recorded.bom_file.empty()) build.origin += " with " + text::printable(recorded.bom_file);
-  if (recorded.steered) build.origin += ", with more asked for than the problem says";
+  if (!recorded.asked.empty()) {
+    std::vector<std::string> words;
+    for (const std::string& each : recorded.asked) words.push_back(text::printable(each));
+    build.origin += fmt::format(", asked for beside it: {}", fmt::join(words, "; "));
+  }
   if (!recorded.proved) build.origin += ", not proved best";
   build.title = recorded.title.empty() ? recorded.problem_file : recorded.title;
   build.axes = std::move(recorded.axes);

@@ -20,7 +20,7 @@ inline constexpr ColumnDeclaration every_family[] = {
     text("price_breaks", optional, "prices of a piece from so many pieces on: 10: 4.50; 100: 3.90"),
     text("currency", optional, "currency of the prices, ISO 4217: USD, EUR, IDR, ..."),
     text("price_basis", optional, "shop and date, or estimate with its tolerance"),
-    text("evidence", optional, "found, mixed, computed or general (knowledge)"),
+    text("evidence", optional, "found, mixed, computed, general (knowledge) or paper (only a publication names it)"),
     text("source", expected, "where the figures come from"),
     text("confidence", expected, "high, medium or low"),
     text("note", optional, "what a reader has to know"),

@@ -63,6 +63,7 @@ PartLine part_line(const MachineModel& model,
   line.source = table.text(catalogue::column(use.family, "source"), use.row);
   const catalogue::Price price = table.price(use.row);
   line.price_estimate = price.estimate;
+  line.paper_only = table.text(catalogue::column(use.family, "evidence"), use.row) == "paper";
   line.estimate = price.estimate || line.confidence == "low";
   line.cuts = cuts_of(model.machine(), use, axis);
   add_work(model, table, use, axis, line);

@@ -13,6 +13,7 @@
 #include <numeric>
 
 #include "evaluation/held_parts.h"
+#include "evaluation/machine_stages.h"
 #include "evaluation/shops.h"
 #include "evaluation/synthesis.h"
 #include "solver/restricted_problem.h"
@@ -111,8 +112,34 @@ std::optional<Row> cheapest_fitting(const MachineModel& model,
   return order.empty() ? std::nullopt : std::optional(order.front());
 }
 
-/// The cheapest parts that fit and that these suppliers sell, slot by slot: named slots first. Nothing if they do not
-/// sell everything.
+/// Of a stage that is one choice, as the supply is: the cheapest row on sale that fails nothing here, or fails least.
+std::optional<Row> least_bad_row(const MachineModel& model,
+                                 const StageEntry& entry,
+                                 const solver::RestrictedStage& stage,
+                                 const HeldStage& held,
+                                 std::span<const Row> shared,
+                                 std::span<const double> state) {
+  const SlotTable& table = entry.tables().front();
+  std::optional<Row> best;
+  std::vector<double> least;
+  double price = 0.0;
+  solver::Answer<double> answer;
+  for (Row row = 0; row < held.allowed.front().size(); ++row) {
+    if (!stage.offered(shared, 0, row)) continue;
+    stage.evaluate({shared, state, std::span<const Row>(&row, 1), {}}, answer);
+    std::vector<double> bad = badness(answer.utilisation);
+    if (bad.front() == 0.0) bad = {0.0};
+    const double costs = price_to_compare(model, table.candidate(held.allowed.front()[row]));
+    if (best && (bad > least || (bad == least && costs >= price))) continue;
+    best = row;
+    least = std::move(bad);
+    price = costs;
+  }
+  return best;
+}
+
+/// The cheapest parts that fit and that these suppliers sell, slot by slot: named slots first; the supply for what the
+/// drives take. Nothing if they do not sell everything.
 std::optional<solver::Build> cheapest_build(const MachineModel& model,
                                             const HeldParts& held,
                                             const solver::RestrictedProblem& restricted,
@@ -130,6 +157,10 @@ std::optional<solver::Build> cheapest_build(const MachineModel& model,
           chosen[slot] = cheapest_fitting(model, model.entries()[i], stage, held.stages[i], slot, chosen, build.shared);
           if (!chosen[slot]) return std::nullopt;
         }
+    if (std::holds_alternative<std::unique_ptr<SupplyStage>>(model.entries()[i].stage))
+      chosen.front() = least_bad_row(model, model.entries()[i], stage, held.stages[i], build.shared, state);
+    if (!std::all_of(chosen.begin(), chosen.end(), [](const auto& row) { return row.has_value(); }))
+      return std::nullopt;
     std::vector<Row> rows;
     for (const auto& row : chosen) rows.push_back(*row);
     const std::vector<double> free = least_bad_variables(stage, {build.shared, state, rows, {}});

@@ -29,6 +29,31 @@ ConditionSet without(const ConditionSet& set, const ConditionSet& others) {
 
 std::string title_of(const Condition& condition) { return condition.axis + ": " + condition.name; }
 
+/// A build as somebody would write it down.
+machine::BillOfMaterials bill_of(const Design& design) {
+  machine::BillOfMaterials bill;
+  for (const PartLine& part : design.parts) {
+    // Made to measure, told by its dimensions; or a reduction without a name, of which there is only one.
+    if (part.family == "materials" || (part.family.empty() && part.manufacturer.empty())) continue;
+    machine::BomLine line;
+    line.axis = part.axis;
+    line.slot = part.slot;
+    line.manufacturer = part.manufacturer;
+    line.part_number = part.part_number;
+    line.quantity = part.quantity;
+    if (part.length > 0.0) line.length = part.length;
+    bill.lines.push_back(std::move(line));
+  }
+  for (const DimensionLine& dimension : design.dimensions) {
+    machine::BomLine line;
+    line.axis = dimension.axis;
+    line.slot = dimension.name;
+    line.value = dimension.value;
+    bill.lines.push_back(std::move(line));
+  }
+  return bill;
+}
+
 /// Nothing is compliant.
 class Contradictions {
  public:
@@ -74,9 +99,16 @@ class Contradictions {
   void resolve(std::size_t index) {
     Conflict& conflict = result_.conflicts[index];
     const ConditionSet imposed = background(index);
-    for (const std::size_t member : conflict.conditions)
-      conflict.ways.push_back({member, true, std::nullopt, std::nullopt});
-    for (Relaxation& way : conflict.ways) relax(imposed, way);
+    for (const std::size_t member : conflict.conditions) {
+      conflict.ways.push_back({member, true, std::nullopt, std::nullopt, std::nullopt, {}});
+      relax(imposed, conflict.ways.back());
+      // What costs nothing here may well be more than the least that is enough.
+      if (auto way = cheapest_of(imposed, member); way && way->to != conflict.ways.back().to)
+        conflict.ways.push_back(std::move(*way));
+      for (std::size_t i = 0; i < trials_.conditions()[member].instead.size(); ++i)
+        if (auto way = instead_of(imposed, member, i)) conflict.ways.push_back(std::move(*way));
+    }
+    for (Relaxation& way : conflict.ways) way.broken = broken_without(imposed, way);
     const auto cost = [](const Relaxation& way) {
       return way.design ? way.design->cost : std::numeric_limits<double>::infinity();
     };
@@ -118,6 +150,77 @@ class Contradictions {
     }
   }
 
+  /// Of what is no part here, more costs nothing here: the least with which the build is as cheap as with any.
+  std::optional<Relaxation> cheapest_of(const ConditionSet& imposed, std::size_t member) {
+    const Condition& condition = trials_.conditions()[member];
+    if (!condition.no_part) return std::nullopt;
+    const std::string what = "a way out by " + title_of(condition);
+    const auto lifted =
+        trials_.best_by("cost", what, [&](Asked& asked) { trials_.lift_others(without(imposed, {member}), asked); });
+    if (!lifted) return std::nullopt;
+    const auto eased = [&](Asked& asked, double to) {
+      trials_.lift_others(imposed, asked);
+      condition.set(asked, to);
+    };
+    const double factor = least_factor(condition, [&](double to) {
+      return trials_.possible(what, [&](Asked& asked) {
+        eased(asked, to);
+        const double limit = lifted->cost * (1.0 + 1e-6);
+        asked.problem.cost_limit = std::min(asked.problem.cost_limit.value_or(limit), limit);
+      });
+    });
+    const double to = rounded_looser(condition, condition.eased(factor));
+    auto design = trials_.best_by("cost", what, [&](Asked& asked) { eased(asked, to); });
+    if (!design) return std::nullopt;
+    return Relaxation{member, true, to, std::move(design), std::nullopt, {}};
+  }
+
+  /// What may be had instead of a condition's giving way: from the first of its stops that is enough as far back as it
+  /// is. Nothing where none is.
+  std::optional<Relaxation> instead_of(const ConditionSet& imposed, std::size_t member, std::size_t index) {
+    const Condition& condition = trials_.conditions()[member].instead[index];
+    const std::string what = "a way out by " + title_of(condition);
+    const auto eased = [&](Asked& asked, double to) {
+      trials_.lift_others(imposed, asked);
+      condition.set(asked, to);
+    };
+    const auto enough = [&](double to) { return trials_.possible(what, [&](Asked& asked) { eased(asked, to); }); };
+    double refused = condition.value;
+    for (const double stop : condition.stops) {
+      if (!enough(stop)) {
+        refused = stop;
+        continue;
+      }
+      double accepted = stop;
+      while (accepted - refused > (smallest_change - 1.0) * accepted) {
+        const double middle = 0.5 * (accepted + refused);
+        (enough(middle) ? accepted : refused) = middle;
+      }
+      for (const double to : {rounded_looser(condition, accepted), accepted})
+        if (auto design = trials_.best_by("cost", what, [&](Asked& asked) { eased(asked, to); }))
+          return Relaxation{member, true, to, std::move(design), index, {}};
+    }
+    return std::nullopt;
+  }
+
+  /// What the build of a way out fails by where its condition has not given way: that is what the condition blocks by.
+  std::vector<Check> broken_without(const ConditionSet& imposed, const Relaxation& way) {
+    std::vector<Check> broken;
+    if (!way.design) return broken;
+    Asked asked = trials_.asked();
+    trials_.lift_others(imposed, asked);
+    const BomCheck judged = check(asked.problem,
+                                  trials_.catalogue_for(asked),
+                                  bill_of(*way.design),
+                                  false,
+                                  trials_.begin(title_of(way.changed(trials_.conditions()))));
+    for (const Check& each : judged.design.checks)
+      if (each.kind != machine::ConstraintKind::soft && each.verdict == Verdict::violated) broken.push_back(each);
+    std::stable_sort(
+        broken.begin(), broken.end(), [](const Check& a, const Check& b) { return a.utilisation > b.utilisation; });
+    return broken;
+  }
+
   /// To 1 %; the furthest is known to be enough.
   template <class Enough>
   static double least_factor(const Condition& condition, Enough&& enough) {
@@ -141,7 +244,7 @@ class Contradictions {
     }
     result_.all_resolved = trials_.best_by("cost", "all ways out together", [&](Asked& asked) {
       for (const Relaxation* way : taken) {
-        const Condition& condition = trials_.conditions()[way->condition];
+        const Condition& condition = way->changed(trials_.conditions());
         way->to ? condition.set(asked, *way->to) : condition.lift(asked);
       }
     });

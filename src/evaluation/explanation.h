@@ -23,6 +23,13 @@ struct Relaxation {
   bool enough = true;            ///< else nothing is compliant even without this condition: another conflict is left
   std::optional<double> to;      ///< of a number or budget; a choice is lifted
   std::optional<Design> design;  ///< the cheapest build then
+  std::optional<std::size_t> instead = std::nullopt;  ///< by that of what may be had instead of the condition
+  std::vector<Check> broken{};  ///< checks that stand against the same build if the condition does not give way
+
+  /// What is changed.
+  [[nodiscard]] const machine::Condition& changed(const std::vector<machine::Condition>& conditions) const {
+    return instead ? conditions[condition].instead[*instead] : conditions[condition];
+  }
 };
 
 /// Conditions that cannot be met together, though any of them can be without one other.

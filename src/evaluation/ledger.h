@@ -65,6 +65,7 @@ struct PartLine {
   std::string source;           ///< where the figures come from
   bool estimate = false;        ///< price or a figure of the part is an estimate
   bool price_estimate = false;  ///< the price is
+  bool paper_only = false;      ///< a publication names it; no maker's document is known
   std::string origin;           ///< "paper", "ours" from a BOM; empty otherwise
 };
 

@@ -9,6 +9,7 @@
 #include "evaluation/fixed_choices.h"
 #include "evaluation/held_parts.h"
 #include "evaluation/machine_stages.h"
+#include "evaluation/motor_shortage.h"
 #include "evaluation/price_book.h"
 #include "evaluation/same_parts.h"
 
@@ -305,15 +306,24 @@ void MachineModel::add_axis(std::size_t index, const PriceBook& prices) {
   }
 }
 
+namespace {
+
+EmptySlot empty_slot(const MachineModel& model, const std::string& axis, const std::string& slot) {
+  for (const machine::Axis& each : model.machine().axes)
+    if (each.name == axis && slot == "motor") {
+      const MotorShortage shortage = motor_shortage(model.catalogue(), each, model.machine().supply_voltages);
+      return {axis, shortage.slot, shortage.reason};
+    }
+  return {axis, slot, fmt::format("no catalogue row fits what axis '{}' asks of its {}", axis, slot)};
+}
+
+}  // namespace
+
 std::vector<EmptySlot> MachineModel::empty_slots() const {
   std::vector<EmptySlot> result;
   for (const StageEntry& entry : entries_)
     for (const SlotTable& table : entry.tables())
-      if (table.rows() == 0)
-        result.push_back(
-            {entry.axis,
-             table.name(),
-             fmt::format("no catalogue row fits what axis '{}' asks of its {}", entry.axis, table.name())});
+      if (table.rows() == 0) result.push_back(empty_slot(*this, entry.axis, table.name()));
   for (const StageEntry& entry : entries_)
     if (const auto* member = std::get_if<std::unique_ptr<MemberStage>>(&entry.stage);
         member != nullptr && !(*member)->missing().empty())

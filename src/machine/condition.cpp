@@ -7,6 +7,8 @@
 #include <cmath>
 #include <set>
 
+#include "machine/condition_holding.h"
+#include "machine/condition_places.h"
 #include "scalar/unit.h"
 
 namespace millwright::machine {
@@ -16,32 +18,6 @@ namespace {
 using catalogue::Catalogue;
 using text::Node;
 using text::SourceSpan;
-
-/// Where things stand in the problem file; the whole file for what is not found.
-class Places {
- public:
-  explicit Places(const text::Document& document) : document_(document) {}
-
-  [[nodiscard]] const Node* root() const { return &document_.root(); }
-  [[nodiscard]] const Node* axis(std::size_t index) const {
-    const Node* axes = root()->find("axis");
-    return axes != nullptr && index < axes->items().size() ? &axes->items()[index] : nullptr;
-  }
-  /// Of the value at the end of a chain of keys, if all of it is there.
-  [[nodiscard]] static const Node* find(const Node* node, std::initializer_list<std::string_view> keys) {
-    for (const std::string_view key : keys) {
-      if (node == nullptr || !node->is_table()) return nullptr;
-      node = node->find(key);
-    }
-    return node;
-  }
-  [[nodiscard]] SourceSpan of(const Node* node) const {
-    return node != nullptr ? node->span() : document_.root().span();
-  }
-
- private:
-  const text::Document& document_;
-};
 
 class Collector {
  public:
@@ -53,6 +29,8 @@ class Collector {
     add_machine();
     add_moves();
     for (std::size_t i = 0; i < problem_.axes.size(); ++i) add_wishes(i);
+    for (std::size_t i = 0; i < problem_.axes.size(); ++i)
+      if (auto brake = brake_condition(problem_, i, places_)) result_.push_back(std::move(*brake));
     add_steering();
     for (std::size_t i = 0; i < problem_.axes.size(); ++i) add_requirements(i, false);
     for (std::size_t i = 0; i < problem_.axes.size(); ++i) add_loads(i);

@@ -40,14 +40,20 @@ struct Condition {
   double value = std::numeric_limits<double>::quiet_NaN();  ///< SI, or in the problem's currency
   std::string unit;                                         ///< SI; empty for money
   bool larger_is_looser = true;
-  double furthest = 1e6;  ///< by this factor eased it is as good as lifted, or as far as makes sense
-  std::string present;    ///< of a choice, in words: "NEMA17, NEMA23"
-  std::string slot;       ///< of a choice: the slot or setting in which a build shows what it took instead
+  double from_zero = 0.0;  ///< SI, of a value that is 0: eased by a factor, it is this times what exceeds 1
+  double furthest = 1e6;   ///< by this factor eased it is as good as lifted, or as far as makes sense
+  std::string present;     ///< of a choice, in words: "NEMA17, NEMA23"
+  std::string slot;        ///< of a choice: the slot or setting in which a build shows what it took instead
+  bool no_part = false;  ///< what gives more of it is bought, but is none of the parts that are chosen and priced here
+  std::vector<double> stops;       ///< of what may be had instead: values to try, ascending, as more of it is no looser
+  std::vector<Condition> instead;  ///< numbers of which some serves as well as less of this condition
   std::function<void(Asked&, double)> set;  ///< to another value; none of a choice
   std::function<void(Asked&)> lift;         ///< not asked any more
 
   /// The value eased by a factor above 1.
-  [[nodiscard]] double eased(double factor) const { return larger_is_looser ? value * factor : value / factor; }
+  [[nodiscard]] double eased(double factor) const {
+    return larger_is_looser ? value * factor + from_zero * (factor - 1.0) : value / factor;
+  }
 };
 
 /// Everything that could be eased: what the user wrote before defaults, loads last. `document`: where the problem was

@@ -61,7 +61,11 @@ void read_enforced(TableReader& table, QuantityReader& q, Requirements& require,
   for (const Node* node : table.list("enforce")) {
     const std::string id = node->as_string().value_or("");
     if (id.empty()) continue;
-    if (std::find(known.begin(), known.end(), id) == known.end())
+    if (id == "C-PSU-CURRENT")
+      diagnostics.error(node->span(),
+                        "enforce: C-PSU-CURRENT is of all motors together, and the search follows their power only",
+                        "C-PSU-POWER holds that; a larger supply_reserve asks for a larger supply");
+    else if (std::find(known.begin(), known.end(), id) == known.end())
       diagnostics.error(node->span(),
                         fmt::format("enforce: {} is no constraint that is only reported", text::quoted(id)),
                         text::did_you_mean(id, known, "those marked * in a report; the others must hold anyway"));

@@ -131,7 +131,7 @@ std::string audit_page(const AuditReport& report, const std::string& file, const
   std::string sheets;
   for (const AuditRow& row : report.rows) sheets += derivation_html(row, t);
   body += section("sheet", t("sheet"), sheets);
-  body += "</main>\n<footer>" + escaped(t("footer")) + "</footer>\n";
+  body += "</main>\n" + footer({}, t);
   return document(report.title + " – Millwright", body, Json{{"language", code(language)}}, json, t);
 }
 

@@ -51,9 +51,10 @@ std::string stacked_bar(
       bar += fmt::format("<i class=\"{}\" style=\"width:{:.2f}%\" title=\"{}: {}\"></i>",
                          colour,
                          100.0 * part.value / full,
-                         escaped(part.what),
+                         escaped(t.said(part.what)),
                          escaped(value));
-    legend += fmt::format("<li><i class=\"{}\"></i>{} <b>{}</b></li>", colour, escaped(part.what), escaped(value));
+    legend +=
+        fmt::format("<li><i class=\"{}\"></i>{} <b>{}</b></li>", colour, escaped(t.said(part.what)), escaped(value));
   }
   if (!std::isnan(limit))
     bar += fmt::format("<em style=\"left:{:.2f}%\"><span>{} {}</span></em>",
@@ -92,8 +93,8 @@ std::string checks_table(const Design& design, const std::string& axis, const Te
                   "checks verdicts");
   for (const Check* check : checks_of(design, axis)) {
     std::string title = escaped(t.said(check->title));
-    if (!worst_text(*check).empty()) title += "<small>" + escaped(worst_text(*check)) + "</small>";
-    if (!check->note.empty()) title += "<small class=\"note\">" + escaped(check->note) + "</small>";
+    if (!worst_text(*check).empty()) title += "<small>" + escaped(t.worst(worst_text(*check))) + "</small>";
+    if (!check->note.empty()) title += "<small class=\"note\">" + escaped(t.said(check->note)) + "</small>";
     const auto number = [](double value) {
       return std::isnan(value) ? std::string("–") : escaped(scalar::format_number(value, 4));
     };
@@ -156,7 +157,7 @@ Json axis_charts(const MachineResult&, const Design& design, const Texts& t) {
     Json phases = Json::array();
     const auto rpm = scalar::Unit::of("rpm");
     for (const evaluation::DrivePhase& phase : drawing.phases)
-      phases.push_back({{"name", phase.name},
+      phases.push_back({{"name", t.worst(phase.name)},
                         {"rpm", number(rpm.from_si(phase.motor_speed))},
                         {"torque", number(phase.motor_torque)},
                         {"ratio", number(phase.torque_ratio)},

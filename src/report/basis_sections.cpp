@@ -111,7 +111,7 @@ std::string assumptions_html(const Design& design, const Texts& t) {
   }
   std::set<std::string> notes;
   for (const Check& check : design.checks)
-    if (!check.note.empty()) notes.insert(check.axis + " " + check.id + ": " + check.note);
+    if (!check.note.empty()) notes.insert(check.axis + " " + check.id + ": " + t.said(check.note));
   for (const std::string& note : notes) estimates += "<li>" + escaped(note) + "</li>\n";
   std::string content = "<ul>\n" + list + "</ul>\n";
   if (!estimates.empty())
@@ -159,6 +159,9 @@ std::string parts_table(const MachineResult& result, const Design& design, const
                    t("parts.confidence"),
                    t("parts.notes")},
                   "parts");
+  // Where the columns have no heads, on a narrow screen.
+  const auto unit = [](const std::string& text) { return "<span class=\"unit\"> " + escaped(text) + "</span>"; };
+  const auto label = [&](const char* key) { return "<span class=\"unit\">" + escaped(t(key)) + ": </span>"; };
   Notes notes(t);
   std::vector<std::string> axes = result.axes;
   axes.emplace_back("machine");
@@ -170,23 +173,26 @@ std::string parts_table(const MachineResult& result, const Design& design, const
       if (part.axis != axis) continue;
       cost -= part.price;
       mass -= part.mass;
-      table.add({first ? "<b>" + escaped(axis == "machine" ? t("machine") : axis) + "</b>" : std::string(),
-                 escaped(part.slot) + (part.origin.empty() ? "" : "<small>" + escaped(part.origin) + "</small>"),
-                 escaped(part_name(part)),
-                 scalar::format_number(part.quantity) +
-                     (part.owned > 0.0
-                          ? fmt::format("<small>{} {}</small>", scalar::format_number(part.owned), t("parts.owned"))
-                          : "") +
-                     (part.spares > 0.0
-                          ? fmt::format("<small>+ {} {}</small>", scalar::format_number(part.spares), t("parts.spare"))
-                          : ""),
-                 part.length > 0.0 ? escaped(shown_quantity(1e3 * part.length, "mm")) : "",
-                 fmt::format("{}{:.2f}", part.estimate ? "~" : "", part.price),
-                 part.mass > 0.0 ? fmt::format("{:.3f}", part.mass) : "",
-                 escaped(part.supplier.empty() ? part.manufacturer : part.supplier),
-                 escaped(part.confidence),
-                 notes.of(part)},
-                first ? "first" : "");
+      table.add(
+          {first ? "<b>" + escaped(axis == "machine" ? t("machine") : axis) + "</b>" : std::string(),
+           escaped(part.slot) + (part.origin.empty() ? "" : "<small>" + escaped(part.origin) + "</small>"),
+           escaped(part_name(part)) +
+               (part.paper_only ? "<small class=\"note\">" + escaped(t("parts.paper_only")) + "</small>" : ""),
+           scalar::format_number(part.quantity) + unit("x") +
+               (part.owned > 0.0
+                    ? fmt::format("<small>{} {}</small>", scalar::format_number(part.owned), t("parts.owned"))
+                    : "") +
+               (part.spares > 0.0
+                    ? fmt::format("<small>+ {} {}</small>", scalar::format_number(part.spares), t("parts.spare"))
+                    : ""),
+           part.length > 0.0 ? escaped(shown_quantity(1e3 * part.length, "mm")) : "",
+           fmt::format("{}{:.2f}", part.estimate ? "~" : "", part.price) + unit(design.currency),
+           part.mass > 0.0 ? fmt::format("{:.3f}", part.mass) + unit("kg") : "",
+           label("parts.supplier") + (part.supplier.empty() ? "<small>" + escaped(t("parts.no_supplier")) + "</small>"
+                                                            : escaped(part.supplier)),
+           part.confidence.empty() ? std::string() : label("parts.confidence") + escaped(part.confidence),
+           notes.of(part)},
+          first ? "first" : "");
       first = false;
     }
   }
@@ -216,8 +222,8 @@ std::string parts_table(const MachineResult& result, const Design& design, const
              escaped(t("parts.total")),
              "",
              "",
-             fmt::format("{:.2f}", design.cost),
-             fmt::format("{:.3f}", design.mass),
+             fmt::format("{:.2f}", design.cost) + unit(design.currency),
+             fmt::format("{:.3f}", design.mass) + unit("kg"),
              "",
              "",
              ""},

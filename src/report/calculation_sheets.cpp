@@ -57,10 +57,10 @@ std::string check_html(const Check& check, const MathPrinter& printer, std::size
   const auto remark = [&](const std::string& label, const std::string& text) {
     if (!text.empty()) out += fmt::format(" <span class=\"remark\">{}: {}</span>", escaped(label), escaped(text));
   };
-  remark(t("sheet.worst"), worst_text(check));
+  remark(t("sheet.worst"), t.worst(worst_text(check)));
   remark(t("sheet.set_by"), check.requirement);
   remark(t("sheet.source"), check.source);
-  remark(t("sheet.note"), check.note);
+  remark(t("sheet.note"), t.said(check.note));
   return out + "</p>\n</article>\n";
 }
 

@@ -171,7 +171,7 @@ std::string parts_text(const MachineResult& result, const Design& design, const 
       if (part.axis != axis) continue;
       estimates = estimates || part.estimate;
       table.add({shown,
-                 part.slot,
+                 part.slot + (part.paper_only ? " !" : ""),
                  part_name(part),
                  scalar::format_number(part.quantity),
                  length_text(part.length),
@@ -186,6 +186,8 @@ std::string parts_text(const MachineResult& result, const Design& design, const 
   out += fmt::format("  Total: {}\n", totals_text(design));
   for (const std::string& line : stated_only_lines(design, Texts(Language::english)))
     out += "  " + style.bad("not included") + ": " + wrapped(line, style.width - 16, 4) + "\n";
+  if (std::any_of(design.parts.begin(), design.parts.end(), [](const PartLine& part) { return part.paper_only; }))
+    out += "  ! known only from a paper, from no maker: verify before ordering\n";
   if (estimates) out += "  ~ the price, or a figure of the part that matters, is an estimate\n";
   return out + "\n";
 }
@@ -284,20 +286,24 @@ std::string checks_text(const MachineResult& result, const Design& design, const
   return soft || open || !notes.empty() ? out + "\n" : out;
 }
 
-std::string closest_checks_text(const MachineResult& result, const Design& design, const Style& style) {
+std::string closest_checks_text(const MachineResult& result,
+                                const Design& design,
+                                const Style& style,
+                                bool with_failures) {
   constexpr std::size_t most = 10;
   constexpr double close = 0.5;
-  TextTable table({{""}, {""}, {"", Align::left, 46}, {"", Align::right}, {""}});
-  std::vector<std::string> over;
+  const std::vector<TableColumn> columns{{""}, {""}, {"", Align::left, 46}, {"", Align::right}, {""}};
+  TextTable table(columns), over(columns);
   for (const std::string& axis : checked_axes(result)) {
-    std::size_t count = 0;
+    std::size_t count = 0, count_over = 0;
     const Check* governing = design.governing(axis);
     for (const Check* check : checks_of(design, axis)) {
       const bool violated = check->verdict == Verdict::violated;
       if (check->kind == ConstraintKind::soft) {
-        if (violated) over.push_back(axis + " " + check->id);
+        if (violated) over.add({count_over++ == 0 ? axis : "", check->id, check->title, utilisation_text(*check), ""});
         continue;
       }
+      if (violated && !with_failures) continue;
       // Fits are met or not: that they are met is no news, however close.
       const bool is_fit = check->id.rfind("F-", 0) == 0;
       const bool counts = check == governing || (!is_fit && check->utilisation >= close && count < most);
@@ -309,12 +315,13 @@ std::string closest_checks_text(const MachineResult& result, const Design& desig
                  violated ? verdict_text(*check, style) : ""});
     }
   }
-  std::string out = style.heading("Checks next to their limits, those that govern first") + "\n" + table.str(2, style);
+  std::string out;
+  if (!table.empty())
+    out += style.heading("Checks next to their limits, those that govern first") + "\n" + table.str(2, style) + "\n";
   if (!over.empty())
-    out += "  " +
-           wrapped(fmt::format("Reported, not enforced, and over: {}", fmt::join(over, ", ")), style.width - 2, 4) +
-           "\n";
-  return table.empty() && over.empty() ? std::string() : out + "\n";
+    out += style.heading("Reported, not enforced, and over (enforce = [\"ID\"] in [axis.require] binds)") + "\n" +
+           over.str(2, style) + "\n";
+  return out;
 }
 
 std::string outside_validity_text(const Design& design, const Style& style) {

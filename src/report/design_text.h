@@ -37,8 +37,12 @@ std::string governing_text(const MachineResult& result, const evaluation::Design
 /// Every check, axis by axis, the most used first.
 std::string checks_text(const MachineResult& result, const evaluation::Design& design, const Style& style);
 
-/// For each axis the checks that count next to their limits, ten at most, and those that fail.
-std::string closest_checks_text(const MachineResult& result, const evaluation::Design& design, const Style& style);
+/// For each axis the checks that count next to their limits, ten at most, and (`with_failures`) those that fail; below,
+/// what is only reported and over.
+std::string closest_checks_text(const MachineResult& result,
+                                const evaluation::Design& design,
+                                const Style& style,
+                                bool with_failures = true);
 
 /// Limits within which formulas are stated and which the design leaves.
 std::string outside_validity_text(const evaluation::Design& design, const Style& style);

@@ -38,8 +38,16 @@ Json conflicts_of(const Explanation& explanation, const std::string& currency) {
     for (const std::size_t i : conflict.conditions)
       members.push_back(condition_of(explanation.conditions[i], currency));
     for (const evaluation::Relaxation& way : conflict.ways) {
-      const Condition& condition = explanation.conditions[way.condition];
+      const Condition& condition = way.changed(explanation.conditions);
       Json json{{"axis", condition.axis}, {"name", condition.name}, {"enough", way.enough}, {"to", number(way.to)}};
+      if (way.instead) json["instead_of"] = explanation.conditions[way.condition].name;
+      if (!condition.setting.empty()) json["setting"] = condition.setting;
+      json["breaks"] = Json::array();
+      for (const evaluation::Check& check : way.broken)
+        json["breaks"].push_back({{"axis", check.axis},
+                                  {"id", check.id},
+                                  {"title", check.title},
+                                  {"utilisation", number(check.utilisation)}});
       if (way.design) {
         json["totals"] = totals_of(*way.design);
         json["build"] = build_of(*way.design);

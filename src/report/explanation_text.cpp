@@ -60,7 +60,7 @@ std::string taken(const Condition& condition, const Design& design) {
 }
 
 std::string way_words(const Explanation& explanation, const Relaxation& way, const std::string& currency) {
-  const Condition& condition = explanation.conditions[way.condition];
+  const Condition& condition = way.changed(explanation.conditions);
   const std::string from = shown(condition, condition.value, currency);
   std::string to = "any";
   if (way.to) {
@@ -85,6 +85,35 @@ std::string tightest_text(const Design& design) {
   if (tightest == nullptr || tightest->utilisation < 0.95) return {};
   return fmt::format(
       "; near its limit: {} {}, {} ({})", tightest->axis, tightest->id, tightest->title, utilisation_text(*tightest));
+}
+
+/// "as asked it fails z C-ST-BACK, Back-driving with power off (2145.1 %)": what the condition blocks by.
+std::string broken_text(const Relaxation& way) {
+  constexpr std::size_t named = 3;
+  std::vector<std::string> checks;
+  for (const evaluation::Check& check : way.broken)
+    if (checks.size() < named)
+      checks.push_back(fmt::format("{} {}, {} ({})", check.axis, check.id, check.title, utilisation_text(check)));
+  if (checks.empty()) return {};
+  const std::size_t more = way.broken.size() - checks.size();
+  return fmt::format(
+      "without that it fails {}{}", fmt::join(checks, "; "), more == 0 ? "" : fmt::format("; and {} more", more));
+}
+
+/// What is said of one way out below what is changed.
+std::string way_details(const Relaxation& way, const Condition& changed, const std::string& currency) {
+  std::vector<std::string> details;
+  if (way.design)
+    details.push_back(fmt::format("cheapest build then: {:.2f} {}, {:.3f} kg{}",
+                                  way.design->cost,
+                                  currency,
+                                  way.design->mass,
+                                  tightest_text(*way.design)));
+  if (changed.no_part) details.push_back("what it takes is none of the parts: not in this price and mass");
+  if (std::string broken = broken_text(way); !broken.empty()) details.push_back(std::move(broken));
+  std::string out;
+  for (const std::string& detail : details) out += "      " + wrapped(detail, width - 6, 8) + "\n";
+  return out;
 }
 
 std::string conflict_text(const Explanation& explanation,
@@ -117,16 +146,7 @@ std::string conflict_text(const Explanation& explanation,
       continue;
     }
     out += "    " + wrapped(way_words(explanation, way, currency), width - 4, 6) + "\n";
-    if (way.design)
-      out += "      " +
-             wrapped(fmt::format("cheapest build then: {:.2f} {}, {:.3f} kg{}",
-                                 way.design->cost,
-                                 currency,
-                                 way.design->mass,
-                                 tightest_text(*way.design)),
-                     width - 6,
-                     8) +
-             "\n";
+    out += way_details(way, way.changed(explanation.conditions), currency);
   }
   return out + useless + "\n";
 }
@@ -269,6 +289,10 @@ std::string prices_text(const Explanation& explanation, const std::string& curre
                    width - 2,
                    2) +
            "\n";
+  if (std::any_of(explanation.prices.begin(), explanation.prices.end(), [&](const Price& price) {
+        return explanation.conditions[price.condition].no_part;
+      }))
+    out += "  A brake is none of the parts: what it costs itself is to be taken off.\n";
   for (const std::size_t i : explanation.unsettled)
     out += fmt::format("  What {}: {} costs took too long to find out.\n",
                        explanation.conditions[i].axis,

@@ -48,9 +48,9 @@ std::string verdict_banner(const MachineResult& result, PageKind kind, const Tex
                               result.designs.size()));
   const bool proved = result.status == Status::optimal || result.proved > 0;
   return banner(proved ? "good" : "near",
-                t(!proved         ? "banner.best_so_far"
-                  : result.robust ? "banner.proved_robust"
-                                  : "banner.proved"));
+                t(!proved                       ? "banner.best_so_far"
+                  : robust_to_something(result) ? "banner.proved_robust"
+                                                : "banner.proved"));
 }
 
 std::string totals_html(const Design& design, const Texts& t) {
@@ -69,7 +69,7 @@ std::string totals_html(const Design& design, const Texts& t) {
 
 /// Axis, check, value, limit and use: of a check in a table of the summary; its last cell is left to the caller.
 std::vector<std::string> check_cells(const std::string& axis, const Check& check, std::string last, const Texts& t) {
-  return {escaped(axis),
+  return {escaped(axis == "machine" ? t("machine") : axis),
           fmt::format("<a href=\"#{}\">{}</a>", calculation_id(check), escaped(check.id)),
           escaped(t.said(check.title)),
           value_cell(check.value, check.unit),
@@ -95,7 +95,7 @@ std::string failures_table(const MachineResult& result, const Design& design, co
   HtmlTable table = check_table(t("check.worst"), "checks", t);
   for (const std::string& axis : checked_axes(result))
     for (const Check* check : checks_of(design, axis))
-      if (is_failure(*check)) table.add(check_cells(axis, *check, escaped(worst_text(*check)), t));
+      if (is_failure(*check)) table.add(check_cells(axis, *check, escaped(t.worst(worst_text(*check))), t));
   return table.empty() ? std::string() : "<h3>" + escaped(t("summary.failures")) + "</h3>\n" + table.str();
 }
 
@@ -114,7 +114,7 @@ std::string alternatives_html(const MachineResult& result, const Texts& t) {
 }
 
 std::string tolerances_html(const MachineResult& result, const Design& design, const Texts& t) {
-  const std::string text = tolerances_text(result, design, Style{});
+  const std::string text = tolerances_text(result, design, Style{}, t);
   const std::size_t line = text.find('\n');
   if (line == std::string::npos) return {};
   return section("tolerances", t("tolerances"), "<pre>" + escaped(text.substr(line + 1)) + "</pre>\n");
@@ -146,6 +146,12 @@ std::string navigation(const MachineResult& result, PageKind kind, const Texts& 
   }
   if (kind != PageKind::check) link("certificate", t("certificate"));
   return out + "</nav>\n";
+}
+
+std::vector<const Design*> designs_of(const MachineResult& result) {
+  std::vector<const Design*> designs;
+  for (const Design& design : result.designs) designs.push_back(&design);
+  return designs;
 }
 
 std::string heading(const MachineResult& result, PageKind kind, const Texts& t) {
@@ -192,7 +198,7 @@ std::string machine_page(const MachineResult& result,
   }
   body += catalogues_section(result, t);
   if (kind != PageKind::check) body += certificate_section(result, t);
-  body += "</main>\n<footer>" + escaped(t("footer")) + "</footer>\n";
+  body += "</main>\n" + footer(designs_of(result), t);
   return document((result.title.empty() ? result.file : result.title) + " – Millwright", body, charts, json, t);
 }
 

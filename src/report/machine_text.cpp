@@ -191,9 +191,9 @@ std::string certificate_text(const MachineResult& result, const Style& style, co
     line(t(result.robust ? "certificate.none_robust" : "certificate.none"));
   } else if (result.objectives.size() == 1 && design != nullptr) {
     const std::string& objective = result.objectives.front();
-    line(best_is_proved(result) ? fill(result.robust             ? "certificate.best_robust"
-                                       : result.steering.empty() ? "certificate.best"
-                                                                 : "certificate.best_asked",
+    line(best_is_proved(result) ? fill(robust_to_something(result) ? "certificate.best_robust"
+                                       : result.steering.empty()   ? "certificate.best"
+                                                                   : "certificate.best_asked",
                                        better_words(objective, t))
                                 : fill("certificate.open",
                                        objective_text(objective, result.lower_bound, design->currency),
@@ -238,15 +238,15 @@ std::string solve_text(const MachineResult& result, const Style& style) {
   }
   const Design& design = result.designs.front();
   const std::string& objective = result.objectives.front();
-  out += best_is_proved(result)
-             ? style.heading(best_word(objective) +
-                             (result.robust ? " build compliant over all tolerances: " : " compliant build: ") +
-                             all_totals(objective, design)) +
-                   "\n\n"
-             : style.heading("Best build found before the limit: " + all_totals(objective, design)) +
-                   fmt::format("\n  proved so far: not below {}, gap {:.2f} %\n\n",
-                               objective_text(objective, result.lower_bound, design.currency),
-                               100.0 * result.gap);
+  out += best_is_proved(result) ? style.heading(best_word(objective) +
+                                                (robust_to_something(result) ? " build compliant over all tolerances: "
+                                                                             : " compliant build: ") +
+                                                all_totals(objective, design)) +
+                                      "\n\n"
+                                : style.heading("Best build found before the limit: " + all_totals(objective, design)) +
+                                      fmt::format("\n  proved so far: not below {}, gap {:.2f} %\n\n",
+                                                  objective_text(objective, result.lower_bound, design.currency),
+                                                  100.0 * result.gap);
   if (result.fixed_objective && result.status == Status::optimal)
     out += "  Moves state their times, so every build takes as long: this is the cheapest.\n\n";
   out += parts_text(result, design, style) + dimensions_text(design, style) + alternatives_text(result, style);
@@ -318,6 +318,9 @@ std::string check_text(const MachineResult& result, const Style& style) {
   out += fmt::format("Totals: {}\n\n", totals_text(design));
   out += failures_text(result, design, style);
   if (style.brief) return out;
+  if (!style.full)
+    return out + closest_checks_text(result, design, style, false) + parts_text(result, design, style) +
+           dimensions_text(design, style) + tolerances_text(result, design, style) + more_text(design);
   return out + governing_text(result, design, style) + parts_text(result, design, style) +
          dimensions_text(design, style) + checks_text(result, design, style) + tolerances_text(result, design, style) +
          outside_validity_text(design, style) + requirements_text(result, style) + assumptions_text(design, style);

@@ -4,17 +4,60 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <set>
 
 #include "report/design_text.h"
 #include "report/html.h"
+#include "report/order_list.h"
 #include "report/page_assets.h"
+#include "report/version.h"
+#include "text/utf8.h"
 
 namespace millwright::report {
 
 using evaluation::Check;
 using evaluation::Verdict;
 using machine::ConstraintKind;
+
+namespace {
+
+/// A text as a string of CSS: whatever is no letter or digit, by its number.
+std::string css_string(std::string_view text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == ' ' || c == '.' || c == ',' ||
+                       c == '-' || static_cast<unsigned char>(c) >= 0x80;
+    if (plain)
+      out += c;
+    else
+      out += fmt::format("\\{:06x}", static_cast<unsigned char>(c));
+  }
+  return out + "\"";
+}
+
+/// What stands below every printed page.
+std::string page_margins(const std::string& title, const Texts& t) {
+  return fmt::format(
+      "@page {{ @bottom-left {{ content: {}; }} @bottom-right {{ content: {} \" \" counter(page) \" / \" "
+      "counter(pages); }} }}\n",
+      css_string(text::printable(fmt::format("{}, {}", title, program_version), 100)),
+      css_string(t("footer.page")));
+}
+
+}  // namespace
+
+std::string footer(const std::vector<const evaluation::Design*>& designs, const Texts& t) {
+  std::set<std::string> dates;
+  for (const evaluation::Design* design : designs)
+    for (const evaluation::PartLine& part : design->parts)
+      if (std::string date = price_date(part.price_basis); !date.empty()) dates.insert(std::move(date));
+  std::string words = fmt::format(fmt::runtime(t("footer")), program_version);
+  if (!dates.empty())
+    words += " " + fmt::format(fmt::runtime(t("footer.prices")), fmt::format("{}", fmt::join(dates, ", ")));
+  return "<footer>" + escaped(words) + "</footer>\n";
+}
 
 std::string document(
     const std::string& title, const std::string& body, const Json& charts, const std::string& json, const Texts& t) {
@@ -29,7 +72,7 @@ std::string document(
       "<meta name=\"generator\" content=\"Millwright\">\n<title>{}</title>\n<style>\n{}</style>\n</head>\n<body>\n",
       code(t.language()),
       escaped(title),
-      page_style());
+      page_style() + page_margins(title, t));
   out += body;
   out += "<script type=\"application/json\" id=\"charts\">" + data(charts) + "</script>\n";
   out += "<script type=\"application/json\" id=\"result\">" + data(Json::parse(json)) + "</script>\n";

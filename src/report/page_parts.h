@@ -18,6 +18,9 @@ namespace millwright::report {
 std::string document(
     const std::string& title, const std::string& body, const Json& charts, const std::string& json, const Texts& t);
 
+/// What a page ends with: the program's version, and of which dates the prices of these designs are.
+std::string footer(const std::vector<const evaluation::Design*>& designs, const Texts& t);
+
 /// <section id><h2>heading</h2>...</section>; empty without content.
 std::string section(std::string_view id, const std::string& heading, const std::string& content);
 

@@ -1,86 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/page_texts.h"
 
-#include <fmt/format.h>
-
-#include <cctype>
-#include <stdexcept>
-
 namespace millwright::report {
-
-std::string_view code(Language language) { return language == Language::indonesian ? "id" : "en"; }
-
-std::optional<Language> language_of(std::string_view code) {
-  if (code == "en") return Language::english;
-  if (code == "id") return Language::indonesian;
-  return std::nullopt;
-}
-
-std::vector<std::string> language_codes() { return {"en", "id"}; }
-
-std::string Texts::operator()(std::string_view key) const {
-  for (const PageText& text : page_texts())
-    if (text.key == key) return std::string(language_ == Language::indonesian ? text.indonesian : text.english);
-  throw std::logic_error(fmt::format("the page has no text '{}'", key));
-}
-
-namespace {
-
-/// Numbers as gaps, and what stood there.
-std::string with_gaps(std::string_view text, std::vector<std::string>& numbers) {
-  std::string out;
-  for (std::size_t i = 0; i < text.size();) {
-    const bool begins = std::isdigit(static_cast<unsigned char>(text[i])) != 0 && (i == 0 || text[i - 1] == ' ');
-    std::size_t end = i;
-    while (begins && end < text.size() &&
-           (std::isalnum(static_cast<unsigned char>(text[end])) != 0 || text[end] == '.' || text[end] == '+' ||
-            text[end] == '-'))
-      ++end;
-    if (!begins) {
-      out += text[i++];
-      continue;
-    }
-    numbers.emplace_back(text.substr(i, end - i));
-    out += "{}";
-    i = end;
-  }
-  return out;
-}
-
-std::string filled(std::string_view text, const std::vector<std::string>& numbers) {
-  std::string out;
-  std::size_t next = 0;
-  for (std::size_t gap = text.find("{}"); gap != std::string_view::npos && next < numbers.size();
-       gap = text.find("{}")) {
-    out += std::string(text.substr(0, gap)) + numbers[next++];
-    text.remove_prefix(gap + 2);
-  }
-  return out + std::string(text);
-}
-
-}  // namespace
-
-std::string Texts::said(std::string_view english) const {
-  if (language_ == Language::english) return std::string(english);
-  std::vector<std::string> numbers;
-  const std::string form = with_gaps(english, numbers);
-  for (const Saying& saying : sayings()) {
-    if (saying.english == english) return std::string(saying.indonesian);
-    if (saying.english == form) return filled(saying.indonesian, numbers);
-  }
-  return std::string(english);
-}
-
-std::string Texts::clauses(std::string_view english) const {
-  std::string out;
-  while (true) {
-    const std::size_t end = english.find("; ");
-    out += said(english.substr(0, end));
-    if (end == std::string_view::npos) return out;
-    out += "; ";
-    english.remove_prefix(end + 2);
-  }
-}
 
 const std::vector<PageText>& page_texts() {
   static const std::vector<PageText> texts{
@@ -90,10 +11,14 @@ const std::vector<PageText>& page_texts() {
       {"kind.sweep", "One value over a range", "Satu nilai sepanjang rentang"},
       {"kind.audit", "Audit of a published calculation", "Audit perhitungan terbitan"},
       {"footer",
-       "Made by Millwright. Values are computed in SI and shown with four significant digits; the complete result for "
+       "Made by Millwright {}. Values are computed in SI and shown with four significant digits; the complete result "
+       "for "
        "programs is inside this page.",
-       "Dibuat dengan Millwright. Nilai dihitung dalam SI dan ditampilkan dengan empat angka penting; hasil lengkap "
+       "Dibuat dengan Millwright {}. Nilai dihitung dalam SI dan ditampilkan dengan empat angka penting; hasil lengkap "
        "untuk program ada di dalam halaman ini."},
+
+      {"footer.prices", "Prices are of {}.", "Harga dari {}."},
+      {"footer.page", "page", "halaman"},
 
       {"summary", "Summary", "Ringkasan"},
       {"summary.governing", "Governing check of each axis", "Pemeriksaan penentu tiap sumbu"},
@@ -186,6 +111,10 @@ const std::vector<PageText>& page_texts() {
       {"parts.shipping", "Shipping", "Ongkos kirim"},
       {"parts.top_up", "Filling up to the minimum order", "Penggenapan ke pesanan minimum"},
       {"parts.supplier", "Supplier", "Pemasok"},
+      {"parts.no_supplier", "not stated", "tidak disebut"},
+      {"parts.paper_only",
+       "known only from a paper, from no maker: verify before ordering",
+       "hanya dikenal dari sebuah makalah, bukan dari pembuat: periksa sebelum memesan"},
       {"parts.confidence", "Confidence", "Keyakinan"},
       {"parts.notes", "Notes", "Catatan"},
       {"parts.price_basis", "price", "harga"},
@@ -199,6 +128,65 @@ const std::vector<PageText>& page_texts() {
       {"settings.name", "Name", "Nama"},
       {"alternatives", "Alternatives", "Alternatif"},
       {"tolerances", "Tolerances", "Toleransi"},
+      {"tolerances.figure", "{} figure", "{} data"},
+      {"tolerances.figures", "{} figures", "{} data"},
+      {"tolerances.comes_to", "comes to {} % of its limit", "mencapai {} % dari batasnya"},
+      {"tolerances.fails", "fails", "gagal"},
+      {"tolerances.estimate", ", an estimate", ", perkiraan"},
+      {"tolerances.single",
+       "{} ({}) {}{}: compliant up to about {} ({}); at {} {}",
+       "{} ({}) {}{}: memenuhi syarat sampai sekitar {} ({}); pada {} {}"},
+      {"tolerances.together", "together {}: {}", "bersama-sama {}: {}"},
+      {"tolerances.good", "Compliant", "Memenuhi syarat"},
+      {"tolerances.bad", "Not compliant", "Tidak memenuhi syarat"},
+      {"tolerances.none",
+       "No figure of the chosen parts states a tolerance: with --robust this is no stronger than without.",
+       "Tidak ada data komponen terpilih yang menyebut toleransi: dengan --robust hasil ini tidak lebih kuat daripada "
+       "tanpanya."},
+      {"tolerances.compliant",
+       "{} for every value within the stated tolerances of {}, proved with intervals.",
+       "{} untuk setiap nilai dalam toleransi yang disebut dari {}, terbukti dengan selang."},
+      {"tolerances.broken_together",
+       "{} for every value within the stated tolerances of {}; no single one breaks it.",
+       "{} untuk setiap nilai dalam toleransi yang disebut dari {}; tidak ada satu pun yang sendirian "
+       "menggagalkannya."},
+      {"tolerances.broken",
+       "{} for every value within the stated tolerances: {} of {} can break it alone.",
+       "{} untuk setiap nilai dalam toleransi yang disebut: {} dari {} dapat menggagalkannya sendirian."},
+      {"tolerances.unsettled",
+       "Not settled whether it is compliant for every value within the stated tolerances of {}: neither proved nor "
+       "refuted in {} pieces.",
+       "Belum pasti apakah memenuhi syarat untuk setiap nilai dalam toleransi yang disebut dari {}: tidak terbukti dan "
+       "tidak terbantah dalam {} bagian."},
+      {"tolerances.not_asked",
+       "Not asked: it fails with the figures as they stand.",
+       "Tidak diperiksa: gagal dengan data apa adanya."},
+      {"tolerances.unstated_one",
+       "No tolerance is stated for {} that is estimated: taken as it stands.",
+       "Tidak ada toleransi disebut untuk {} yang diperkirakan: dipakai apa adanya."},
+      {"tolerances.unstated",
+       "No tolerance is stated for {} that are estimated: taken as they stand.",
+       "Tidak ada toleransi disebut untuk {} yang diperkirakan: dipakai apa adanya."},
+      {"tolerances.robust",
+       "No build that is compliant for every value within the stated tolerances is better",
+       "Tidak ada rancangan yang lebih baik yang memenuhi syarat untuk setiap nilai dalam toleransi yang disebut"},
+      {"tolerances.robust_open",
+       "Whether a better build is compliant for every value within the stated tolerances is open",
+       "Apakah ada rancangan lebih baik yang memenuhi syarat untuk setiap nilai dalam toleransi belum pasti"},
+      {"tolerances.robust_same",
+       "with the figures as they stand none is better either",
+       "dengan data apa adanya pun tidak ada yang lebih baik"},
+      {"tolerances.robust_costs",
+       "with the figures as they stand the best is {} better",
+       "dengan data apa adanya yang terbaik {} lebih baik"},
+      {"tolerances.scenario",
+       "{} set of values was asked of every part on the way; ramps, dimensions and settings are the same for all "
+       "values.",
+       "{} himpunan nilai dituntut dari setiap komponen; ramp, ukuran, dan pengaturan sama untuk semua nilai."},
+      {"tolerances.scenarios",
+       "{} sets of values were asked of every part on the way; ramps, dimensions and settings are the same for all "
+       "values.",
+       "{} himpunan nilai dituntut dari setiap komponen; ramp, ukuran, dan pengaturan sama untuk semua nilai."},
 
       {"sheet", "Calculation sheet", "Lembar perhitungan"},
       {"sheet.element", "Calculation: {}", "Perhitungan: {}"},
@@ -353,9 +341,11 @@ const std::vector<PageText>& page_texts() {
       {"sweep", "The best build at each value", "Rancangan terbaik pada tiap nilai"},
       {"sweep.speed", "Against the cycle time", "Terhadap waktu siklus"},
       {"sweep.hint",
-       "Point at a mark for its figures. A cross: no compliant build exists there; an open circle: not proved.",
+       "Point at a mark for its figures. A cross: no compliant build exists there; an open circle: not proved. Between "
+       "the marks nothing was solved; the table says which parts change from one to the next.",
        "Tunjuk sebuah tanda untuk angkanya. Silang: tidak ada rancangan yang memenuhi syarat; lingkaran kosong: belum "
-       "terbukti."},
+       "terbukti. Di antara tanda tidak ada yang dihitung; tabel menyebut komponen yang berubah dari satu ke "
+       "berikutnya."},
       {"sweep.proof", "Proof", "Bukti"},
       {"sweep.proved", "proved", "terbukti"},
       {"sweep.open", "not proved", "belum terbukti"},

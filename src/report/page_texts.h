@@ -22,7 +22,8 @@ struct PageText {
 };
 const std::vector<PageText>& page_texts();
 
-/// What other rooms say in English: titles of constraints, clauses of a proof's method. `{}`: a number.
+/// What other rooms say in English: titles of constraints, phases, shares of an error, clauses of a proof's method.
+/// `{}`: a number.
 struct Saying {
   std::string_view english, indonesian;
 };
@@ -38,6 +39,8 @@ class Texts {
   [[nodiscard]] std::string said(std::string_view english) const;
   /// Sayings with "; " between them.
   [[nodiscard]] std::string clauses(std::string_view english) const;
+  /// The phase of a move in which a check is worst, and the place: "lift up, accelerate; nut farthest ...".
+  [[nodiscard]] std::string worst(std::string_view english) const;
   [[nodiscard]] Language language() const { return language_; }
 
  private:

@@ -71,9 +71,18 @@ class Fields {
 
   Fields object(const char* key) const { return {find(key, true), inner(key), text_, diagnostics_}; }
 
-  std::vector<Fields> list(const char* key) const {
+  std::vector<std::string> strings(const char* key) const {
+    std::vector<std::string> result;
+    const Json* value = find(key, false);
+    if (value == nullptr || !value->is_array()) return result;
+    for (const Json& each : *value)
+      if (each.is_string()) result.push_back(each.get<std::string>());
+    return result;
+  }
+
+  std::vector<Fields> list(const char* key, bool required = true) const {
     std::vector<Fields> result;
-    const Json* value = find(key, true);
+    const Json* value = find(key, required);
     if (value == nullptr) return result;
     if (!value->is_array()) complain(key, "is not a list");
     if (value->is_array())
@@ -245,6 +254,27 @@ bool is_one_build(const Json& json, const std::shared_ptr<const SourceText>& tex
                 "'millwright explain' says why nothing is compliant");
 }
 
+/// What was asked for beside the problem, in the words of the command line.
+std::vector<std::string> asked_of(const Fields& steering) {
+  std::vector<std::string> asked;
+  for (const std::string& setting : steering.strings("settings")) asked.push_back("--set " + setting);
+  for (const Fields& limit : steering.list("limits", false))
+    asked.push_back(
+        fmt::format("--limit {}={:.6g} {}", limit.string("name"), limit.number("value"), limit.string("unit")));
+  for (const Fields& part : steering.list("without", false)) asked.push_back("--without " + part.string("part_number"));
+  for (const Fields& line : steering.list("fixed", false))
+    asked.push_back(
+        line.has("slot")
+            ? fmt::format("--fix {}.{}={}", line.string("axis"), line.string("slot"), line.string("part_number"))
+            : fmt::format("--fix {}.{}={:.6g} {}",
+                          line.string("axis"),
+                          line.string("name"),
+                          line.number("value"),
+                          line.string("unit")));
+  if (asked.empty()) asked.emplace_back("more than the problem says");
+  return asked;
+}
+
 }  // namespace
 
 std::optional<RecordedBuild> read_recorded_build(const std::shared_ptr<const SourceText>& text,
@@ -260,7 +290,7 @@ std::optional<RecordedBuild> read_recorded_build(const std::shared_ptr<const Sou
   result.problem_file = problem.string("file");
   result.bom_file = fields.string("bill_of_materials", false);
   result.proved = fields.string("status", false) != "limit";
-  result.steered = fields.has("steering");
+  if (fields.has("steering")) result.asked = asked_of(fields.object("steering"));
   read_build(fields, result.design);
   result.axes = axes_of(result.design);
   if (diagnostics.error_count() > errors) return std::nullopt;

@@ -15,13 +15,13 @@
 namespace millwright::report {
 
 struct RecordedBuild {
-  std::string command;            ///< "solve" or "check"
-  std::string title;              ///< of the problem
-  std::string problem_file;       ///< as it was named then; may be gone
-  std::string bom_file;           ///< of check
-  bool proved = true;             ///< not a best build of a search that a limit ended
-  bool steered = false;           ///< more was asked for than the problem says (--limit, --without, --fix)
-  std::vector<std::string> axes;  ///< without "machine"
+  std::string command;             ///< "solve" or "check"
+  std::string title;               ///< of the problem
+  std::string problem_file;        ///< as it was named then; may be gone
+  std::string bom_file;            ///< of check
+  bool proved = true;              ///< not a best build of a search that a limit ended
+  std::vector<std::string> asked;  ///< beside the problem, as on a command line: "--set axis.z.stroke=1 m"
+  std::vector<std::string> axes;   ///< without "machine"
   evaluation::Design design;
 };
 

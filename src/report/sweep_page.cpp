@@ -69,7 +69,6 @@ class Chart {
                        height - 6,
                        escaped(x_label_));
     out += fmt::format("<text x=\"{}\" y=\"14\">{}</text>\n", 4, escaped(y_label_));
-    out += line();
     for (const Mark& mark : marks_) out += point(mark);
     return out + "</svg></figure>\n";
   }
@@ -111,20 +110,6 @@ class Chart {
         left - 6,
         up(y) + 4.0,
         y);
-  }
-  /// Through neighbours that both have a build.
-  std::string line() const {
-    std::string path;
-    bool pen_down = false;
-    for (const Mark& mark : marks_) {
-      if (std::isnan(mark.y)) {
-        pen_down = false;
-        continue;
-      }
-      path += fmt::format("{}{:.1f} {:.1f} ", pen_down ? 'L' : 'M', across(mark.x), up(mark.y));
-      pen_down = true;
-    }
-    return "<path d=\"" + path + "\" fill=\"none\" stroke=\"var(--accent)\" stroke-width=\"1.5\"/>\n";
   }
   std::string point(const Mark& mark) const {
     const std::string title = "<title>" + escaped(mark.title) + "</title>";
@@ -254,8 +239,11 @@ std::string sweep_page(const Sweep& sweep, const std::string& json, Language lan
   const std::string asked = steering_text(first, Style{});
   if (const std::size_t line = asked.find('\n'); line != std::string::npos)
     body += "<h3>" + escaped(t("summary.asked")) + "</h3>\n<pre>" + escaped(asked.substr(line + 1)) + "</pre>\n";
+  std::vector<const evaluation::Design*> designs;
+  for (const SweepPoint& point : sweep.points)
+    if (point.design() != nullptr) designs.push_back(point.design());
   body += section("sweep", t("sweep"), charts(sweep, t) + table(sweep, t));
-  body += "</main>\n<footer>" + escaped(t("footer")) + "</footer>\n";
+  body += "</main>\n" + footer(designs, t);
   return document(title + " – Millwright", body, Json{{"language", code(language)}}, json, t);
 }
 

@@ -29,30 +29,38 @@ std::string deviation_text(const TolerancedFigure& figure, double value) {
 
 std::string_view name_of(const TolerancedFigure& figure) { return catalogue::declaration(figure.column).name; }
 
-std::string figures_word(std::size_t count) { return fmt::format("{} figure{}", count, count == 1 ? "" : "s"); }
+template <class... Values>
+std::string filled(const Texts& t, std::string_view key, const Values&... values) {
+  return fmt::format(fmt::runtime(t(key)), values...);
+}
+
+std::string figures_word(std::size_t count, const Texts& t) {
+  return filled(t, count == 1 ? "tolerances.figure" : "tolerances.figures", count);
+}
 
 /// "x C-ST-RMS comes to 108 % of its limit".
-std::string failure_text(const ToleranceBreak& each) {
+std::string failure_text(const ToleranceBreak& each, const Texts& t) {
   const std::string use = each.utilisation < machine::useless_utilisation
-                              ? fmt::format("comes to {:.1f} % of its limit", 100.0 * each.utilisation)
-                              : "fails";
-  return fmt::format("{} {} ({}) {}", each.axis, each.check, each.title, use);
+                              ? filled(t, "tolerances.comes_to", fmt::format("{:.1f}", 100.0 * each.utilisation))
+                              : t("tolerances.fails");
+  return fmt::format("{} {} ({}) {}", each.axis, each.check, t.said(each.title), use);
 }
 
-std::string single_text(const TolerancedFigure& figure, const ToleranceBreak& each) {
+std::string single_text(const TolerancedFigure& figure, const ToleranceBreak& each, const Texts& t) {
   const double worst = each.values.front().second;
-  return fmt::format("{} ({}) {}{}: compliant up to about {} ({}); at {} {}",
-                     figure.part,
-                     fmt::join(figure.places, ", "),
-                     figure_text(figure),
-                     figure.estimate ? ", an estimate" : "",
-                     value_text(figure, *each.from),
-                     deviation_text(figure, *each.from),
-                     value_text(figure, worst),
-                     failure_text(each));
+  return filled(t,
+                "tolerances.single",
+                figure.part,
+                fmt::format("{}", fmt::join(figure.places, ", ")),
+                figure_text(figure),
+                figure.estimate ? t("tolerances.estimate") : std::string(),
+                value_text(figure, *each.from),
+                deviation_text(figure, *each.from),
+                value_text(figure, worst),
+                failure_text(each, t));
 }
 
-std::string combination_text(const ToleranceCheck& check, const ToleranceBreak& each) {
+std::string combination_text(const ToleranceCheck& check, const ToleranceBreak& each, const Texts& t) {
   std::string values;
   for (const auto& [index, value] : each.values)
     values += fmt::format("{}{} {} {}",
@@ -60,82 +68,76 @@ std::string combination_text(const ToleranceCheck& check, const ToleranceBreak& 
                           check.figures[index].part,
                           name_of(check.figures[index]),
                           deviation_text(check.figures[index], value));
-  return fmt::format("together {}: {}", values, failure_text(each));
+  return filled(t, "tolerances.together", values, failure_text(each, t));
 }
 
-std::string verdict_text(const ToleranceCheck& check, const Style& style) {
-  const std::string figures = figures_word(check.figures.size());
+std::string verdict_text(const ToleranceCheck& check, const Style& style, const Texts& t) {
+  const std::string figures = figures_word(check.figures.size(), t);
   switch (check.verdict) {
     case ToleranceVerdict::none_stated:
-      return "No figure of the chosen parts states a tolerance.";
+      return t("tolerances.none");
     case ToleranceVerdict::compliant:
-      return fmt::format("{} for every value within the stated tolerances of {}, proved with intervals.",
-                         style.good("Compliant"),
-                         figures);
+      return filled(t, "tolerances.compliant", style.good(t("tolerances.good")), figures);
     case ToleranceVerdict::broken:
       return check.single.empty()
-                 ? fmt::format("{} for every value within the stated tolerances of {}; no single one breaks it.",
-                               style.bad("Not compliant"),
-                               figures)
-                 : fmt::format("{} for every value within the stated tolerances: {} of {} can break it alone.",
-                               style.bad("Not compliant"),
-                               check.single.size(),
-                               figures);
+                 ? filled(t, "tolerances.broken_together", style.bad(t("tolerances.bad")), figures)
+                 : filled(t, "tolerances.broken", style.bad(t("tolerances.bad")), check.single.size(), figures);
     case ToleranceVerdict::unsettled:
-      return fmt::format(
-          "Not settled whether it is compliant for every value within the stated tolerances of {}: "
-          "neither proved nor refuted in {} pieces.",
-          figures,
-          check.boxes);
+      return filled(t, "tolerances.unsettled", figures, check.boxes);
     case ToleranceVerdict::not_asked:
       break;
   }
-  return "Not asked: it fails with the figures as they stand.";
+  return t("tolerances.not_asked");
 }
 
-std::string robust_text(const MachineResult& result, const evaluation::Design& design) {
+std::string robust_text(const MachineResult& result, const evaluation::Design& design, const Texts& t) {
   if (!result.robust) return {};
   const std::string& objective = result.objectives.front();
-  std::string text = result.status == Status::optimal
-                         ? "No build that is compliant for every value within the stated tolerances is better"
-                         : "Whether a better build is compliant for every value within the stated tolerances is open";
+  std::string text = t(result.status == Status::optimal ? "tolerances.robust" : "tolerances.robust_open");
   if (result.robust_scenarios == 0) return text + ".";
   const double more = design.total(machine::objective_named(objective)) - result.robust_without;
   const bool equal = std::abs(more) <= 1e-5 * std::abs(result.robust_without);
-  text += equal ? "; with the figures as they stand none is better either"
-                : fmt::format("; with the figures as they stand the best is {} better",
-                              objective_text(objective, more, design.currency));
-  return text + fmt::format(
-                    ". {} set{} of values {} asked of every part on the way; ramps, dimensions and settings are "
-                    "the same for all values.",
-                    result.robust_scenarios,
-                    result.robust_scenarios == 1 ? "" : "s",
-                    result.robust_scenarios == 1 ? "was" : "were");
+  text += "; ";
+  text += equal ? t("tolerances.robust_same")
+                : filled(t, "tolerances.robust_costs", objective_text(objective, more, design.currency));
+  return text + ". " +
+         filled(
+             t, result.robust_scenarios == 1 ? "tolerances.scenario" : "tolerances.scenarios", result.robust_scenarios);
 }
 
 }  // namespace
+
+bool robust_to_something(const MachineResult& result) {
+  if (!result.robust || result.designs.empty()) return false;
+  const auto& check = result.designs.front().tolerances;
+  return check && check->verdict != ToleranceVerdict::none_stated;
+}
 
 std::string figure_text(const TolerancedFigure& figure) {
   return fmt::format("{} {} ±{:.3g} %", name_of(figure), value_text(figure, figure.value), 100.0 * figure.share());
 }
 
-std::string tolerances_text(const MachineResult& result, const evaluation::Design& design, const Style& style) {
+std::string tolerances_text(const MachineResult& result,
+                            const evaluation::Design& design,
+                            const Style& style,
+                            const Texts& t) {
   if (!design.tolerances) return {};
   const ToleranceCheck& check = *design.tolerances;
-  std::string out = style.heading("Tolerances") + "\n";
+  std::string out = style.heading(t("tolerances")) + "\n";
   const auto line = [&](const std::string& text, std::size_t indent = 2) {
     out += std::string(indent, ' ') + wrapped(text, style.width - indent, indent) + "\n";
   };
-  std::string verdict = verdict_text(check, style);
+  std::string verdict = verdict_text(check, style, t);
   if (check.unstated > 0)
-    verdict += fmt::format(" No tolerance is stated for {} that {} estimated: taken as {}.",
-                           figures_word(check.unstated),
-                           check.unstated == 1 ? "is" : "are",
-                           check.unstated == 1 ? "it stands" : "they stand");
+    verdict += " " + filled(t,
+                            check.unstated == 1 ? "tolerances.unstated_one" : "tolerances.unstated",
+                            figures_word(check.unstated, t));
   line(verdict);
-  for (const ToleranceBreak& each : check.single) line(single_text(check.figures[each.values.front().first], each), 4);
-  if (check.combination) line(combination_text(check, *check.combination), 4);
-  if (const std::string robust = robust_text(result, design); !robust.empty()) line(robust);
+  for (const ToleranceBreak& each : check.single)
+    line(single_text(check.figures[each.values.front().first], each, t), 4);
+  if (check.combination) line(combination_text(check, *check.combination, t), 4);
+  if (check.verdict != ToleranceVerdict::none_stated)
+    if (const std::string robust = robust_text(result, design, t); !robust.empty()) line(robust);
   return out + "\n";
 }
 

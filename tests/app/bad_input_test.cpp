@@ -73,6 +73,16 @@ TEST_CASE("A move that its own ramps do not fit is refused where it stands") {
           "      |        ^~~~~~~ hint: make acceleration_time 0.05 s or less, or allow more time\n");
 }
 
+TEST_CASE("What the search cannot hold cannot be enforced, and what holds it instead is said") {
+  const Workshop shop;
+  shop.write("m.toml", one_slide);
+  const Outcome supply = shop.run({"solve", "m.toml", "--set", "require.enforce=[\"C-PSU-CURRENT\"]"});
+  CHECK(supply.exit_code == 2);
+  CHECK(supply.says("C-PSU-CURRENT is of all motors together"));
+  CHECK(supply.says("a larger supply_reserve asks for a larger supply"));
+  CHECK(shop.run({"solve", "m.toml", "--set", "require.enforce=[\"C-ST-RMS\"]", "--quiet"}).exit_code == 0);
+}
+
 TEST_CASE("A material that does not exist is named with the nearest one") {
   refuses("[[axis.moves]]",
           "[[axis.members]]\nname = \"beam\"\nkind = \"beam\"\nlength = \"400 mm\"\nmaterial = \"S235JX\"\n"

@@ -60,6 +60,30 @@ TEST_CASE("Results and bills of materials of the same builds compare alike") {
   CHECK(shop.run({"compare", "a.json", "a.json"}).prints("none"));
 }
 
+TEST_CASE("What a result was asked beside its problem is said where it is compared") {
+  const Workshop shop;
+  shop.write("m.toml", one_slide);
+  REQUIRE(shop.run({"solve", "m.toml", "--json", "a.json"}).exit_code == 0);
+  REQUIRE(shop.run({"solve",
+                    "m.toml",
+                    "--set",
+                    "axis.x.stroke=0.31 m",
+                    "--limit",
+                    "mass=50 kg",
+                    "--without",
+                    "A4988",
+                    "--json",
+                    "b.json"})
+              .exit_code == 0);
+  const std::string text = shop.run({"compare", "a.json", "b.json"}).out;
+  CAPTURE(text);
+  CHECK(text.find("axis.x.stroke=0.31") != std::string::npos);
+  CHECK(text.find("A4988") != std::string::npos);
+  CHECK(text.find("mass=50 kg") != std::string::npos);
+  // Nothing of the kind is said of the first.
+  CHECK(text.find("A  a.json: as recorded by solve of m.toml\n") != std::string::npos);
+}
+
 TEST_CASE("A comparison with a build that fails a check says so in its exit code") {
   const Workshop shop;
   solve_twice(shop);

@@ -94,7 +94,7 @@ TEST_CASE("What leaves the range of a formula is listed, and changes no verdict"
   const Workshop shop;
   const std::string problems = MILLWRIGHT_SOURCE_DIR "/problems/";
   const Outcome sander =
-      shop.run({"check", problems + "sander.toml", problems + "sander-bom.csv", "--json", "sander.json"});
+      shop.run({"check", problems + "sander.toml", problems + "sander-bom.csv", "--full", "--json", "sander.json"});
   CHECK(sander.exit_code == 1);
   CHECK(sander.prints("Outside the range a formula is stated for"));
   const Json stubby = Json::parse(shop.read("sander.json"));

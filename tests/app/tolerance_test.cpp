@@ -25,6 +25,19 @@ TEST_CASE("what solve --robust finds passes check --robust, the build without it
   CHECK(shop.run({"check", feeder, "robust.csv", "--robust"}).exit_code == 0);
 }
 
+TEST_CASE("where nothing states a tolerance, --robust claims no more than without it") {
+  const Workshop shop;
+  // The lifter's parts state none; what is printed of it is the build and proof of solve without --robust.
+  const std::string lifter = MILLWRIGHT_SOURCE_DIR "/problems/lifter.toml";
+  const Outcome robust = shop.run({"solve", lifter, "--robust", "--report", "r.html", "--json", "r.json"});
+  REQUIRE(robust.exit_code == 0);
+  CHECK(nlohmann::json::parse(shop.read("r.json")).at("tolerances").at("verdict") == "none_stated");
+  CHECK(robust.prints("with --robust this is no\n  stronger than without"));
+  CHECK(robust.prints("Cheapest compliant build: "));
+  CHECK_FALSE(robust.prints("over all tolerances"));
+  CHECK(shop.read("r.html").find("with --robust this is no\n  stronger than without") != std::string::npos);
+}
+
 TEST_CASE("a robust build has no next best") {
   const Workshop shop;
   const Outcome outcome = shop.run({"solve", feeder, "--robust", "--alternatives", "2"});

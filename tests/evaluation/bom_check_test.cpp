@@ -117,6 +117,9 @@ TEST_CASE("A driver that does not bear the voltage of the bill fails its check, 
   for (const auto& p : result.problems) UNSCOPED_INFO(p.message);
   REQUIRE(result.problems.empty());
   CHECK_FALSE(result.design.satisfied());
+  // The one supply of 36 V is chosen, though those of 24 V are cheaper.
+  for (const auto& line : result.design.parts)
+    if (line.slot == "supply") CHECK(line.part_number == "P36-350");
   for (const auto& check : result.design.checks)
     if (check.id == "C-DR-VOLT") {
       CHECK(check.value == Approx(36.0));
@@ -167,6 +170,31 @@ TEST_CASE("A bill that cannot comply is evaluated all the same, and says by how 
   CHECK(fails);
   REQUIRE(result.design.governing("x") != nullptr);
   CHECK(result.design.governing("x")->utilisation > 1.0);
+}
+
+TEST_CASE("Around a bill that fails, the supply is the cheapest that gives voltage and power") {
+  // Two checks of a supply, so it is one by one: 24 V and the power the drives take.
+  for (const double volts : {24.0, 36.0}) {
+    BillOfMaterials bom;
+    for (const auto& line : bill_of(cheapest()).lines)
+      if (!line.is_dimension() && line.slot != "supply" && line.slot != "motor" && line.slot != "driver")
+        bom.lines.push_back(line);
+    bom.lines.push_back(part("x", "motor", "M34"));
+    bom.lines.push_back(part("x", "driver", "D2"));
+    bom.lines.push_back(setting("machine", "supply_voltage", volts));
+    std::string heavy = one_axis;
+    heavy.replace(heavy.find("60 N"), 4, "2500 N");
+    const BomCheck result = evaluation::check(problem_of_text(heavy), parts(), bom, true, {});
+    REQUIRE(result.problems.empty());
+    CHECK_FALSE(result.design.satisfied());
+    double taken = 0.0;
+    for (const auto& check : result.design.checks)
+      if (check.id == "C-PSU-POWER") taken = check.value;
+    const char* expected = volts > 30.0 ? "P36-350" : taken <= 100.0 ? "P24-100" : "P24-350";
+    CAPTURE(volts, taken);
+    for (const auto& line : result.design.parts)
+      if (line.slot == "supply") CHECK(line.part_number == expected);
+  }
 }
 
 TEST_CASE("Where a held part fails whatever the ramp, the ramp still keeps the rest from failing") {

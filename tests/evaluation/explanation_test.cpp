@@ -238,6 +238,54 @@ TEST_CASE("A move that is too fast is in a minimal conflict") {
                    machine.named("time of move 'feed'")) == 1);
 }
 
+TEST_CASE("Where a load turns the screw with the power off, a brake or a counterbalance is a way out") {
+  const TinyCatalogue tiny;
+  std::string toml = slide();
+  toml.replace(toml.find("guide_friction = 0.05"), 21, "direction = \"vertical\"");
+  toml.replace(toml.find("\"ball_screws\", \"lead_screws\""), 28, "\"ball_screws\"");
+  toml.replace(toml.find("\"10 kg\""), 7, "\"20 kg\"");
+  const Case machine(toml, tiny);
+  // 20 kg on a ball screw of 5 mm lead at 80 to 100 % drive it with 0.125 to 0.156 N.m; the most that a motor here
+  // keeps without current is 0.12 N.m of detent torque.
+  const Explanation explanation = machine.explain();
+  CHECK_FALSE(explanation.design.has_value());
+  REQUIRE(explanation.conflicts.size() == 1);
+  const evaluation::Conflict& conflict = explanation.conflicts[0];
+  const std::size_t brake = machine.named("brake_torque");
+  CHECK(std::count(conflict.conditions.begin(), conflict.conditions.end(), brake) == 1);
+  expect_minimal(machine, conflict.conditions);
+  bool balanced = false, least_found = false, cheapest_found = false;
+  const double cheapest =
+      machine.builds([&](Asked& asked) { machine.conditions[brake].lift(asked); }).least(&BuildValue::cost);
+  for (const evaluation::Relaxation& way : conflict.ways) {
+    if (way.condition != brake) continue;
+    REQUIRE(way.design.has_value());
+    const Condition& changed = way.changed(explanation.conditions);
+    const auto with = [&](double value) { return machine.builds([&](Asked& asked) { changed.set(asked, value); }); };
+    CAPTURE(changed.name, *way.to);
+    CHECK(way.design->cost == Approx(with(*way.to).least(&BuildValue::cost)));
+    REQUIRE_FALSE(way.broken.empty());
+    CHECK(way.broken[0].id == "C-ST-BACK");
+    const Exhaustive less = with(*way.to / 1.025);
+    if (way.instead) {
+      CHECK(changed.name == "counterbalance_force");
+      CHECK(*way.to < 25.0 * 9.81);
+      balanced = true;
+    } else {
+      // brake_factor is 1.5
+      CHECK(*way.to > 1.5 * 0.12);
+      CHECK(*way.to < 1.5 * 0.2);
+      least_found = least_found || less.builds.empty();
+      const bool is_cheapest = way.design->cost == Approx(cheapest);
+      cheapest_found = cheapest_found || is_cheapest;
+      if (is_cheapest && !less.builds.empty()) CHECK(less.least(&BuildValue::cost) > cheapest * (1.0 + 1e-6));
+    }
+  }
+  CHECK(balanced);
+  CHECK(least_found);
+  CHECK(cheapest_found);
+}
+
 TEST_CASE("Where the catalogues lack a family, no condition is blamed") {
   const TinyCatalogue tiny({}, {"linear_guides"});
   const Explanation explanation = Case(slide(), tiny).explain();
@@ -245,6 +293,28 @@ TEST_CASE("Where the catalogues lack a family, no condition is blamed") {
   CHECK(explanation.conflicts.empty());
   REQUIRE_FALSE(explanation.empty_slots.empty());
   CHECK(explanation.empty_slots[0].slot == "guide");
+}
+
+TEST_CASE("Where no driver does what is asked, it is the drivers that are named") {
+  const TinyCatalogue tiny;
+  // Drivers of 9 to 30 V and 18 to 50 V, of which driver_voltage_factor (0.9) may be used; 32 and 128 microsteps.
+  const auto missing = [&](const char* what, const char* instead) {
+    std::string toml = slide();
+    toml.replace(toml.find(what), std::string(what).size(), instead);
+    const Case machine(toml, tiny);
+    const std::vector<evaluation::EmptySlot> empty = MachineModel(machine.asked.problem, machine.parts).empty_slots();
+    REQUIRE(empty.size() == 1);
+    return empty[0].slot + ": " + empty[0].reason;
+  };
+  const std::string volts = missing("\"24 V\"", "\"230 V\", \"110 V\"");
+  CAPTURE(volts);
+  CHECK(volts.find("driver: no driver runs at the supply's 230 V or 110 V") == 0);
+  CHECK(volts.find("9 V to 45 V") != std::string::npos);
+  const std::string steps = missing("microsteps = 8", "microsteps = 256");
+  CAPTURE(steps);
+  CHECK(steps.find("driver: no driver makes 256 microsteps") == 0);
+  CHECK(steps.find("128 at most") != std::string::npos);
+  CHECK(missing("microsteps = 8", "frame = \"NEMA99\"") == "motor: the catalogues have no NEMA99");
 }
 
 TEST_CASE("What the next best choice costs is what the machine costs without that part") {

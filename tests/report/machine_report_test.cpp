@@ -85,7 +85,9 @@ TEST_CASE("Checks are sorted by utilisation, what is not evaluated last") {
 }
 
 TEST_CASE("A check's report lists what fails first, and soft checks are no failures") {
-  const std::string text = check_text(result_of_three_checks(), {});
+  Style full;
+  full.full = true;
+  const std::string text = check_text(result_of_three_checks(), full);
   CHECK(text.find("It fails 2 of 5 checks.") != std::string::npos);
   const std::string summary = text.substr(0, text.find("Governing check"));
   CHECK(summary.find("C-BAD") != std::string::npos);
@@ -94,6 +96,27 @@ TEST_CASE("A check's report lists what fails first, and soft checks are no failu
   CHECK(text.find("C-SOFT*") != std::string::npos);
   CHECK(text.find("open: a figure that the check needs is not known") != std::string::npos);
   CHECK(text.find("nan") == std::string::npos);
+}
+
+TEST_CASE("A check in short tells failures, what is next to its limit, and what is only reported and over") {
+  MachineResult result = result_of_three_checks();
+  result.designs[0].checks.push_back(check_of("C-NEAR", 96.0, 100.0, Verdict::satisfied));
+  result.designs[0].checks.push_back(check_of("C-FAR", 20.0, 100.0, Verdict::satisfied));
+  const std::string text = check_text(result, {});
+  const auto count = [&](const std::string& word) {
+    std::size_t found = 0;
+    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++found;
+    return found;
+  };
+  CHECK(text.find("It fails 2 of 7 checks.") != std::string::npos);
+  CHECK(count("title of C-BAD") == 1);
+  CHECK(text.find("title of C-NEAR  96.0 %") != std::string::npos);
+  CHECK(count("C-FAR") == 0);
+  const std::size_t over = text.find("Reported, not enforced, and over");
+  REQUIRE(over != std::string::npos);
+  CHECK(text.find("title of C-SOFT  150.0 %", over) != std::string::npos);
+  CHECK(text.find("--full: all 7 checks") != std::string::npos);
+  CHECK(text.find("Parts\n") != std::string::npos);
 }
 
 TEST_CASE("Utilisation just over the limit does not look like the limit") {
@@ -153,7 +176,7 @@ TEST_CASE("Formulas used outside their stated range have a section of their own,
   Style full;
   full.full = true;
   const char* const heading = "Outside the range a formula is stated for";
-  CHECK(check_text(result, {}).find(heading) == std::string::npos);
+  CHECK(check_text(result, full).find(heading) == std::string::npos);
   CHECK(Json::parse(check_json(result)).at("outside_validity") == Json::array());
   result.designs[0].outside_validity.push_back({.axis = "x",
                                                 .element = "drive",
@@ -164,7 +187,7 @@ TEST_CASE("Formulas used outside their stated range have a section of their own,
                                                 .source = "book, p. 2",
                                                 .values = {{"speed", "m/s", {13.0}}}});
   result.designs[0].formulas_watched = 7;
-  for (const std::string& text : {check_text(result, {}), solve_text(result, full)}) {
+  for (const std::string& text : {check_text(result, full), solve_text(result, full)}) {
     const std::size_t begin = text.find(heading);
     REQUIRE(begin != std::string::npos);
     CHECK(text.find("rack.velocity_factor  speed = 13 m/s is above 12.5 m/s", begin) != std::string::npos);

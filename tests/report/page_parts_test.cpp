@@ -177,6 +177,16 @@ TEST_CASE("Every title of a constraint is there in Indonesian, and every saying 
     }
 }
 
+TEST_CASE("Phases are there in Indonesian, the names of moves stay") {
+  const Texts t(Language::indonesian);
+  CHECK(t.worst("plunge up, accelerate at 79 %; nut farthest from the fixed bearing") ==
+        "plunge naik, percepatan pada 79 %; mur terjauh dari bantalan tetap");
+  CHECK(t.worst("lead, cruise") == "lead, laju tetap");  // a move that is called so
+  CHECK(t.worst("move 2, from 1.5 s") == "gerak 2, mulai 1.5 s");
+  CHECK(t.worst("standstill") == "diam");
+  CHECK(Texts(Language::english).worst("plunge up, accelerate") == "plunge up, accelerate");
+}
+
 TEST_CASE("Sayings keep their numbers, and clauses their order") {
   const Texts id(Language::indonesian), en(Language::english);
   const std::string method =

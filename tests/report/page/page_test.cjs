@@ -101,6 +101,26 @@ const tests = {
     const summary = await page.textContent("#summary");
     for (const check of failing) assert.ok(summary.includes(check.id), check.id);
     assert.deepEqual(await printFaults(page), []);
+
+    // On a telephone every part keeps its price in sight.
+    await page.setViewportSize({ width: 420, height: 900 });
+    const hidden = await page.evaluate(() =>
+      [...document.querySelectorAll("table.parts td, table.checks td")]
+        .filter((cell) => cell.textContent && cell.getBoundingClientRect().right > innerWidth)
+        .map((cell) => cell.textContent),
+    );
+    assert.deepEqual(hidden, []);
+    const result = await resultOf(page);
+    const shown = await page.$$eval("table.parts tbody tr", (rows) => rows.map((row) => row.innerText));
+    for (const part of result.build.parts)
+      assert.ok(
+        shown.some((row) => row.includes(part.part_number) && row.includes(`${part.price.toFixed(2)} USD`)),
+        part.part_number,
+      );
+    // Who makes a part is not who sells it, and no shop is stated in these catalogues.
+    assert.ok(shown.filter((row) => row.includes("not stated")).length >= result.build.parts.length);
+    assert.ok(shown.some((row) => row.includes("TPE17M-44A") && row.includes("known only from a paper")));
+    assert.match(await page.textContent("footer"), /Millwright \d+\.\d+\.\d+.*Prices are of 2024-2026/);
     return complaints;
   },
 
