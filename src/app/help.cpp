@@ -50,7 +50,8 @@ constexpr std::pair<std::string_view, std::string_view> texts[] = {
      "  millwright pareto problems/sander.toml --report front.html\n"
      "  millwright pareto problems/lifter.toml --without BK10 --limit cost='200 USD'"},
     {"check",
-     "Exit code 1 if a check fails. Printed is what fails, what is next to its limit, and the parts; --full prints the\n"
+     "Exit code 1 if a check fails. Printed is what fails, what is next to its limit, and the parts; --full prints "
+     "the\n"
      "rest. A slot that the bill of materials leaves open is an error without --complete.\n"
      "Examples:\n"
      "  millwright check problems/sander.toml problems/sander-bom.csv\n"
