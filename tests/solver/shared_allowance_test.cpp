@@ -131,7 +131,7 @@ class Machine {
 };
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr unsigned machines = millwright::sanitized ? 40 : 300;
+constexpr std::size_t machines = millwright::sanitized ? 40 : 300;
 
 struct Total {
   double cost = 0.0, mass = 0.0;
@@ -177,7 +177,7 @@ std::vector<Total> totals_of(const Problem& problem) {
 
 TEST_CASE("Nothing that is left costs less than the staircases of a binding allowance say") {
   std::size_t staircases = 0, compared = 0, told_more = 0, refused = 0, tightened = 0, kept = 0;
-  for (unsigned seed = 0; seed < machines; ++seed) {
+  for (unsigned seed = 0; seed < static_cast<unsigned>(machines); ++seed) {
     INFO("seed " << seed);
     const Machine machine(seed);
     const Problem& problem = machine.problem;
@@ -249,7 +249,7 @@ TEST_CASE("Nothing that is left costs less than the staircases of a binding allo
 
 TEST_CASE("Where allowances bind, optima and front equal those of all builds") {
   std::size_t priced = 0, points = 0, infeasible = 0;
-  for (unsigned seed = 0; seed < machines; ++seed) {
+  for (unsigned seed = 0; seed < static_cast<unsigned>(machines); ++seed) {
     const Machine machine(seed);
     const std::vector<Total> totals = totals_of(machine.problem);
     const std::vector<Total> front = front_of(totals);
