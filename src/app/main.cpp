@@ -4,6 +4,7 @@
 #include <new>
 
 #include "app/commands.h"
+#include "evaluation/refusal.h"
 
 namespace {
 
@@ -52,6 +53,9 @@ int main(int argc, char** argv) try {
 } catch (const std::bad_alloc&) {
   std::fputs("millwright: error: not enough memory\n", stderr);
   return exit_bug;
+} catch (const millwright::evaluation::Refusal& refusal) {
+  std::fprintf(stderr, "millwright: error: %s\n  hint: %s\n", refusal.what(), refusal.hint().c_str());
+  return exit_bad_input;
 } catch (const std::exception& problem) {
   std::fprintf(stderr,
                "millwright: this is a mistake of the program, not of your input: %s\n"

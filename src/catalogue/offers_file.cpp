@@ -145,7 +145,9 @@ class OfferReader {
     check(terms.cutting_loss, cutting_loss);
     check(terms.cut_price, cut_price);
     check(terms.end_machining_price, end_machining_price);
-    if (terms.stock_length < 0.1)
+    if (terms.cutting_loss >= terms.stock_length)
+      diagnostics_.error(reader_.span(row, cutting_loss), "the saw takes the whole bar", "check the unit");
+    if (terms.stock_length >= 0.0 && terms.stock_length < 0.1)
       diagnostics_.error(reader_.span(row, stock_length), "a bar of less than 100 mm is none", "check the unit");
   }
 

@@ -116,7 +116,7 @@ class Holder {
                          entry.axis,
                          part.quantity),
              "order as many as the problem file has of it (carriages, drives, members), or change the problem"});
-      if (line.length && *line.length < part.length * (1.0 - 1e-9))
+      if (line.length && *line.length < part.length * (1.0 - 1e-6))  // a bill has 7 digits
         result_.problems.push_back({line.where,
                                     fmt::format("'{}' is cut to {:.6g} mm, and the {} of axis '{}' needs {:.6g} mm",
                                                 line.part_number,

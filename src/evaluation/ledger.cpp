@@ -163,8 +163,11 @@ class CheckVisitor {
     check.value = unit ? unit->from_si(value) : value;
     check.limit = unit ? unit->from_si(limit) : limit;
     const bool known = !std::isnan(value) && !std::isnan(limit);
+    const double most = declaration.held_by_limit ? 1.0 + 2.0 * rounding_of_totals : 1.0;
     check.utilisation = known ? utilisation(value, limit) : std::numeric_limits<double>::quiet_NaN();
-    check.verdict = !known ? Verdict::not_evaluated : check.utilisation <= 1.0 ? Verdict::satisfied : Verdict::violated;
+    check.verdict = !known                      ? Verdict::not_evaluated
+                    : check.utilisation <= most ? Verdict::satisfied
+                                                : Verdict::violated;
     if (enforced && !known) {
       check.verdict = Verdict::violated;
       check.note = "enforced, and a figure of a part is missing";

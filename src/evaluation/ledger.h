@@ -15,6 +15,9 @@
 
 namespace millwright::evaluation {
 
+/// Totals of cost and mass are sums of the same numbers in another order here and there.
+inline constexpr double rounding_of_totals = 1e-9;
+
 enum class Verdict { satisfied, violated, not_evaluated };
 
 struct Check {

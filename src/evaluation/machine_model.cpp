@@ -131,8 +131,12 @@ MachineModel::MachineModel(const machine::Problem& given,
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const bool some_out_of_reach = std::any_of(
       counted_parts_.begin(), counted_parts_.end(), [](const CountedPart& part) { return part.only_owned; });
-  solver_problem_.resources = {{"cost", problem.cost_limit.value_or(some_out_of_reach ? 0.5 * beyond_reach : infinity)},
-                               {"mass", problem.mass_limit.value_or(infinity)}};
+  // The bill adds its lines up in another order than the search: what costs just so much is allowed.
+  const auto limit = [](std::optional<double> given_limit, double otherwise) {
+    return given_limit ? *given_limit * (1.0 + rounding_of_totals) : otherwise;
+  };
+  solver_problem_.resources = {{"cost", limit(problem.cost_limit, some_out_of_reach ? 0.5 * beyond_reach : infinity)},
+                               {"mass", limit(problem.mass_limit, infinity)}};
   for (const machine::Quantity quantity : problem.counted)
     solver_problem_.resources.push_back({std::string(machine::declaration(quantity).name), infinity});
   if (!options_.scenarios.empty()) add_scenarios(given, given_slots);

@@ -6,13 +6,16 @@
 #include <limits>
 #include <numeric>
 
+#include <fmt/format.h>
+
 #include "evaluation/cuts.h"
+#include "evaluation/refusal.h"
 
 namespace millwright::evaluation {
 namespace {
 
-/// Codes of so many pieces are worked out; slots beyond that cut from bars of their own.
-constexpr std::size_t most_codes = std::size_t{1} << 14U;
+/// For so many combinations of pieces the bars are counted beforehand, for every row.
+constexpr std::size_t most_codes = std::size_t{1} << 16U;
 
 double sum_of(const std::vector<double>& lengths) { return std::accumulate(lengths.begin(), lengths.end(), 0.0); }
 
@@ -54,46 +57,61 @@ std::size_t StockBars::settle(std::size_t first_state) {
   return components_;
 }
 
-/// Slots with the same only pieces share a digit; a code has as many digits as are worked out.
+/// Slots with the same only pieces share a digit.
 void StockBars::settle_row(Key row, std::size_t first_state) {
   const catalogue::Table& table = catalogue_.table(row.first);
   const auto bar = prices_.bar(table, row.second);
   const auto& places = found_.at(row);
-  for (auto place = places.begin(); place != places.end();) {
-    std::vector<Digit> digits;
-    std::vector<std::pair<Place, std::size_t>> digit_of;
-    for (std::size_t codes = 1; place != places.end(); ++place) {
-      const std::vector<Lengths>& pieces = place->second;
-      const auto same = std::find_if(digits.begin(), digits.end(), [&](const Digit& digit) {
-        return pieces.size() == 1 && digit.pieces == pieces;
-      });
-      const std::size_t values = same == digits.end() ? 1 : same->values();
-      const std::size_t more = codes / values * (same == digits.end() ? pieces.size() + 1 : values + 1);
-      if (!digits.empty() && more > most_codes) break;
-      codes = more;
-      digit_of.emplace_back(place->first, static_cast<std::size_t>(same - digits.begin()));
-      if (same == digits.end())
-        digits.push_back({pieces, 1});
-      else
-        ++same->most;
-    }
-    std::vector<double> radix(1, 1.0);
-    for (const Digit& digit : digits) radix.push_back(radix.back() * static_cast<double>(digit.values()));
-    for (const auto& [at, digit] : digit_of) {
-      Code& code = codes_[{row, at}];
-      code.stock = stocks_.size();
-      for (std::size_t i = 0; i < places.at(at).size(); ++i)
-        code.of_pieces.push_back(radix[digit] * static_cast<double>(i + 1));
-    }
-    BarStock stock;
-    stock.family = row.first;
-    stock.row = row.second;
-    stock.size = bar->size;
-    stock.bar_price = bar->price;
-    fill(stock, digits);
-    if (stock.is_shared()) stock.state = first_state + components_++;
-    stocks_.push_back(std::move(stock));
+  std::vector<Digit> digits;
+  std::vector<std::pair<Place, std::size_t>> digit_of;
+  std::size_t codes = 1;
+  for (const auto& [at, pieces] : places) {
+    const auto same = std::find_if(digits.begin(), digits.end(), [&pieces = pieces](const Digit& digit) {
+      return pieces.size() == 1 && digit.pieces == pieces;
+    });
+    const std::size_t values = same == digits.end() ? 1 : same->values();
+    codes = codes / values * (same == digits.end() ? pieces.size() + 1 : values + 1);
+    if (codes > most_codes) refuse(row);
+    digit_of.emplace_back(at, static_cast<std::size_t>(same - digits.begin()));
+    if (same == digits.end())
+      digits.push_back({pieces, 1});
+    else
+      ++same->most;
   }
+  std::vector<double> radix(1, 1.0);
+  for (const Digit& digit : digits) radix.push_back(radix.back() * static_cast<double>(digit.values()));
+  for (const auto& [at, digit] : digit_of) {
+    Code& code = codes_[{row, at}];
+    code.stock = stocks_.size();
+    for (std::size_t i = 0; i < places.at(at).size(); ++i)
+      code.of_pieces.push_back(radix[digit] * static_cast<double>(i + 1));
+  }
+  BarStock stock;
+  stock.family = row.first;
+  stock.row = row.second;
+  stock.size = bar->size;
+  stock.bar_price = bar->price;
+  fill(stock, digits);
+  if (stock.is_shared()) stock.state = first_state + components_++;
+  stocks_.push_back(std::move(stock));
+}
+
+/// More combinations of lengths than can be counted beforehand. Counting them apart would give a dearer bill, and one
+/// that is proved to be the cheapest would not be.
+void StockBars::refuse(Key row) const {
+  std::string axes;
+  for (const auto& [at, pieces] : found_.at(row)) {
+    const std::string& axis = axis_of_[at.stage];
+    if (axes.find(axis) == std::string::npos) axes += (axes.empty() ? "" : ", ") + axis;
+  }
+  const catalogue::Table& table = catalogue_.table(row.first);
+  throw Refusal(fmt::format("{} {} ({}) can be cut to so many lengths on the axes {} that its bars are not counted "
+                            "over all of them",
+                            table.manufacturer(row.second),
+                            table.part_number(row.second),
+                            catalogue::declaration(row.first).name,
+                            axes),
+                "leave its stock_length empty: then it costs its length by the metre");
 }
 
 /// Bars and metres of every code, then what is charged for it.

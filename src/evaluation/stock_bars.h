@@ -52,7 +52,7 @@ class StockBars {
   /// Looks what the candidates of a stage cut from bars.
   void find(std::size_t stage, const std::string& axis, std::span<const SlotTable> tables);
   /// Works out what is charged; the state vector has the codes from `first_state` on. Returns how many components that
-  /// takes.
+  /// takes. Throws Refusal where a row can be cut to too many lengths.
   std::size_t settle(std::size_t first_state);
   /// After settle(): candidates of the stage cost what they do at the least.
   void reprice(std::size_t stage, std::vector<SlotTable>& tables) const;
@@ -86,6 +86,7 @@ class StockBars {
   [[nodiscard]] bool is_cut(const PartUse& use) const;
   [[nodiscard]] Lengths lengths_of(const PartUse& use, const std::string& axis) const;
   void settle_row(Key row, std::size_t first_state);
+  [[noreturn]] void refuse(Key row) const;
   void fill(BarStock& stock, const std::vector<Digit>& digits);
 
   const catalogue::Catalogue& catalogue_;

@@ -42,7 +42,7 @@ std::string bars_lines(const Design& design, const Style& style) {
                                bars_text(purchase),
                                part_name(purchase.manufacturer, purchase.part_number),
                                fmt::join(bars, "; ")),
-                   style.width - 2,
+                   style.width - 4,
                    4) +
            "\n";
   }

@@ -115,7 +115,8 @@ bool RegionPool::keep_only(const Useful& useful, Desk& desk) {
 std::vector<double> RegionPool::least_handed_on() const {
   std::vector<double> least(inherited_.size(), infinity);
   for (const Part& part : parts_)
-    for (std::size_t c = 0; c < least.size(); ++c) least[c] = std::min(least[c], part.open.bounds.handed_on[c].lower);
+    for (std::size_t c = 0; part.alive && c < least.size(); ++c)
+      least[c] = std::min(least[c], part.open.bounds.handed_on[c].lower);
   return least;
 }
 

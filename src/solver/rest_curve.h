@@ -61,6 +61,7 @@ double rest_given(const StagePlan& plan, std::size_t score, Lower&& lower) {
       break;
     }
   }
+  if (score > 1) return rest;  // planes and staircases are of the first two
   for (const RestPlane& plane : plan.planes)
     if (plane.mix == Mix::only(score)) rest = std::max(rest, rest_by(plane, lower));
   for (const RestStairs& stairs : plan.stairs)

@@ -110,8 +110,8 @@ std::vector<Pair> RestPlanes::Prices::points(std::size_t stage, const Allowance&
     for (std::size_t h = 0; h < weight.size(); ++h) {
       if (weight[h] == 0.0 && use[h] == 0.0) continue;
       const double inherited = most_flow(*own.form, h, pool.inherited());
-      value -= weight[h] * inherited;
-      taken -= use[h] * inherited;
+      if (weight[h] != 0.0) value -= weight[h] * inherited;
+      if (use[h] != 0.0) taken -= use[h] * inherited;
     }
     pool.for_each([&](const Bounds& bounds) {
       found.push_back({value + priced(bounds, kept.mix, weight), taken + used(bounds, use)});
@@ -174,8 +174,8 @@ double RestPlanes::Prices::least_total(const KeptStairs& stairs, std::size_t sta
   for (std::size_t h = 0; h < use.size(); ++h) {
     if (stairs.weight[stage][h] == 0.0 && use[h] == 0.0) continue;
     const double inherited = most_flow(*stages_[stage].form, h, pool.inherited());
-    total -= stairs.weight[stage][h] * inherited;
-    taken -= use[h] * inherited;
+    if (stairs.weight[stage][h] != 0.0) total -= stairs.weight[stage][h] * inherited;
+    if (use[h] != 0.0) taken -= use[h] * inherited;
   }
   return total + least_within(stairs.without[stage], stairs.limit - taken);
 }

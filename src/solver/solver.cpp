@@ -244,7 +244,12 @@ class Solve {
   }
 
   void finish(OpenSearch& open) {
-    if (criteria_.objectives == 1 && (settle_briefly(open) || stage_by_stage(*open.plans, open.score[0]))) return;
+    if (criteria_.objectives == 1) {
+      if (settle_briefly(open) || stage_by_stage(*open.plans, open.score[0])) return;
+      // Regions may have been left out: a search that was begun before counts them by numbers that are no longer
+      // theirs.
+      open.search = label_by_label(*open.plans, first_leaf_tolerance());
+    }
     set_tolerance();
     constexpr int refinements = 4;
     constexpr double finer = 1.0 / 16.0;

@@ -287,10 +287,10 @@ Discount saving_with_shop(const MachineModel& model, const TermsOf& terms, const
       }
       if (!sold) continue;
       for (const auto& [from, lengths] : pieces) {
-        const auto& [there, part] = from;
+        const bool there = from.first;
+        const auto part = from.second;
         const Terms of = there ? shop.sells.at(part).second : terms.at(part);
-        const auto line =
-            std::find_if(lines.begin(), lines.end(), [&](const Line& each) { return each.part == from.second; });
+        const auto line = std::find_if(lines.begin(), lines.end(), [&](const Line& each) { return each.part == part; });
         const double metre = there ? shop.sells.at(part).first : line->metre;
         (there ? at_shop : paid) +=
             1e-3 * of.stock * metre * static_cast<double>(fewest_bars(lengths, 1e-3 * of.stock, 1e-3 * of.loss));

@@ -18,9 +18,11 @@ namespace {
 
 using namespace zoo;
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
 enum State : std::size_t { carried_mass, compliance, power, state_size };
 enum Spring : std::size_t { spring_price, spring_mass, spring_compliance };
-enum Motor : std::size_t { motor_price, motor_mass, motor_power, motor_strength };
+enum Motor : std::size_t { motor_price, motor_mass, motor_power, motor_strength, motor_noise };
 enum Supply : std::size_t { supply_price, supply_mass, supply_power };
 
 /// Guides and motors for several axes, then a supply, then the limit at the tool.
@@ -32,6 +34,7 @@ class Machine {
     double soft = 0.0;
     double stiff = 0.0;
     double strong = 0.0;
+    double noise = 0.0;  // of the loudest motors
     for (std::size_t axis = 0; axis < axes; ++axis) {
       const Columns& springs = springs_table();
       const Columns& motors = motors_table();
@@ -42,6 +45,7 @@ class Machine {
         most = std::max(most, springs.row(row)[spring_compliance]);
       }
       soft += most;
+      noise += 10.0;
       stiff += least;
       for (Row row = 0; row < motors.rows(); ++row) strong = std::max(strong, motors.row(row)[motor_power]);
       add_axis(springs, motors);
@@ -49,7 +53,7 @@ class Machine {
     add_supply(strong * static_cast<double>(axes));
     add_tool(stiff + uniform(0.05, 0.5) * (soft - stiff));
     problem.first_state = {uniform(0.0, 1.0), 0.0, 0.0};
-    problem.resources = {{"cost"}, {"mass"}};
+    problem.resources = {{"cost"}, {"mass"}, {"noise", seed % 3 == 0 ? uniform(0.4, 0.9) * noise : infinity}};
   }
 
   Problem problem;
@@ -73,12 +77,13 @@ class Machine {
   }
   const Columns& motors_table() {
     Columns& table = *tables_.emplace_back(std::make_unique<Columns>());
-    table = {"motor", 4, {}};
+    table = {"motor", 5, {}};
     const std::size_t rows = 3 + rng_() % 4 + more_;
     for (std::size_t row = 0; row < rows; ++row) {
       const double size = uniform(1.0, 6.0);
       const double light = uniform(0.6, 1.6);
-      for (const double number : {price(2.0 * size * light), 0.5 * size / light, size * uniform(5.0, 9.0), 3.5 * size})
+      for (const double number :
+           {price(2.0 * size * light), 0.5 * size / light, size * uniform(5.0, 9.0), 3.5 * size, uniform(1.0, 10.0)})
         table.numbers.push_back(number);
     }
     return table;
@@ -90,6 +95,7 @@ class Machine {
       out.utilisation.push_back(load / in.row(1, motor_strength));
       out.resources.push_back(in.row(0, spring_price) + in.row(1, motor_price));
       out.resources.push_back(in.row(0, spring_mass) + in.row(1, motor_mass));
+      out.resources.push_back(in.row(1, motor_noise));
       out.handed_on.push_back(load + in.row(1, motor_mass));
       out.handed_on.push_back(in.state(compliance) + in.row(0, spring_compliance));
       out.handed_on.push_back(in.state(power) + in.row(1, motor_power));
@@ -108,14 +114,14 @@ class Machine {
       out.utilisation.push_back(in.state(power) / in.row(0, supply_power));
       out.resources.push_back(in.row(0, supply_price));
       out.resources.push_back(in.row(0, supply_mass));
+      out.resources.push_back(0.0 * in.row(0, supply_mass));
       for (std::size_t i = 0; i < state_size; ++i) out.handed_on.push_back(in.state(i));
     }));
   }
   void add_tool(double limit) {
     add(model_stage("tool", {}, {}, 1, [limit](const auto& in, auto& out) {
       out.utilisation.push_back(in.state(compliance) / limit);
-      out.resources.push_back(0.0 * in.state(compliance));
-      out.resources.push_back(0.0 * in.state(compliance));
+      for (int resource = 0; resource < 3; ++resource) out.resources.push_back(0.0 * in.state(compliance));
       for (std::size_t i = 0; i < state_size; ++i) out.handed_on.push_back(in.state(i));
     }));
   }
@@ -130,11 +136,10 @@ class Machine {
   std::vector<std::unique_ptr<Stage>> stages_;
 };
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t machines = millwright::sanitized ? 40 : 300;
 
 struct Total {
-  double cost = 0.0, mass = 0.0;
+  double cost = 0.0, mass = 0.0, noise = 0.0;
 };
 
 /// Ascending in cost, falling in mass.
@@ -153,7 +158,7 @@ std::vector<Total> totals_of(const Problem& problem) {
   std::vector<Total> totals;
   const auto walk = [&](auto&& self, std::size_t index, const std::vector<double>& state, Total sum) -> void {
     if (index == problem.stages.size()) {
-      totals.push_back(sum);
+      if (sum.noise <= problem.resources[2].limit) totals.push_back(sum);
       if (totals.size() > 100000) totals = front_of(std::move(totals));
       return;
     }
@@ -163,7 +168,10 @@ std::vector<Total> totals_of(const Problem& problem) {
       Answer<double> answer;
       stage.evaluate(Point{{}, state, rows, {}}, answer);
       if (answer.utilisation[0] <= 1.0)
-        self(self, index + 1, answer.handed_on, {sum.cost + answer.resources[0], sum.mass + answer.resources[1]});
+        self(self,
+             index + 1,
+             answer.handed_on,
+             {sum.cost + answer.resources[0], sum.mass + answer.resources[1], sum.noise + answer.resources[2]});
       std::size_t slot = 0;
       while (slot < rows.size() && ++rows[slot] == stage.slots()[slot].rows) rows[slot++] = 0;
       if (slot == rows.size()) return;
@@ -297,6 +305,7 @@ TEST_CASE("A front of many parts is complete where allowances bind, cut in secti
       const std::uint64_t patience = way % 2 == 0 ? 0 : 200;
       Options options;
       options.look_first = way < 2;
+      if (way % 2 == 0) options.ties = {2};
       options.objectives = {0, 1};
       options.stage_patience = patience;
       options.patience = patience;
