@@ -2,6 +2,7 @@
 #include "evaluation/stock_bars.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <numeric>
@@ -32,7 +33,7 @@ bool StockBars::is_cut(const PartUse& use) const {
 StockBars::Lengths StockBars::lengths_of(const PartUse& use, const std::string& axis) const {
   Lengths result;
   for (const Cut& cut : cuts_of(problem_, use, axis))
-    result.insert(result.end(), static_cast<std::size_t>(cut.count + 0.5), cut.length);
+    result.insert(result.end(), static_cast<std::size_t>(std::lround(cut.count)), cut.length);
   std::sort(result.begin(), result.end(), std::greater<>());
   return result;
 }
@@ -242,7 +243,8 @@ double StockBarsLedger::share(StockBars::Place place, const PartUse& use, const 
   const auto stock = bars_.stock_of(place, use);
   if (!stock) return 0.0;
   std::vector<double> lengths;
-  for (const Cut& cut : cuts) lengths.insert(lengths.end(), static_cast<std::size_t>(cut.count + 0.5), cut.length);
+  for (const Cut& cut : cuts)
+    lengths.insert(lengths.end(), static_cast<std::size_t>(std::lround(cut.count)), cut.length);
   return sum_of(lengths) * metre_.at(*stock) - bars_.charged(bars_.stocks()[*stock], lengths);
 }
 

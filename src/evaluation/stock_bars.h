@@ -16,6 +16,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "catalogue/catalogue.h"
@@ -43,7 +44,9 @@ class StockBars {
   /// The slot of a stage.
   struct Place {
     std::size_t stage = 0, slot = 0;
-    friend auto operator<=>(const Place&, const Place&) = default;
+    friend bool operator<(const Place& a, const Place& b) {
+      return std::tie(a.stage, a.slot) < std::tie(b.stage, b.slot);
+    }
   };
 
   StockBars(const catalogue::Catalogue& catalogue, const PriceBook& prices, const machine::Problem& problem)
@@ -75,7 +78,9 @@ class StockBars {
     std::vector<Lengths> pieces;
     std::size_t most = 0;
     [[nodiscard]] std::size_t values() const { return (pieces.size() == 1 ? most : pieces.size()) + 1; }
-    friend auto operator<=>(const Digit&, const Digit&) = default;
+    friend bool operator<(const Digit& a, const Digit& b) {
+      return std::tie(a.pieces, a.most) < std::tie(b.pieces, b.most);
+    }
   };
   /// What a slot adds to which code.
   struct Code {
