@@ -45,6 +45,14 @@ class Heap {
     for (std::size_t i = 0; i < node.key.size(); ++i) {
       node.value += node.key[i] * (i < weight_.size() ? weight_[i] : state_weight);
     }
+    insert(std::move(node));
+  }
+  /// At a value that is not the sum.
+  void push_at(double value, Node node) {
+    node.value = value;
+    insert(std::move(node));
+  }
+  void insert(Node node) {
     node.order = ++order_;
     nodes_.push_back(std::move(node));
     std::push_heap(nodes_.begin(), nodes_.end(), Later{});
@@ -85,6 +93,7 @@ class Search {
         heap_(question.mix ? Heap(plan_, *question.mix) : Heap(plan_)),
         totals_(question.totals),
         total_stairs_(question.total_stairs),
+        total_vectors_(question.total_vectors),
         known_(comparison_.dimensions()) {
     for (const Interval& side : question.states) set_.reference.push_back(middle(side));
     // From a lower bound over H to one at the reference state: the linear part is taken to the worst corner and back.
@@ -116,6 +125,8 @@ class Search {
       stairs.constant += priced(stairs.weight);
       stairs.limit -= priced(stairs.use);
     }
+    for (std::size_t a = 0; a < total_vectors_.limit.size(); ++a)
+      total_vectors_.limit[a] -= priced(total_vectors_.use[a]);
   }
 
   CandidateSet run() {
@@ -146,6 +157,8 @@ class Search {
     if (node.bounds.utilisation > 1.0) return;
     if (!below_staircase(question_.useful, node.bounds.score[0], plan_.criteria->second(node.bounds.score))) return;
     if (!may_lead_on(node.bounds)) return;
+    const bool guided = question_.mix && !total_vectors_.add.empty();
+    const double value = guided ? least_total(node.bounds) : 0.0;
     for (std::size_t h = 0; h < to_reference_.size(); ++h) {
       node.bounds.handed_on[h].lower += to_reference_[h].first;
       node.bounds.handed_on[h].upper += to_reference_[h].second;
@@ -154,25 +167,39 @@ class Search {
     comparison_.best_key(node.bounds.score, node.bounds.handed_on, node.key.data());
     if (known_.dominates(node.key)) return;
     if (!cut_variables(plan_, question_.states, node.region, node.bounds, desk_)) return;
+    if (guided) {
+      heap_.push_at(value, std::move(node));
+      return;
+    }
     double weighed_state = 0.0;
     for (std::size_t h = 0; h < question_.state_weight.size(); ++h)
       weighed_state += question_.state_weight[h] * node.bounds.handed_on[h].lower;
     heap_.push(std::move(node), weighed_state);
   }
 
+  /// Of the mix, with some label and what must follow.
+  [[nodiscard]] double least_total(const Bounds& bounds) const {
+    return total_vectors_.least(
+        *question_.mix,
+        {bounds.score[0], plan_.criteria->second(bounds.score)},
+        [&](std::size_t h) { return bounds.handed_on[h].lower; },
+        question_.corners);
+  }
   /// Whether the cheapest label with a design of these bounds, and what must follow then, is below some corner.
   [[nodiscard]] bool may_lead_on(const Bounds& bounds) const {
     if ((plan_.curves.empty() && plan_.planes.empty()) || question_.corners.empty()) return true;
     double second = question_.least.second + plan_.criteria->second(bounds.score);
     if (plan_.criteria->objectives > 1) second += rest_after(plan_, 1, bounds.handed_on);
     LeastTotals totals(question_.least.first + bounds.score[0] + rest_after(plan_, 0, bounds.handed_on), second);
+    const auto lower = [&](std::size_t h) { return bounds.handed_on[h].lower; };
     const auto add_all = [&](const auto& all) {
-      const auto lower = [&](std::size_t h) { return bounds.handed_on[h].lower; };
       for (const auto& each : all) totals.add(each.mix, each.mix.of(bounds.score) + rest_by(each, lower));
     };
     add_all(totals_);
     add_all(total_stairs_);
-    return totals.below(question_.corners);
+    return totals.below(question_.corners) &&
+           (total_vectors_.add.empty() ||
+            total_vectors_.reach({bounds.score[0], plan_.criteria->second(bounds.score)}, lower, question_.corners));
   }
 
   /// Values of the variables at which every utilisation is <= 1 over all of H, if some are found.
@@ -204,12 +231,33 @@ class Search {
         desk_.evaluate(*plan_.stage, Point{plan_.shared, set_.reference, candidate.rows, candidate.variables});
     candidate.score.resize(plan_.criteria->size());
     plan_.criteria->scores<double>(answer.resources, candidate.score);
-    candidate.state = answer.handed_on;
+    candidate.least = answer.handed_on;
+    candidate.most = answer.handed_on;
+    take_range(node, candidate);
     candidate.key.resize(comparison_.dimensions());
-    comparison_.key(candidate.score, candidate.state, candidate.key.data());
+    comparison_.best_key(candidate.score, candidate.least, candidate.most, candidate.key.data());
     if (known_.dominates(candidate.key)) return;
-    if (candidate.universal) known_.add(candidate.key);
+    if (candidate.universal) known_.add(worst_key(candidate));
     set_.candidates.push_back(std::move(candidate));
+  }
+
+  /// What the form does not tell exactly, over all of H.
+  void take_range(const Node& node, Candidate& candidate) {
+    const std::vector<bool>& exact = question_.form->exact;
+    if (question_.form->all_exact()) return;
+    std::vector<Interval> variables = node.region.variables;
+    if (candidate.universal) variables.assign(candidate.variables.begin(), candidate.variables.end());
+    const auto& answer = desk_.bound(*plan_.stage, plan_.shared, question_.states, node.region, variables);
+    for (std::size_t h = 0; h < exact.size(); ++h) {
+      if (exact[h]) continue;
+      candidate.least[h] = answer.handed_on[h].lower + to_reference_[h].first;
+      candidate.most[h] = answer.handed_on[h].upper + to_reference_[h].second;
+    }
+  }
+  [[nodiscard]] std::vector<double> worst_key(const Candidate& candidate) const {
+    std::vector<double> key(comparison_.dimensions());
+    comparison_.best_key(candidate.score, candidate.most, candidate.least, key.data());
+    return key;
   }
 
   /// A universal design found late may dominate one found early when both have the same sum.
@@ -221,7 +269,7 @@ class Search {
     Archive known(comparison_.dimensions());
     std::erase_if(all, [&](const Candidate& candidate) {
       if (known.dominates(candidate.key)) return true;
-      if (candidate.universal) known.add(candidate.key);
+      if (candidate.universal) known.add(worst_key(candidate));
       return false;
     });
   }
@@ -233,6 +281,7 @@ class Search {
   Heap heap_;
   std::vector<RestPlane> totals_;  ///< of handed-on states as they are bounded over H
   std::vector<RestStairs> total_stairs_;
+  RestVectors total_vectors_;
   Archive known_;
   std::vector<std::pair<double, double>> to_reference_;  ///< [handed-on component]: for lower and upper bounds
   CandidateSet set_;

@@ -35,7 +35,8 @@ struct CandidateQuestion {
   /// (planes and staircases of rest_plane.h), as if they arrived with a state of nothing but zeros.
   std::vector<RestPlane> totals = {};
   std::vector<RestStairs> total_stairs = {};
-  std::function<bool()> stop;                                      ///< asked now and then
+  RestVectors total_vectors = {};  ///< the same of vectors: of labels with what must follow
+  std::function<bool()> stop;      ///< asked now and then
   std::size_t patience = std::numeric_limits<std::size_t>::max();  ///< nodes after which it is given up: incomplete
   /// For quick first answers, not for a proof: so many nodes at most, and what a handed-on component weighs in the
   /// order in which they are taken (empty: next to nothing).
@@ -48,8 +49,9 @@ struct Candidate {
   std::vector<Row> rows;
   std::vector<double> variables;  ///< feasible at every state of H when universal
   std::vector<double> score;      ///< own share
-  std::vector<double> state;      ///< handed on from the reference state
-  std::vector<double> key;        ///< of score and state
+  std::vector<double> least;      ///< handed on from the reference state, wherever in H what is not linear is
+  std::vector<double> most;       ///< the same at most; no more where the form is exact
+  std::vector<double> key;        ///< of score and state: the best
   bool universal = false;
 };
 

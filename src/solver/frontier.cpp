@@ -2,6 +2,7 @@
 #include "solver/frontier.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "solver/archive.h"
@@ -130,31 +131,34 @@ bool Frontier::pass(const Pass& pass) {
 /// All labels before one stage to those before the next; false when time is up.
 bool Frontier::advance(std::size_t stage, const Comparison& comparison) {
   std::vector<Chunk> chunks = make_chunks(stage, comparison);
+  std::atomic<bool> given_up = false;  // with one chunk the whole pass is
   control_.crew().run(chunks.size(), [&](std::size_t i, unsigned thread) {
-    chunks[i].set = find_candidates(chunks[i].question, control_.desk(thread));
+    if (!given_up) chunks[i].set = find_candidates(chunks[i].question, control_.desk(thread));
+    if (!chunks[i].set.complete) given_up = true;
   });
+  if (given_up) return false;
   combinations_.clear();
   keys_.clear();
-  const auto complete = [](const Chunk& chunk) { return chunk.set.complete; };
-  if (std::all_of(chunks.begin(), chunks.end(), complete) &&
-      !control_.while_there_is_time([&] { sharpen_planes(stage, chunks); }))
-    return false;
+  if (!control_.while_there_is_time([&] { sharpen_planes(stage, chunks); })) return false;
   for (std::size_t i = 0; i < chunks.size(); ++i) {
     control_.nodes += chunks[i].set.nodes;
-    if (!chunks[i].set.complete) return false;
     combine(stage, static_cast<std::uint32_t>(i), chunks[i], comparison);
     if (combinations_.size() > patience_) return false;
-    if (combinations_.size() > most_combinations) compact(chunks, comparison);
+    if (combinations_.size() > most_combinations) compact(stage, chunks, comparison);
     if (control_.time_is_up()) return false;
   }
   sort_combinations(comparison);
   Archive known(comparison.dimensions());
+  const bool exact = forms_[stage].all_exact();
+  std::vector<double> own_key(comparison.dimensions());  // of the label, not of what it was bounded by
   for (std::size_t i = 0; i < combinations_.size(); ++i) {
     if (i % 1024 == 0 && control_.time_is_up()) return false;
     const Combination& combination = combinations_[i];
     const std::span<const double> key(keys_.data() + combination.key, comparison.dimensions());
     if (known.dominates(key)) continue;
-    if (arrive(stage, chunks[combination.chunk], combination)) known.add(key);
+    if (!arrive(stage, chunks[combination.chunk], combination)) continue;
+    if (!exact) comparison.key(labels_[stage + 1].back().score, labels_[stage + 1].back().state, own_key.data());
+    known.add(exact ? key : std::span<const double>(own_key));
   }
   control_.report(incumbents_.best());
   return true;
@@ -169,14 +173,17 @@ bool Frontier::may_matter(std::size_t stage, std::span<const double> score, std:
   LeastTotals totals(score[0] + rest_after(plan, 0, state),
                      criteria_.second(score) + (criteria_.objectives > 1 ? rest_after(plan, 1, state) : 0.0));
   if (criteria_.objectives > 1) totals.add_mixed(plan, score, [&](std::size_t c) { return state[c]; });
-  return totals.below(useful_.back());
+  return totals.below(useful_.back()) &&
+         (plan.vectors.add.empty() ||
+          plan.vectors.reach(
+              {score[0], criteria_.second(score)}, [&](std::size_t c) { return state[c]; }, useful_.back()));
 }
 
 void Frontier::combine(std::size_t stage, std::uint32_t index, const Chunk& chunk, const Comparison& comparison) {
-  const auto keep = [&](std::uint32_t label, std::uint32_t candidate, const auto& score, const auto& state) {
+  const auto keep = [&](std::uint32_t label, std::uint32_t candidate, const auto& score, const auto&... states) {
     combinations_.push_back({index, label, candidate, keys_.size()});
     keys_.resize(keys_.size() + comparison.dimensions());
-    comparison.key(score, state, keys_.data() + combinations_.back().key);
+    comparison.best_key(score, states..., keys_.data() + combinations_.back().key);
   };
   sums(stage, chunk, 1, keep);
 }
@@ -194,11 +201,33 @@ void Frontier::sort_combinations(const Comparison& comparison) {
   });
 }
 
+/// The key of a combination where what it hands on is at its worst.
+void Frontier::worst_key(std::size_t stage,
+                         const Chunk& chunk,
+                         const Combination& combination,
+                         const Comparison& comparison,
+                         double* out) const {
+  const Label& label = labels_[stage][chunk.labels[combination.label]];
+  const Candidate& candidate = chunk.set.candidates[combination.candidate];
+  std::vector<double> score = label.score;
+  for (std::size_t k = 0; k < score.size(); ++k) score[k] += candidate.score[k];
+  std::vector<double> least = candidate.least;
+  std::vector<double> most = candidate.most;
+  for (std::size_t c = 0; c < least.size(); ++c) {
+    const double change = forms_[stage].change(c, chunk.set.reference, label.state);
+    least[c] += change;
+    most[c] += change;
+  }
+  comparison.best_key(score, most, least, out);
+}
+
 /// Drops what feasible combinations dominate, so that memory stays bounded.
-void Frontier::compact(const std::vector<Chunk>& chunks, const Comparison& comparison) {
+void Frontier::compact(std::size_t stage, const std::vector<Chunk>& chunks, const Comparison& comparison) {
   sort_combinations(comparison);
   const std::size_t n = comparison.dimensions();
   Archive known(n);
+  const bool exact = forms_[stage].all_exact();
+  std::vector<double> worst(n);
   std::size_t looked_at = 0;
   bool hurry = false;
   std::erase_if(combinations_, [&](const Combination& combination) {
@@ -206,7 +235,10 @@ void Frontier::compact(const std::vector<Chunk>& chunks, const Comparison& compa
     if (hurry) return true;  // the pass is given up anyway
     const std::span<const double> key(keys_.data() + combination.key, n);
     if (known.dominates(key)) return true;
-    if (chunks[combination.chunk].set.candidates[combination.candidate].universal) known.add(key);
+    if (chunks[combination.chunk].set.candidates[combination.candidate].universal) {
+      if (!exact) worst_key(stage, chunks[combination.chunk], combination, comparison, worst.data());
+      known.add(exact ? key : std::span<const double>(worst));
+    }
     return false;
   });
   std::vector<double> keys;

@@ -104,11 +104,12 @@ class Frontier {
   bool pass(const Pass& pass);
   bool by_sections();
   bool aim();
-  bool settle(const Section& section,
-              std::size_t patience,
-              const std::vector<StagePlan>& plans,
-              const std::vector<StateForm>& forms);
+  bool settle(const Section& section, const std::vector<StagePlan>& plans, const std::vector<StateForm>& forms);
   std::vector<double> known_inside(const Section& section) const;
+  std::size_t section_patience() const;
+  double middle_of(const Section& section) const;
+  bool is_wide(const Section& section) const;
+  bool is_narrow(const Section& section) const;
   std::vector<Pair> corners() const;
   bool advance(std::size_t stage, const Comparison& comparison);
   bool advance_priced(std::size_t stage, const Comparison& comparison);
@@ -116,6 +117,7 @@ class Frontier {
   void find_rest();
   std::vector<double> highest_scores() const;
   bool find_planes();
+  bool find_vectors();
   void find_plane(const Mix& mix);
   bool find_better_first(bool shared_allowances);
   bool restrict_stages();
@@ -126,10 +128,17 @@ class Frontier {
   std::vector<Chunk> make_chunks(std::size_t stage, const Comparison& comparison) const;
   void ask(std::size_t stage, const Comparison& comparison, Chunk& chunk) const;
   void ask_totals(std::size_t stage, Chunk& chunk) const;
+  template <class Priced>
+  void ask_vectors(std::size_t stage, Chunk& chunk, Priced&& priced) const;
   [[nodiscard]] bool may_matter(std::size_t stage, std::span<const double> score, std::span<const double> state) const;
   void combine(std::size_t stage, std::uint32_t index, const Chunk& chunk, const Comparison& comparison);
   void sort_combinations(const Comparison& comparison);
-  void compact(const std::vector<Chunk>& chunks, const Comparison& comparison);
+  void compact(std::size_t stage, const std::vector<Chunk>& chunks, const Comparison& comparison);
+  void worst_key(std::size_t stage,
+                 const Chunk& chunk,
+                 const Combination& combination,
+                 const Comparison& comparison,
+                 double* out) const;
   bool arrive(std::size_t stage, Chunk& chunk, const Combination& combination);
   bool evaluate(std::size_t stage,
                 std::uint32_t parent,

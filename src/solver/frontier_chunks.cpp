@@ -95,6 +95,33 @@ void Frontier::ask(std::size_t stage, const Comparison& comparison, Chunk& chunk
   chunk.question.stop = [this] { return control_.time_is_up(); };
 }
 
+/// What labels of the chunk and all stages after this one come to, as vectors. `priced(weight, label)`: of the state
+/// that a label hands through.
+template <class Priced>
+void Frontier::ask_vectors(std::size_t stage, Chunk& chunk, Priced&& priced) const {
+  constexpr std::size_t most_labels = 200;
+  constexpr std::size_t most = 300;
+  const RestVectors& rest = plans_[stage].vectors;
+  if (rest.add.empty()) return;
+  VectorSet labels(rest.add.dimensions());
+  for (const std::uint32_t index : chunk.labels) {
+    const Label& label = labels_[stage][index];
+    std::vector<double> vector{label.score[0], criteria_.second(label.score)};
+    for (const std::vector<double>& use : rest.use) vector.push_back(priced(use, label));
+    labels.add(vector);
+  }
+  const std::vector<double>& own = plans_[stage].least;
+  const auto matters = [&](std::span<const double> sum) {
+    return below_staircase(useful_.back(), sum[0] + own[0], sum[1] + criteria_.second(own));
+  };
+  RestVectors& total = chunk.question.total_vectors;
+  total.limit = rest.limit;
+  total.use = rest.use;
+  total.add = sum_of_vectors(lower_vectors(labels, most_labels), rest.add, most, matters);
+  const std::vector<double> nothing(labels.dimensions(), infinity);
+  if (total.add.empty()) total.add.add(nothing);
+}
+
 /// Planes and staircases over what a stage adds to a label of the chunk, at the label where each is least.
 void Frontier::ask_totals(std::size_t stage, Chunk& chunk) const {
   constexpr double slack = 1e-11;
@@ -117,6 +144,7 @@ void Frontier::ask_totals(std::size_t stage, Chunk& chunk) const {
           least([&](const Label& label) { return each.mix.of(label.score) + priced(each.weight, label); });
     }
   };
+  ask_vectors(stage, chunk, priced);
   add_all(plans_[stage].planes, chunk.question.totals);
   add_all(plans_[stage].stairs, chunk.question.total_stairs);
   for (RestStairs& stairs : chunk.question.total_stairs) {

@@ -3,6 +3,7 @@
 // What is done before a long pass: prices for the allowances that stages share, good builds by them, and less to choose
 // from.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "solver/frontier.h"
@@ -29,7 +30,12 @@ bool Frontier::find_better_first(bool shared_allowances) {
   used_prices_ = true;
   // What has been found with other shared choices says enough here.
   const bool look = incumbents_.builds().empty() || !shared_allowances;
+  const bool front = criteria_.objectives > 1;
   for (const Haste& haste : {Haste{.nodes = 100}, {.nodes = 1000}, {.nodes = 2000, .labels = 100, .digits = 14}}) {
+    if (front && haste.nodes > 1000) break;  // sections look on
+    if (front && !control_.while_there_is_time([&] { settled_ = !find_vectors(); })) return false;
+    if (settled_) return true;
+    if (front) planes_->keep_regions();
     if (look && !look_for_builds(haste)) return false;
     const auto restrict_again = [&] {
       settled_ = find_planes() && !incumbents_.builds().empty() && !restrict_stages();
@@ -139,20 +145,30 @@ std::vector<double> Frontier::state_weights(std::size_t stage, double unit) cons
   return weights;
 }
 
-/// Keeps the best of many labels by first score and weighed state.
+/// Keeps the best of many labels: by what they lead to at least, or by their scores and weighed states.
 void Frontier::keep_best(std::size_t stage) {
   std::vector<Label>& labels = labels_[stage + 1];
   if (labels.size() <= haste_->labels) return;
-  double least = std::numeric_limits<double>::infinity();
+  const RestVectors& rest = plans_[stage].vectors;
+  double least = infinity;
   for (const Label& label : labels) least = std::min(least, haste_->mix.of(label.score));
   const std::vector<double> weights = state_weights(stage, least);
-  const auto value = [&](const Label& label) {
+  const auto weighed = [&](const Label& label) {
     double sum = haste_->mix.of(label.score) / (std::fabs(least) + 1e-6);
     for (std::size_t c = 0; c < weights.size(); ++c) sum += weights[c] * label.state[c];
     return sum;
   };
-  std::stable_sort(labels.begin(), labels.end(), [&](const Label& a, const Label& b) { return value(a) < value(b); });
-  labels.resize(haste_->labels);
+  const auto least_total = [&](const Label& label) {
+    const auto lower = [&](std::size_t c) { return label.state[c]; };
+    return rest.least(haste_->mix, {label.score[0], criteria_.second(label.score)}, lower, useful_.back());
+  };
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    order.emplace_back(rest.add.empty() ? weighed(labels[i]) : least_total(labels[i]), i);
+  std::sort(order.begin(), order.end());
+  std::vector<Label> best;
+  for (std::size_t i = 0; i < haste_->labels; ++i) best.push_back(std::move(labels[order[i].second]));
+  labels = std::move(best);
 }
 
 /// Planes for those of many combinations that have the least bounds.
@@ -168,7 +184,7 @@ void Frontier::sharpen_planes(std::size_t stage, const std::vector<Chunk>& chunk
   };
   std::vector<Sample> sampled;
   for (const Chunk& chunk : chunks)
-    sums(stage, chunk, number / samples, [&](auto, auto, const auto& score, const auto& state) {
+    sums(stage, chunk, number / samples, [&](auto, auto, const auto& score, const auto& state, const auto&) {
       sampled.push_back({score, state});
     });
   const std::vector<double> most = highest_scores();

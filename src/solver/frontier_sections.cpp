@@ -31,29 +31,41 @@ bool Frontier::aim() {
 
 /// Every design on the front is in the section of its first score. False: time is up, or something undecided.
 bool Frontier::by_sections() {
+  constexpr std::size_t most_known = 16;  // builds of the front in a section that is tried as a whole
+  // What is refined once for the whole front serves all sections.
+  if (!control_.while_there_is_time([&] { settled_ = !find_vectors(); })) return false;
+  if (settled_) return true;
+  planes_->keep_regions();
+  if (pass({.patience = section_patience()})) return !undecided_;
+  if (control_.time_is_up()) return false;
+  undecided_ = false;
   const std::vector<StagePlan> plans = plans_;
   const std::vector<StateForm> forms = forms_;
   std::vector<Section> open{Section{}};
   while (!open.empty()) {
     const Section section = open.back();
     open.pop_back();
-    const bool whole = !std::isfinite(section.from) && !std::isfinite(section.to);
-    const std::size_t patience = control_.options().stage_patience / (whole ? 1 : 10);
-    if (settle(section, patience, plans, forms)) continue;
+    const std::vector<double> inside = known_inside(section);
+    if (inside.size() <= most_known && !is_wide(section) && settle(section, plans, forms)) continue;
     if (control_.time_is_up() || undecided_) {
       open.push_back(section);
       break;
     }
-    // Cut in the middle of what is known of it.
-    const std::vector<double> inside = known_inside(section);
-    const double middle = inside.empty() ? section.to : inside[inside.size() / 2];
-    if (!inside.empty()) open.push_back({middle, section.to});
+    // Cut in the middle of what is known of it, or of its scores.
+    const std::vector<double> now = known_inside(section);
+    const double middle = now.empty()                  ? middle_of(section)
+                          : !std::isfinite(section.to) ? now.back()
+                                                       : now[now.size() / 2];
+    open.push_back({middle, section.to});
     open.push_back({section.from, middle});
   }
   section_ = Section{};
   std::copy(plans.begin(), plans.end(), plans_.begin());  // whoever goes on needs to know of all sections
   return open.empty() && !undecided_;
 }
+
+/// Little: what is too much is cut.
+std::size_t Frontier::section_patience() const { return control_.options().stage_patience / 3; }
 
 /// First scores of known builds in it.
 std::vector<double> Frontier::known_inside(const Section& section) const {
@@ -63,9 +75,37 @@ std::vector<double> Frontier::known_inside(const Section& section) const {
   return inside;
 }
 
+double Frontier::middle_of(const Section& section) const {
+  constexpr double more = 1.25;
+  const double from = std::max(section.from, least_total_);
+  return std::isfinite(section.to) ? 0.5 * (from + section.to) : more * from;
+}
+
+/// Whether its scores are too different for bounds that fit all of it.
+bool Frontier::is_wide(const Section& section) const {
+  constexpr double wide = 0.3;
+  const double from = std::max(section.from, least_total_);
+  if (!std::isfinite(section.to)) return !known_inside(section).empty();
+  return section.to - from > wide * std::fabs(section.to);
+}
+
+/// Whether there is no use in cutting it.
+bool Frontier::is_narrow(const Section& section) const {
+  constexpr double narrow = 0.02;
+  constexpr double far = 10.0;
+  if (!known_inside(section).empty()) return false;
+  return std::isfinite(section.to) ? !(section.to - middle_of(section) > narrow * std::fabs(section.to))
+                                   : !(section.from < far * least_total_);
+}
+
+/// Vectors below the known front, as far as it is looked at. False: nothing that is left can change it.
+bool Frontier::find_vectors() {
+  update_useful();
+  return planes_->find_vectors(useful_.back());
+}
+
 /// False: it is too much, time is up, or something is undecided.
 bool Frontier::settle(const Section& section,
-                      std::size_t patience,
                       const std::vector<StagePlan>& plans,
                       const std::vector<StateForm>& forms) {
   section_ = section;
@@ -78,23 +118,23 @@ bool Frontier::settle(const Section& section,
   const auto last = std::find_if(corners.rbegin(), corners.rend(), has_end);
   if (last != corners.rend() && first->first < last->first)
     mixes_.push_back({(first->second - last->second) / (last->first - first->first), 1.0});
-  const bool prepared = control_.while_there_is_time([&] {
-    planes_ = std::make_unique<RestPlanes>(problem_, plans_, forms_, control_.desk(0));
-    settled_ = find_planes() && !restrict_stages();
-  });
-  if (!prepared || settled_) return prepared;
-  const bool whole = known_inside(section).empty();  // it will not be cut
+  const auto prepare = [&] {
+    return control_.while_there_is_time([&] {
+      settled_ = find_planes() && !(restrict_stages() && find_vectors() && restrict_stages() && find_vectors());
+    });
+  };
+  planes_ = std::make_unique<RestPlanes>(problem_, plans_, forms_, control_.desk(0));
+  if (!prepare() || settled_) return settled_;
+  const bool narrow = is_narrow(section);
   for (const Haste& haste : {Haste{.nodes = 1000}, {.nodes = 2000, .labels = 100, .digits = 14}}) {
     if (!control_.options().look_first) break;
     Haste here = haste;
     here.mix = mixes_.back();
     if (!pass({.haste = here})) return false;
-    const bool again = control_.while_there_is_time([&] { settled_ = find_planes() && !restrict_stages(); });
-    if (!again || settled_) return again;
-    if (!whole) break;
+    if (!prepare() || settled_) return settled_;
   }
   undecided_ = false;
-  return pass({.patience = known_inside(section).empty() ? endless : patience}) && !undecided_;
+  return pass({.patience = narrow ? endless : section_patience()}) && !undecided_;
 }
 
 }  // namespace millwright::solver

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "solver/archive.h"
 #include "solver/relaxation.h"
 
 namespace millwright::solver {
@@ -63,13 +64,6 @@ void RegionPool::refine(std::size_t index, const Useful& useful, Desk& desk, Off
 }
 
 RegionPool::Least RegionPool::least(const Mix& mix, std::span<const double> weight, Desk& desk) {
-  struct Entry {
-    double value = 0.0;
-    std::size_t index = 0;
-    bool operator<(const Entry& other) const {  // a heap has the largest first
-      return value != other.value ? value > other.value : index < other.index;
-    }
-  };
   std::erase_if(parts_, [](const Part& part) { return !part.alive; });
   const auto value_of = [&](std::size_t index) { return priced(parts_[index].open.bounds, mix, weight); };
   std::vector<Entry> heap;
@@ -90,6 +84,48 @@ RegionPool::Least RegionPool::least(const Mix& mix, std::span<const double> weig
   for (const Interval& handed_on : parts_[heap.front().index].open.bounds.handed_on)
     found.handed_on.push_back(handed_on.lower);
   return found;
+}
+
+bool RegionPool::refine_front(
+    const Key& key, std::span<const double> weights, const Useful& useful, std::size_t most_nodes, Desk& desk) {
+  Archive known(weights.size());  // of single designs
+  std::vector<Entry> heap;
+  const auto push = [&](std::size_t index) {
+    Part& part = parts_[index];
+    part.alive = part.alive && useful(part.open.bounds);
+    if (!part.alive) return;
+    double value = 0.0;
+    const std::vector<double> at = key(part.open.bounds);
+    for (std::size_t d = 0; d < at.size(); ++d) value += weights[d] * at[d];
+    heap.push_back({value, index});
+    std::push_heap(heap.begin(), heap.end());
+  };
+  for (std::size_t i = 0; i < parts_.size(); ++i) push(i);
+  for (std::size_t nodes = 0; !heap.empty() && nodes < most_nodes;) {
+    const std::size_t index = heap.front().index;
+    std::pop_heap(heap.begin(), heap.end());
+    heap.pop_back();
+    const std::vector<double> at = key(parts_[index].open.bounds);
+    if (known.dominates(at)) continue;
+    if (parts_[index].settled) {
+      known.add(at);
+      continue;
+    }
+    refine(index, useful, desk, push);
+    ++nodes;
+  }
+  std::erase_if(parts_, [](const Part& part) { return !part.alive; });
+  return !parts_.empty();
+}
+
+std::vector<OpenRegion> RegionPool::regions() const {
+  std::vector<OpenRegion> regions;
+  for (const Part& part : parts_)
+    if (part.alive) regions.push_back(part.open);
+  std::stable_sort(regions.begin(), regions.end(), [](const OpenRegion& a, const OpenRegion& b) {
+    return a.bounds.score[0] < b.bounds.score[0];
+  });
+  return regions;
 }
 
 bool RegionPool::keep_only(const Useful& useful, Desk& desk) {

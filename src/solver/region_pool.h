@@ -32,6 +32,14 @@ class RegionPool {
     double value = 0.0;             ///< infinity: no design is feasible
     std::vector<double> handed_on;  ///< there
   };
+  /// What a region adds, coordinate by coordinate.
+  using Key = std::function<std::vector<double>(const Bounds&)>;
+  /// Refines at most so many regions, in ascending order of the weighed sum of their coordinates, where no single
+  /// design is at least as good in all; leaves out what `useful` says no to. False when nothing is left.
+  bool refine_front(
+      const Key& key, std::span<const double> weights, const Useful& useful, std::size_t most_nodes, Desk& desk);
+  /// What is left, ascending in the first score.
+  [[nodiscard]] std::vector<OpenRegion> regions() const;
   /// Leaves out what `useful` says no to, refining what it does not. False when nothing is left.
   bool keep_only(const Useful& useful, Desk& desk);
   /// Tells the bounds of everything that is left.
@@ -48,6 +56,14 @@ class RegionPool {
   Least least(const Mix& mix, std::span<const double> weight, Desk& desk);
 
  private:
+  /// Of a heap that has the least first.
+  struct Entry {
+    double value = 0.0;
+    std::size_t index = 0;
+    bool operator<(const Entry& other) const {
+      return value != other.value ? value > other.value : index < other.index;
+    }
+  };
   struct Part {
     OpenRegion open;
     bool bounded = false;

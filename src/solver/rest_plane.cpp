@@ -19,16 +19,17 @@ RestPlanes::Prices::Prices(const Problem& problem,
                            std::vector<StagePlan>& plans,
                            std::span<const StateForm> forms,
                            Desk& desk)
-    : problem_(problem), plans_(plans), desk_(desk) {
+    : problem_(problem), plans_(plans), forms_(forms.begin(), forms.end()), desk_(desk) {
   if (!std::all_of(forms.begin(), forms.end(), [](const StateForm& form) { return form.additive; })) return;
   for (std::size_t i = 0; i < plans.size(); ++i) {
-    stages_.push_back({&plans[i], &forms[i], {}, std::nullopt});
+    stages_.push_back({&plans[i], &forms_[i], {}, std::nullopt});
     find_ends(i);
     const bool has_steps = std::any_of(
         stages_[i].ends.begin(), stages_[i].ends.end(), [](const Allowance& end) { return !end.from.empty(); });
     if (!has_steps) stages_[i].pool.emplace(plans[i], plans[i].best_inherited);
     allowances_ += stages_[i].ends.size();
   }
+  has_had_price_.assign(allowances_, false);
 }
 
 double RestPlanes::Prices::find(const Mix& mix, double known) {
@@ -39,6 +40,7 @@ double RestPlanes::Prices::find(const Mix& mix, double known) {
   first_ = 0;
   state_ = problem_.first_state;
   const double best = climb(known, [this](double bound) { keep(bound); });
+  for (std::size_t a = 0; a < allowances_; ++a) has_had_price_[a] = has_had_price_[a] || best_price_[a] > 0.0;
   find_stairs();
   return best;
 }
@@ -154,7 +156,7 @@ RestPlanes::Prices::Addition RestPlanes::Prices::least_addition(RegionPool& pool
   RegionPool::Least least = pool.least(mix_, weight, desk_);
   Addition addition{least.value, least.value, std::fabs(least.value), std::move(least.handed_on)};
   for (std::size_t h = 0; h < addition.state.size(); ++h) {
-    const double inherited = most_flow(form, h, pool.inherited());
+    const double inherited = flow(form, h, pool.inherited()).upper;
     addition.state[h] -= inherited;
     if (weight[h] == 0.0) continue;
     addition.value -= weight[h] * inherited;
@@ -242,5 +244,7 @@ double RestPlanes::find_from(const Mix& mix, double known, std::size_t stage, st
 }
 bool RestPlanes::restrict_to(const std::vector<Pair>& corners) { return prices_->restrict_to(corners); }
 void RestPlanes::tighten_limits() { prices_->tighten_limits(); }
+bool RestPlanes::find_vectors(const std::vector<Pair>& corners) { return prices_->find_vectors(corners); }
+void RestPlanes::keep_regions() { prices_->keep_regions(); }
 
 }  // namespace millwright::solver

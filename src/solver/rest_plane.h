@@ -20,6 +20,9 @@
 // much must be added at least when so much of it is left (sums of the stages' own staircases, so to speak the knapsack
 // problem without its other constraints). Where one allowance binds, little is lost then.
 //
+// Where several of them bind and both objectives count there are vectors (rest_vectors.h): what all later stages add to
+// the objectives and take of each allowance, all at once, for a section of the front.
+//
 // The same bound with one region of a stage in place of the stage's minimum says what that region leads to at least.
 // What cannot reach the known front that way is left out from then on; and where what is left cannot use up an
 // allowance any more, designs need not be compared by it.
@@ -50,6 +53,11 @@ class RestPlanes {
   /// Narrows what stages can bear (StagePlan::most_after) to what is left of the stages after them. After
   /// `look_again`, which says what states can arrive.
   void tighten_limits();
+  /// Sets StagePlan::vectors of all stages for the allowances that have had a price so far, as far as they may lead
+  /// below some corner of an upper staircase of totals. False: nothing does.
+  bool find_vectors(const std::vector<Pair>& corners);
+  /// Makes the regions as they have been refined so far those of the stages' plans (StagePlan::frontier).
+  void keep_regions();
 
  private:
   class Prices;

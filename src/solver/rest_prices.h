@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The inside of rest_plane.h: prices of allowances, the planes (rest_plane.cpp) and staircases (rest_stairs.cpp) that
-// follow from them.
+// The inside of rest_plane.h: prices of allowances, the planes (rest_plane.cpp), staircases (rest_stairs.cpp) and
+// vectors (rest_vector_sums.cpp) that follow from them.
 #pragma once
 
 #include <functional>
@@ -41,8 +41,11 @@ class RestPlanes::Prices {
   double find_from(const Mix& mix, double known, std::size_t stage, std::span<const double> state);
   bool restrict_to(const std::vector<Pair>& corners);
   void tighten_limits();
+  bool find_vectors(const std::vector<Pair>& corners);
+  void keep_regions();
 
  private:
+  class Totals;
   /// A bound under way from the base to the tool: constant + weight * state.
   struct Plane {
     double constant = 0.0;
@@ -73,6 +76,12 @@ class RestPlanes::Prices {
     std::vector<std::vector<Pair>> without;   ///< [stage]: what all others add at least, by what they take
   };
 
+  /// An allowance that vectors tell of.
+  struct Shared {
+    const Allowance* end = nullptr;
+    std::vector<std::vector<double>> use;  ///< [stage]: of it, by the state before the stage
+  };
+
   void find_ends(std::size_t stage);
   void find_steps(std::size_t stage, Allowance& end);
   double climb(double known, const std::function<void(double bound)>& risen);
@@ -85,18 +94,30 @@ class RestPlanes::Prices {
 
   void find_stairs();
   void keep_stairs(KeptStairs kept, const Allowance& end);
-  bool find_use(std::size_t end_stage, const Allowance& end, KeptStairs& kept) const;
+  [[nodiscard]] std::optional<std::vector<std::vector<double>>> find_use(std::size_t end_stage,
+                                                                         const Allowance& end) const;
   std::vector<Pair> points(std::size_t stage, const Allowance& end, const KeptStairs& kept);
   [[nodiscard]] double least_total(const KeptStairs& stairs, std::size_t stage, const Bounds& bounds) const;
 
+  void find_shared();
+  bool refine_vectors(std::size_t stage, Totals& totals);
+  [[nodiscard]] std::vector<double> vector_of(std::size_t stage, const RegionPool& pool, const Bounds& bounds) const;
+  [[nodiscard]] VectorSet vectors_of(std::size_t stage) const;
+  [[nodiscard]] std::vector<double> limits() const;
+  [[nodiscard]] bool vectors_reach(std::size_t stage, const Bounds& bounds, const std::vector<Pair>& corners) const;
+
   const Problem& problem_;
   std::vector<StagePlan>& plans_;
+  std::vector<StateForm> forms_;  ///< as they were at first: what has been found since is about them
   Desk& desk_;
   std::vector<PricedStage> stages_;
   std::size_t allowances_ = 0;
   std::vector<Kept> kept_;
   std::vector<KeptStairs> kept_stairs_;
   std::vector<double> best_price_;  ///< of the last climb
+  std::vector<bool> has_had_price_;
+  std::vector<Shared> shared_;
+  std::vector<RestVectors> without_vectors_;  ///< [stage]: of all others; `use` is what the stage itself takes
   // Of the evaluation under way:
   Mix mix_;
   std::size_t first_ = 0;
@@ -118,8 +139,7 @@ inline double used(const Bounds& bounds, std::span<const double> use) {
   return sum;
 }
 
-/// The most and the least that a handed-on component takes over from inherited states.
-double most_flow(const StateForm& form, std::size_t component, std::span<const Interval> states);
-double least_flow(const StateForm& form, std::size_t component, std::span<const Interval> states);
+/// What a handed-on component takes over from inherited states.
+Interval flow(const StateForm& form, std::size_t component, std::span<const Interval> states);
 
 }  // namespace millwright::solver

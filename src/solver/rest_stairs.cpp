@@ -48,22 +48,17 @@ void keep_within(const StagePlan& plan, std::vector<OpenRegion>& regions) {
 
 }  // namespace
 
-/// The most and the least that a handed-on component takes over from inherited states.
-double most_flow(const StateForm& form, std::size_t component, std::span<const Interval> states) {
-  double flow = 0.0;
+/// What a handed-on component takes over from inherited states.
+Interval flow(const StateForm& form, std::size_t component, std::span<const Interval> states) {
+  double least = 0.0;
+  double most = 0.0;
   for (std::size_t c = 0; c < states.size(); ++c) {
     const double slope = form.slope[component][c];
-    if (slope != 0.0) flow += slope * (slope > 0.0 ? states[c].upper : states[c].lower);
+    if (slope == 0.0) continue;
+    least += slope * (slope > 0.0 ? states[c].lower : states[c].upper);
+    most += slope * (slope > 0.0 ? states[c].upper : states[c].lower);
   }
-  return flow;
-}
-double least_flow(const StateForm& form, std::size_t component, std::span<const Interval> states) {
-  double flow = 0.0;
-  for (std::size_t c = 0; c < states.size(); ++c) {
-    const double slope = form.slope[component][c];
-    if (slope != 0.0) flow += slope * (slope > 0.0 ? states[c].lower : states[c].upper);
-  }
-  return flow;
+  return {least, most};
 }
 
 /// For each allowance with a price: its staircase.
@@ -84,20 +79,24 @@ void RestPlanes::Prices::find_stairs() {
       kept.mix = mix_;
       kept.end_stage = i;
       kept.limit = end.limit;
-      if (find_use(i, end, kept) && std::isfinite(evaluate(others, slope))) keep_stairs(std::move(kept), end);
+      if (auto use = find_use(i, end)) {
+        kept.use = std::move(*use);
+        if (std::isfinite(evaluate(others, slope))) keep_stairs(std::move(kept), end);
+      }
     }
   }
 }
 
-/// What states and additions to them take of an allowance. False: something makes room for it.
-bool RestPlanes::Prices::find_use(std::size_t end_stage, const Allowance& end, KeptStairs& kept) const {
-  kept.use.assign(stages_.size() + 1, std::vector<double>(state_.size()));
+/// What states and additions to them take of an allowance. Nothing: something makes room for it.
+std::optional<std::vector<std::vector<double>>> RestPlanes::Prices::find_use(std::size_t end_stage,
+                                                                             const Allowance& end) const {
+  std::vector<std::vector<double>> use(stages_.size() + 1, std::vector<double>(state_.size()));
   for (std::size_t i = end_stage + 1; i-- > 0;) {
-    kept.use[i] = before(*stages_[i].form, kept.use[i + 1]);
-    if (i == end_stage) kept.use[i][end.component] += 1.0;
-    if (std::any_of(kept.use[i].begin(), kept.use[i].end(), [](double each) { return each < 0.0; })) return false;
+    use[i] = before(*stages_[i].form, use[i + 1]);
+    if (i == end_stage) use[i][end.component] += 1.0;
+    if (std::any_of(use[i].begin(), use[i].end(), [](double each) { return each < 0.0; })) return std::nullopt;
   }
-  return true;
+  return use;
 }
 
 /// What a stage may add to scores and priced state, and what that takes of the allowance.
@@ -109,7 +108,7 @@ std::vector<Pair> RestPlanes::Prices::points(std::size_t stage, const Allowance&
   const auto add_all = [&](const RegionPool& pool, double value, double taken) {
     for (std::size_t h = 0; h < weight.size(); ++h) {
       if (weight[h] == 0.0 && use[h] == 0.0) continue;
-      const double inherited = most_flow(*own.form, h, pool.inherited());
+      const double inherited = flow(*own.form, h, pool.inherited()).upper;
       if (weight[h] != 0.0) value -= weight[h] * inherited;
       if (use[h] != 0.0) taken -= use[h] * inherited;
     }
@@ -173,7 +172,7 @@ double RestPlanes::Prices::least_total(const KeptStairs& stairs, std::size_t sta
   double taken = used(bounds, use);
   for (std::size_t h = 0; h < use.size(); ++h) {
     if (stairs.weight[stage][h] == 0.0 && use[h] == 0.0) continue;
-    const double inherited = most_flow(*stages_[stage].form, h, pool.inherited());
+    const double inherited = flow(*stages_[stage].form, h, pool.inherited()).upper;
     if (stairs.weight[stage][h] != 0.0) total -= stairs.weight[stage][h] * inherited;
     if (use[h] != 0.0) taken -= use[h] * inherited;
   }
@@ -188,7 +187,7 @@ bool RestPlanes::Prices::restrict_to(const std::vector<Pair>& corners) {
       LeastTotals totals(unknown, unknown);
       for (const Kept& kept : kept_) totals.add(kept.mix, kept.without[i] + priced(bounds, kept.mix, kept.weight[i]));
       for (const KeptStairs& kept : kept_stairs_) totals.add(kept.mix, least_total(kept, i, bounds));
-      return totals.below(corners);
+      return totals.below(corners) && vectors_reach(i, bounds, corners);
     };
     if (!stages_[i].pool->keep_only(may_lead, desk_)) return false;
     stages_[i].pool->narrow(plans_[i].region);
@@ -206,8 +205,8 @@ void RestPlanes::Prices::tighten_limits() {
       if (!std::isfinite(plans_[i].most_after[h])) continue;
       const StateForm& form = *stages_[i].form;
       const std::vector<double>& slope = form.slope[h];
-      const double own = handed_on[h] - most_flow(form, h, stages_[i].pool->inherited());
-      const double inherited = least_flow(form, h, plans_[i].inherited);
+      const double own = handed_on[h] - flow(form, h, stages_[i].pool->inherited()).upper;
+      const double inherited = flow(form, h, plans_[i].inherited).lower;
       for (std::size_t c = 0; c < slope.size(); ++c) {
         if (!(slope[c] > 0.0)) continue;
         const double others = inherited - slope[c] * plans_[i].inherited[c].lower;

@@ -22,6 +22,7 @@
 #include "solver/criteria.h"
 #include "solver/fits.h"
 #include "solver/monotonicity.h"
+#include "solver/rest_vectors.h"
 #include "solver/row_profile.h"
 #include "solver/staircase.h"
 
@@ -97,6 +98,7 @@ struct StagePlan {
   std::vector<RestCurve> curves;     ///< the same by what is handed on (rest_curve.h)
   std::vector<RestPlane> planes;     ///< the same by all that is handed on (rest_plane.h)
   std::vector<RestStairs> stairs;    ///< the same by what is left of an allowance (rest_plane.h)
+  RestVectors vectors;               ///< the same by what is left of several allowances (rest_vectors.h)
   std::vector<OpenRegion> frontier;  ///< regions that cover all designs, ascending in the first score
 
   StagePlan(const Stage& s, std::span<const Row> shared_rows, const Criteria& c)

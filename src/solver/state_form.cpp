@@ -2,6 +2,7 @@
 #include "solver/state_form.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace millwright::solver {
 namespace {
@@ -17,6 +18,7 @@ StateForm find_state_form(const StagePlan& plan, Desk& desk) {
   StateForm form;
   const std::size_t components = plan.inherited.size();
   form.influences.assign(components, false);
+  form.exact.assign(components, true);
   form.slope.assign(components, std::vector<double>(components, 0.0));
   for (std::size_t c = 0; c < components; ++c) {
     if (plan.inherited[c].lower == plan.inherited[c].upper) continue;  // the same for every label
@@ -27,10 +29,14 @@ StateForm find_state_form(const StagePlan& plan, Desk& desk) {
       if (plan.criteria->reads(r) && !vanishes(slopes.resources[r])) form.additive = false;
     }
     for (std::size_t h = 0; h < components; ++h) {
-      if (plan.after[h] == Direction::irrelevant) continue;
       const Interval& slope = slopes.handed_on[h];
-      if (!(slope.upper - slope.lower <= rounding_width * std::max(1.0, magnitude(slope)))) form.additive = false;
-      form.slope[h][c] = middle(slope);
+      // Steps of a rounded figure have slopes without bound.
+      const bool bounded = std::isfinite(slope.lower) && std::isfinite(slope.upper);
+      const bool constant = bounded && slope.upper - slope.lower <= rounding_width * std::max(1.0, magnitude(slope));
+      // What is irrelevant now may have mattered when prices were found that are still in use.
+      if (constant) form.slope[h][c] = middle(slope);
+      if (!constant) form.exact[h] = false;
+      if (!constant && bounded && plan.after[h] != Direction::irrelevant) form.additive = false;
     }
   }
   return form;
@@ -50,6 +56,14 @@ Comparison::Comparison(const Criteria& criteria, std::span<const Direction> dire
 void Comparison::key(std::span<const double> score, std::span<const double> state, double* out) const {
   for (std::size_t k = 0; k < scores_; ++k) *out++ = rounded(score[k], digits_);
   for (const Coordinate& c : states_) *out++ = rounded(c.falling ? -state[c.component] : state[c.component], digits_);
+}
+
+void Comparison::best_key(std::span<const double> score,
+                          std::span<const double> least,
+                          std::span<const double> most,
+                          double* out) const {
+  for (std::size_t k = 0; k < scores_; ++k) *out++ = rounded(score[k], digits_);
+  for (const Coordinate& c : states_) *out++ = rounded(c.falling ? -most[c.component] : least[c.component], digits_);
 }
 
 void Comparison::best_key(std::span<const double> score, std::span<const Interval> state, double* out) const {
