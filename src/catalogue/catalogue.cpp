@@ -27,8 +27,15 @@ std::vector<Table> load_layer(const std::filesystem::path& place, int layer, tex
     diagnostics.error(fmt::format("the catalogue {} is empty: it holds no CSV file", text::quoted(place.string(), 200)),
                       "a catalogue has a folder for each part family, for example steppers/my-motors.csv");
   }
+  std::vector<double> bytes(family_count, 0.0);
+  for (const CatalogueFile& file : files)
+    bytes[static_cast<std::size_t>(file.family)] += static_cast<double>(file.text->contents().size());
   for (const CatalogueFile& file : files) {
-    tables[static_cast<std::size_t>(file.family)].append(read_table(file.text, file.family, layer, diagnostics));
+    // The first file of a family makes room for the rows of all, a little more for those that are shorter.
+    Table& table = tables[static_cast<std::size_t>(file.family)];
+    const double all = 1.02 * bytes[static_cast<std::size_t>(file.family)];
+    const double room = table.empty() ? all / static_cast<double>(file.text->contents().size() + 1) : 1.0;
+    table.append(read_table(file.text, file.family, layer, diagnostics, room));
   }
   for (Table& table : tables) drop_duplicates(table, diagnostics);
   return tables;
