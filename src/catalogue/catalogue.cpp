@@ -45,7 +45,7 @@ std::vector<Table> load_layer(const std::filesystem::path& place, int layer, tex
 
 Catalogue::Catalogue() : tables_(empty_tables()) {}
 
-Catalogue Catalogue::load(const std::vector<std::filesystem::path>& places, text::Diagnostics& diagnostics) {
+Catalogue Catalogue::load_parts(const std::vector<std::filesystem::path>& places, text::Diagnostics& diagnostics) {
   Catalogue catalogue;
   for (const std::filesystem::path& place : places) {
     if (place.empty()) {
@@ -59,6 +59,11 @@ Catalogue Catalogue::load(const std::vector<std::filesystem::path>& places, text
       if (!tables[family].empty()) catalogue.tables_[family].overlay(std::move(tables[family]));
     }
   }
+  return catalogue;
+}
+
+Catalogue Catalogue::load(const std::vector<std::filesystem::path>& places, text::Diagnostics& diagnostics) {
+  Catalogue catalogue = load_parts(places, diagnostics);
   for (const std::filesystem::path& place : places)
     if (const auto file = stock_file(place)) read_stock(*file, catalogue, catalogue.stock_, diagnostics);
   for (const std::filesystem::path& place : places)
