@@ -233,10 +233,11 @@ class TableFileReader {
     const Column availability = column(family_, "availability");
     for (std::size_t row = 0; field(availability) >= 0 && row < csv_.row_count(); ++row) {
       const std::string_view word = text_of(availability, row);
-      if (!word.empty() && word != unavailable && !diagnostics_.is_full(csv_.text().get()))
-        diagnostics_.warning(csv_.cell_span(row, cell_column(availability)),
-                             fmt::format("availability {} changes nothing", text::quoted(word)),
-                             "write unavailable if it cannot be had; what is owned goes into owned_quantity");
+      if (!word.empty() && word != unavailable && word != preferred && !diagnostics_.is_full(csv_.text().get()))
+        diagnostics_.warning(
+            csv_.cell_span(row, cell_column(availability)),
+            fmt::format("availability {} changes nothing", text::quoted(word)),
+            "write unavailable if it cannot be had, or preferred; what is owned goes into owned_quantity");
     }
   }
 

@@ -92,6 +92,7 @@ void StockBars::settle_row(Key row, std::size_t first_state) {
   stock.row = row.second;
   stock.size = bar->size;
   stock.bar_price = bar->price;
+  stock.preference = prices_.preference(table, row.second);
   fill(stock, digits);
   if (stock.is_shared()) stock.state = first_state + components_++;
   stocks_.push_back(std::move(stock));
