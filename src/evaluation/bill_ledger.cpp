@@ -143,6 +143,7 @@ void BillLedger::finish() {
   if (design_.preference) design_.preference->compared_cost = design_.cost - saved_by_preference_;
   design_.purchases = counted_.purchases(model_.catalogue());
   design_.bars = bars_.purchases();
+  design_.all_fewest_bars = model_.bars().all_fewest();
 }
 
 }  // namespace millwright::evaluation

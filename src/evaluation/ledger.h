@@ -128,6 +128,7 @@ struct BarPurchase {
   double cutting_loss = 0.0;  ///< m, between two pieces
   double bar_price = 0.0;     ///< in `currency` of the design
   std::vector<CutBar> bars;
+  bool is_fewest = true;  ///< proved: these pieces need so many
 };
 
 /// An order from a supplier that charges for the order itself, in `currency` of the design.
@@ -151,6 +152,7 @@ struct Design {
   std::vector<PartLine> parts;
   std::vector<Purchase> purchases;      ///< of counted parts only
   std::vector<BarPurchase> bars;        ///< where whole bars are bought
+  bool all_fewest_bars = true;          ///< of every build that this one was compared with, too
   std::vector<ShopOrder> orders;        ///< from suppliers that charge for orders only
   std::vector<StatedOnly> stated_only;  ///< neither bought nor weighed here
   std::vector<DimensionLine> dimensions;

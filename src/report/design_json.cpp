@@ -113,7 +113,8 @@ Json bars_of(const evaluation::BarPurchase& purchase, const std::string& currenc
           {"cutting_loss_m", number(purchase.cutting_loss)},
           {"bar_price", number(purchase.bar_price)},
           {"currency", currency},
-          {"bars", bars}};
+          {"bars", bars},
+          {"fewest_proved", purchase.is_fewest}};
 }
 
 Json build_of(const Design& design) {

@@ -235,6 +235,7 @@ std::string certificate_text(const MachineResult& result, const Style& style, co
                                           : t("certificate.front"));
     if (preferred) line(fill("certificate.preferred", divisor));
   }
+  if (design != nullptr && !design->all_fewest_bars) line(t("certificate.bars"));
   line(fill("certificate.combinations", scalar::format_number(certificate.combinations, 3)));
   if (!certificate.method.empty()) line(t.clauses(certificate.method));
   if (design != nullptr) line(t("certificate.again"));

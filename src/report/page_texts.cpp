@@ -343,6 +343,10 @@ const std::vector<PageText>& page_texts() {
       {"certificate.front_open",
        "Not proved: the limit was reached, points may be missing.",
        "Belum terbukti: batas tercapai, mungkin ada titik yang belum ditemukan."},
+      {"certificate.bars",
+       "Not proved of every build: that pieces cut from bars need so many bars; of some sets of pieces fewer may do.",
+       "Tidak terbukti untuk setiap rancangan: bahwa potongan memerlukan batang sebanyak itu; untuk sebagian kumpulan "
+       "potongan lebih sedikit mungkin cukup."},
       {"certificate.combinations", "{} combinations of parts.", "{} kombinasi komponen."},
       {"certificate.again",
        "Every figure above was computed again from scratch for the build shown.",

@@ -132,7 +132,8 @@ Discount saving(const MachineModel& model, const TermsOf& terms, double spare_sc
       const auto& [lengths, metre] = pieces;
       const double factor = factor_of(factors, part);
       if (of.stock > 0.0)
-        saved -= 1e-3 * of.stock * metre * static_cast<double>(fewest_bars(lengths, 1e-3 * of.stock, 1e-3 * of.loss));
+        saved -= factor * 1e-3 * of.stock * metre *
+                 static_cast<double>(fewest_bars(lengths, 1e-3 * of.stock, 1e-3 * of.loss));
       else
         for (const double length : lengths) saved -= factor * (length + 1e-3 * of.loss) * metre;
     }
