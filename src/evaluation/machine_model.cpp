@@ -13,6 +13,7 @@
 #include "evaluation/preferred_parts.h"
 #include "evaluation/price_book.h"
 #include "evaluation/same_parts.h"
+#include "evaluation/short_bars.h"
 
 namespace millwright::evaluation {
 
@@ -333,6 +334,7 @@ EmptySlot empty_slot(const MachineModel& model, const std::string& axis, const s
       const MotorShortage shortage = motor_shortage(model.catalogue(), each, model.machine().supply_voltages);
       return {axis, shortage.slot, shortage.reason};
     }
+  if (std::string reason = short_bars(model, axis, slot); !reason.empty()) return {axis, slot, std::move(reason)};
   return {axis, slot, fmt::format("no catalogue row fits what axis '{}' asks of its {}", axis, slot)};
 }
 

@@ -445,3 +445,29 @@ TEST_CASE("Two screws come from one bar, and a row whose bar is too short for on
   // Ends that cost 120 USD in all make the dear one the cheaper one.
   CHECK(screws({{"Tr10x2", {0.0, 0.0, 0.0, 30.0}}}) == std::vector<std::string>{"Tr16x4", "Tr16x4", "0"});
 }
+
+TEST_CASE("Where every bar is shorter than the pieces the answer says so, with both lengths") {
+  const TinyCatalogue tiny;
+  const machine::Problem problem = bar_machine(300.0, 400.0, 500.0);
+  const auto reasons = [&](const TermsOf& terms) {
+    TemporaryFolder overlay;
+    write_terms(tiny, overlay, terms);
+    const catalogue::Catalogue sold = catalogue_of({tiny.path(), overlay.path()});
+    std::string text;
+    for (const evaluation::EmptySlot& slot : solved(MachineModel(problem, sold), {"cost"}).empty_slots)
+      text += slot.axis + "." + slot.slot + ": " + slot.reason + "\n";
+    return text;
+  };
+  CHECK(reasons({{"box20", {2000.0}}, {"box60", {2000.0}}}).empty());
+  // The beams are of 500 mm on x and 650 mm on y.
+  const std::string beams = reasons({{"box20", {400.0}}, {"box60", {450.0}}});
+  CHECK(beams.find("x.beam: what fits axis 'x' there is sold in bars of at most 450 mm (tiny box60), and the shortest "
+                   "piece that it takes is 500 mm") != std::string::npos);
+  CHECK(beams.find("takes is 650 mm") != std::string::npos);
+  // Where one can be had, it is no reason.
+  CHECK(reasons({{"box20", {400.0}}, {"box60", {700.0}}}).empty());
+  const std::string screws = reasons({{"Tr10x2", {200.0}}, {"Tr16x4", {150.0}}});
+  CHECK(screws.find("x.screw: what fits axis 'x' there is sold in bars of at most 200 mm (tiny Tr10x2)") !=
+        std::string::npos);
+  CHECK(screws.find("guide") == std::string::npos);
+}
