@@ -188,9 +188,10 @@ Synthesis synthesise(const MachineModel& model, const SearchOptions& options) {
   synthesis.status = summary.status;
   for (const solver::Build& build : summary.builds)
     synthesis.designs.push_back(model.design(build, options.worksheets));
-  if (options.tolerances && !summary.builds.empty()) {
-    Design& best = synthesis.designs.front();
-    best.tolerances = std::make_shared<const ToleranceCheck>(check_tolerances(model, summary.builds.front(), best));
+  const std::size_t asked = options.objectives.size() > 1 ? synthesis.designs.size() : 1;
+  for (std::size_t i = 0; options.tolerances && i < std::min(asked, synthesis.designs.size()); ++i) {
+    Design& design = synthesis.designs[i];
+    design.tolerances = std::make_shared<const ToleranceCheck>(check_tolerances(model, summary.builds[i], design));
   }
   synthesis.builds = std::move(summary.builds);
   synthesis.lower_bound = summary.lower_bound;

@@ -178,11 +178,15 @@ std::string front_json(const MachineResult& result) {
   json["objectives"] = result.objectives;
   if (preference_counts(result)) json["preference"] = number(result.designs.front().preference->premium);
   json["front"] = Json::array();
-  for (const Design& design : result.designs)
-    json["front"].push_back({{"objectives", objectives_of(result, design)},
-                             {"totals", totals_of(design)},
-                             {"build", build_of(design)},
-                             {"governing", governing_of(result, design)}});
+  for (const Design& design : result.designs) {
+    Json point{{"objectives", objectives_of(result, design)},
+               {"totals", totals_of(design)},
+               {"build", build_of(design)},
+               {"governing", governing_of(result, design)}};
+    if (preference_counts(result)) point["compared_cost"] = number(design.preference->compared_cost);
+    add_tolerances(result, design, point);
+    json["front"].push_back(std::move(point));
+  }
   json["complete"] = result.status != Status::limit;
   json["tolerance"] = result.certificate.front_tolerance;
   add_missing(result, json);

@@ -321,6 +321,8 @@ std::string front_text(const MachineResult& result, const Style& style) {
     table.add(cells);
   }
   out += table.str(2, style) + "\n";
+  if (const std::string robust = robust_front_text(result, Texts(Language::english)); !robust.empty())
+    out += "  " + wrapped(robust, style.width - 2, 2) + "\n\n";
   if (style.brief) return out;
   for (std::size_t k = 0; k < result.objectives.size() && (k == 0 || result.designs.size() > 1); ++k)
     out += end_text(result, best_in(result, result.objectives[k]), result.objectives[k], style);

@@ -188,6 +188,15 @@ const std::vector<PageText>& page_texts() {
        "{} sets of values were asked of every part on the way; ramps, dimensions and settings are the same for all "
        "values.",
        "{} himpunan nilai dituntut dari setiap komponen; ramp, ukuran, dan pengaturan sama untuk semua nilai."},
+      {"tolerances.front",
+       "Every build of it is compliant for every value within the stated tolerances.",
+       "Setiap rancangan di sini memenuhi syarat untuk setiap nilai dalam toleransi yang disebut."},
+      {"tolerances.front_open",
+       "Of {} of these builds it is not settled whether they are compliant for every value within the tolerances.",
+       "Untuk {} rancangan di sini belum pasti apakah memenuhi syarat untuk setiap nilai dalam toleransi."},
+      {"tolerances.front_none",
+       "No figure of the parts of these builds states a tolerance: --robust asks no more than without it.",
+       "Tidak ada data komponen rancangan ini yang menyebut toleransi: --robust tidak menuntut lebih."},
 
       {"sheet", "Calculation sheet", "Lembar perhitungan"},
       {"sheet.element", "Calculation: {}", "Perhitungan: {}"},
