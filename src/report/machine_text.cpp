@@ -292,11 +292,12 @@ std::string front_text(const MachineResult& result, const Style& style) {
     out += nothing_text(result, style) + "\n";
     return result.missing.empty() ? out + certificate_text(result, style) : out;
   }
-  out += style.heading(fmt::format("{} build{} that no other{} beats in {}",
+  out += style.heading(fmt::format("{} build{} that no other{} beats in {}{}",
                                    result.designs.size(),
                                    result.designs.size() == 1 ? "" : "s",
                                    result.status == Status::limit ? " found before the limit" : "",
-                                   fmt::join(result.objectives, " and "))) +
+                                   fmt::join(result.objectives, " and "),
+                                   preference_words(result))) +
          "\n";
   std::vector<TableColumn> columns{
       {"", Align::right}, {result.designs.front().currency, Align::right}, {"kg", Align::right}};
