@@ -90,7 +90,8 @@ std::string file_text(const catalogue::FileDifference& file, const Style& style)
   if (!file.changed.empty()) out += "  changed\n";
   for (const catalogue::LineChange& each : file.changed) {
     const std::string in_a = "A " + line_of(each.a_where), in_b = "B " + line_of(each.b_where);
-    out += "    " + text::printable(each.title) + "\n" + style.faint("      " + in_a + "\n      " + in_b) + "\n";
+    out += fmt::format(
+        "    {}\n{}\n", text::printable(each.title), style.faint(fmt::format("      {}\n      {}", in_a, in_b)));
     TextTable table({{""}, {"", Align::left, 0, false, 2}});
     for (const catalogue::LineCell& cell : each.cells)
       table.add({text::printable(cell.column), value_text(cell.a) + " -> " + value_text(cell.b)});
