@@ -48,7 +48,8 @@ constexpr std::pair<std::string_view, std::string_view> texts[] = {
      "  millwright pareto problems/sander.toml --minimise cost,mass --json front.json\n"
      "  millwright pareto problems/lifter.toml --minimise cost,energy\n"
      "  millwright pareto problems/sander.toml --report front.html\n"
-     "  millwright pareto problems/lifter.toml --without BK10 --limit cost='200 USD'"},
+     "  millwright pareto problems/lifter.toml --without BK10 --limit cost='200 USD'\n"
+     "  millwright pareto problems/bar-feeder.toml --robust"},
     {"check",
      "Exit code 1 if a check fails. Printed is what fails, what is next to its limit, and the parts; --full prints "
      "the\n"

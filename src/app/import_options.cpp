@@ -37,6 +37,9 @@ void add_import_options(CLI::App& verb, Options& options) {
   verb.add_option("--separator", import.separator, "between the cells of a text: comma, semicolon or tab")
       ->type_name("NAME")
       ->check(CLI::IsMember({"comma", "semicolon", "tab"}));
+  verb.add_option(
+          "--json", options.json, "write what was found as JSON to FILE; - : to standard output, nothing else there")
+      ->type_name("FILE|-");
   verb.add_flag("--force", options.force, "overwrite the files if they are there");
   verb.add_flag("--quiet,-q", options.quiet, "only what went wrong");
 }

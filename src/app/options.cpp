@@ -230,6 +230,10 @@ class CommandLine {
     add_fix_option(pareto, options_);
     add_objectives(
         pareto, options_.objectives, fmt::format("two or three of {} (default: cost,mass)", all_quantities()));
+    pareto.add_flag("--robust",
+                    options_.robust,
+                    "the front of builds that are compliant for every value within the tolerances that the catalogues "
+                    "state");
     CLI::App& check = add(app_, "check", Verb::check, "does what I plan to buy work?");
     add_machine_options(check, options_);
     check.add_option("BOM", options_.bom, "bill of materials (.csv)")->required();

@@ -132,16 +132,23 @@ int diff(const Options& options) {
       diagnostics.error("--catalogue: both catalogues are named", "leave it out, or name one: what is put on top");
   }
   Catalogue sides[2];
-  for (int i = 0; i < 2; ++i) sides[i] = Catalogue::load(places[i], diagnostics);
+  // What two folders say of parts need not be of parts that they hold themselves.
+  for (int i = 0; i < 2; ++i)
+    sides[i] = options.second.empty() ? Catalogue::load(places[i], diagnostics)
+                                      : Catalogue::load_parts(places[i], diagnostics);
+  std::vector<catalogue::FileDifference> files;
+  if (!family && !diagnostics.has_errors()) files = catalogue::overlay_difference(places[0], places[1], diagnostics);
   print(diagnostics);
   if (diagnostics.has_errors()) return exit_bad_input;
   const report::ComparedCatalogue a{name_of(places[0]), &sides[0]}, b{name_of(places[1]), &sides[1]};
   const auto families = catalogue::difference(sides[0], sides[1], family);
   if (!deliver(options,
-               report::catalogue_difference_text(a, b, families, output_style(options)),
-               report::catalogue_difference_json(a, b, families)))
+               report::catalogue_difference_text(a, b, families, files, output_style(options)),
+               report::catalogue_difference_json(a, b, families, files)))
     return exit_bad_input;
-  const bool equal = std::all_of(families.begin(), families.end(), [](const auto& each) { return each.equal(); });
+  const auto is_equal = [](const auto& each) { return each.equal(); };
+  const bool equal =
+      std::all_of(families.begin(), families.end(), is_equal) && std::all_of(files.begin(), files.end(), is_equal);
   return equal ? exit_done : exit_failed;
 }
 

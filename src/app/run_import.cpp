@@ -98,6 +98,7 @@ enum class Consent { given, asked_for, none };
 
 Consent consent_of(const Options& options) {
   if (options.import.yes || !options.import.mapping.empty()) return Consent::given;
+  if (options.json == "-") return Consent::none;  // nobody is asked where a program listens
   return isatty(STDIN_FILENO) != 0 && isatty(STDOUT_FILENO) != 0 ? Consent::asked_for : Consent::none;
 }
 
@@ -106,27 +107,58 @@ class Import {
   explicit Import(const Options& options) : options_(options), said_(options.import) {}
 
   int run() {
-    request_ = request_of(options_, diagnostics_);
-    for (const std::string& file : {said_.output, said_.save_mapping})
-      if (!file.empty()) check_target(target(file), {said_.file, said_.mapping}, diagnostics_);
-    if (is_same_file(said_.output, said_.save_mapping))
-      diagnostics_.error("--output and --save-mapping cannot be one file");
-    if (diagnostics_.has_errors()) return stop();
-    const auto sheet = catalogue::load_sheet(said_.file, request_.format, diagnostics_);
-    if (!sheet) return stop();
-    const auto mapping = catalogue::propose_mapping(*sheet, request_.choices, diagnostics_);
-    if (!mapping) return stop();
-    if (!options_.quiet) show(report::import_text(*mapping, output_style(options_)));
-    const Consent consent = said_.output.empty() ? Consent::none : consent_of(options_);
-    if (consent == Consent::given) report_assumed(*mapping, diagnostics_);
-    if (diagnostics_.has_errors()) {
-      print(diagnostics_);
-      return fail(*mapping);
+    outcome_.file = said_.file;
+    const int code = import();
+    if (mapping_) outcome_.mapping = &*mapping_;
+    if (options_.json.empty() || !json_is_writable_) return code;
+    const std::string json = report::import_json(outcome_, diagnostics_);
+    if (only_json()) {
+      std::fwrite(json.data(), 1, json.size(), stdout);
+      return std::fflush(stdout) == 0 ? code : exit_bad_input;
     }
-    return write(*sheet, *mapping, consent);
+    text::Diagnostics failures;
+    const bool written = write_target({options_.json, OutputKind::json, options_.force}, json, failures);
+    print(failures);
+    return written ? code : exit_bad_input;
   }
 
  private:
+  [[nodiscard]] bool only_json() const { return options_.json == "-"; }
+
+  /// Of the outputs that are given, no two may be one file.
+  void check_targets() {
+    const std::vector<std::string> sources = {said_.file, said_.mapping};
+    for (const std::string& file : {said_.output, said_.save_mapping})
+      if (!file.empty()) check_target(target(file), sources, diagnostics_);
+    if (is_same_file(said_.output, said_.save_mapping))
+      diagnostics_.error("--output and --save-mapping cannot be one file");
+    if (options_.json.empty() || only_json()) return;
+    json_is_writable_ = check_target({options_.json, OutputKind::json, options_.force}, sources, diagnostics_);
+    for (const std::string& file : {said_.output, said_.save_mapping})
+      if (is_same_file(options_.json, file)) {
+        diagnostics_.error("--json cannot be one file with --output or --save-mapping");
+        json_is_writable_ = false;
+      }
+  }
+
+  int import() {
+    request_ = request_of(options_, diagnostics_);
+    check_targets();
+    if (diagnostics_.has_errors()) return stop();
+    const auto sheet = catalogue::load_sheet(said_.file, request_.format, diagnostics_);
+    if (!sheet) return stop();
+    mapping_ = catalogue::propose_mapping(*sheet, request_.choices, diagnostics_);
+    if (!mapping_) return stop();
+    show(report::import_text(*mapping_, output_style(options_)));
+    const Consent consent = said_.output.empty() ? Consent::none : consent_of(options_);
+    if (consent == Consent::given) report_assumed(*mapping_, diagnostics_);
+    if (diagnostics_.has_errors()) {
+      print(diagnostics_);
+      return fail(*mapping_);
+    }
+    return write(*sheet, *mapping_, consent);
+  }
+
   OutputTarget target(const std::string& file) const { return {file, OutputKind::edited, options_.force}; }
 
   int stop() {
@@ -145,7 +177,8 @@ class Import {
     return exit_bad_input;
   }
 
-  static void show(const std::string& text) {
+  void show(const std::string& text) const {
+    if (options_.quiet || only_json()) return;
     std::fwrite(text.data(), 1, text.size(), stdout);
     std::fflush(stdout);
   }
@@ -156,7 +189,7 @@ class Import {
     const bool saved =
         write_target(target(said_.save_mapping), catalogue::mapping_text(mapping, request_, confirmed), failures);
     print(failures);
-    if (saved && !options_.quiet) show(fmt::format("{}: mapping written.\n", text::printable(said_.save_mapping)));
+    if (saved) show(fmt::format("{}: mapping written.\n", text::printable(said_.save_mapping)));
     return saved;
   }
 
@@ -189,12 +222,14 @@ class Import {
       return exit_failed;
     }
     if (!file->commit()) return stop();
+    outcome_.written = said_.output;
+    outcome_.rows_written = summary.rows;
+    outcome_.lines_left_out = summary.left_out;
     if (!save(mapping, true)) return exit_bad_input;
-    if (!options_.quiet)
-      show(fmt::format("{}: {} rows written{}.\n",
-                       text::printable(said_.output),
-                       summary.rows,
-                       summary.left_out == 0 ? "" : fmt::format(", {} lines left out", summary.left_out)));
+    show(fmt::format("{}: {} rows written{}.\n",
+                     text::printable(said_.output),
+                     summary.rows,
+                     summary.left_out == 0 ? "" : fmt::format(", {} lines left out", summary.left_out)));
     return exit_done;
   }
 
@@ -202,6 +237,9 @@ class Import {
   const ImportOptions& said_;
   text::Diagnostics diagnostics_;
   ImportRequest request_;
+  std::optional<ImportMapping> mapping_;
+  report::ImportOutcome outcome_;
+  bool json_is_writable_ = true;
 };
 
 }  // namespace

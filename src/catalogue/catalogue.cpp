@@ -27,8 +27,15 @@ std::vector<Table> load_layer(const std::filesystem::path& place, int layer, tex
     diagnostics.error(fmt::format("the catalogue {} is empty: it holds no CSV file", text::quoted(place.string(), 200)),
                       "a catalogue has a folder for each part family, for example steppers/my-motors.csv");
   }
+  std::vector<double> bytes(family_count, 0.0);
+  for (const CatalogueFile& file : files)
+    bytes[static_cast<std::size_t>(file.family)] += static_cast<double>(file.text->contents().size());
   for (const CatalogueFile& file : files) {
-    tables[static_cast<std::size_t>(file.family)].append(read_table(file.text, file.family, layer, diagnostics));
+    // The first file of a family makes room for the rows of all, a little more for those that are shorter.
+    Table& table = tables[static_cast<std::size_t>(file.family)];
+    const double all = 1.02 * bytes[static_cast<std::size_t>(file.family)];
+    const double room = table.empty() ? all / static_cast<double>(file.text->contents().size() + 1) : 1.0;
+    table.append(read_table(file.text, file.family, layer, diagnostics, room));
   }
   for (Table& table : tables) drop_duplicates(table, diagnostics);
   return tables;
@@ -38,7 +45,7 @@ std::vector<Table> load_layer(const std::filesystem::path& place, int layer, tex
 
 Catalogue::Catalogue() : tables_(empty_tables()) {}
 
-Catalogue Catalogue::load(const std::vector<std::filesystem::path>& places, text::Diagnostics& diagnostics) {
+Catalogue Catalogue::load_parts(const std::vector<std::filesystem::path>& places, text::Diagnostics& diagnostics) {
   Catalogue catalogue;
   for (const std::filesystem::path& place : places) {
     if (place.empty()) {
@@ -52,6 +59,11 @@ Catalogue Catalogue::load(const std::vector<std::filesystem::path>& places, text
       if (!tables[family].empty()) catalogue.tables_[family].overlay(std::move(tables[family]));
     }
   }
+  return catalogue;
+}
+
+Catalogue Catalogue::load(const std::vector<std::filesystem::path>& places, text::Diagnostics& diagnostics) {
+  Catalogue catalogue = load_parts(places, diagnostics);
   for (const std::filesystem::path& place : places)
     if (const auto file = stock_file(place)) read_stock(*file, catalogue, catalogue.stock_, diagnostics);
   for (const std::filesystem::path& place : places)

@@ -46,6 +46,9 @@ class Catalogue {
   /// returned; no part at all is an error too.
   static Catalogue load(const std::vector<std::filesystem::path>& places, text::Diagnostics& diagnostics);
 
+  /// The parts alone: stock files and those of suppliers and offers are passed over, and a place may hold nothing else.
+  static Catalogue load_parts(const std::vector<std::filesystem::path>& places, text::Diagnostics& diagnostics);
+
   const Table& table(Family family) const { return tables_[static_cast<std::size_t>(family)]; }
   /// To take figures otherwise than they stand (Table::set_number, set_range): of with_offers(), if it is not the
   /// catalogue itself, because models read that. Throws std::logic_error of another.

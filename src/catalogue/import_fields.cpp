@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "catalogue/column_unit.h"
+#include "catalogue/import_companions.h"
 #include "text/number.h"
 
 namespace millwright::catalogue {
@@ -55,8 +56,14 @@ ImportFields::ImportFields(const ImportMapping& mapping, text::Diagnostics& diag
   for (std::size_t index = 0; index < column_count(mapping.family); ++index)
     add(Column{mapping.family, static_cast<std::uint8_t>(index)});
   for (std::size_t i = 0; i < mapping.columns.size(); ++i) {
-    if (mapping.columns[i].target) continue;
-    fields_.push_back({ImportField::Kind::kept, mapping.columns[i].kept_name, i, {}, {}});
+    const SourceColumn& column = mapping.columns[i];
+    if (column.target) continue;
+    const bool tolerance = column.companion && column.companion->kind == CompanionKind::tolerance;
+    fields_.push_back({tolerance ? ImportField::Kind::tolerance : ImportField::Kind::kept,
+                       column.unit.empty() ? column.kept_name : fmt::format("{} [{}]", column.kept_name, column.unit),
+                       i,
+                       {},
+                       {}});
   }
 }
 
@@ -143,6 +150,9 @@ bool ImportFields::append(const SheetRows& row, std::string& lines) {
       case ImportField::Kind::number:
       case ImportField::Kind::money:
         append_number(row, field, lines);
+        break;
+      case ImportField::Kind::tolerance:
+        append_tolerance(row, field, lines);
         break;
       case ImportField::Kind::flag:
         append_flag(row, field, lines);
@@ -264,6 +274,21 @@ void ImportFields::append_number(const SheetRows& row, const ImportField& field,
   const auto value = text::parse_number(plain);
   if (!out || !value) return refuse(row, source, reason);
   line += fmt::format("{:.12g}", out->from_si(meaning.to_si(*value)));
+}
+
+void ImportFields::append_tolerance(const SheetRows& row, const ImportField& field, std::string& line) {
+  const SourceColumn& column = mapping_.columns[*field.source];
+  const auto figure = std::find_if(mapping_.columns.begin(), mapping_.columns.end(), [&](const SourceColumn& each) {
+    return each.target == column.companion->figure;
+  });
+  const DecimalMark usual =
+      row.is_number(*field.source) || figure == mapping_.columns.end() ? DecimalMark::point : figure->mark;
+  std::string reason;
+  if (const auto cell = tolerance_cell(row.cell(*field.source), column, usual, reason))
+    append_csv_cell(line, *cell);
+  else
+    refuse(
+        row, *field.source, reason, "5 %, or a width with its unit; without its column in a mapping file it is kept");
 }
 
 void ImportFields::append_flag(const SheetRows& row, const ImportField& field, std::string& line) {

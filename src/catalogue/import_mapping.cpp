@@ -8,6 +8,7 @@
 #include <set>
 
 #include "catalogue/column_unit.h"
+#include "catalogue/import_companions.h"
 #include "catalogue/import_head.h"
 #include "catalogue/import_names.h"
 #include "catalogue/import_unit.h"
@@ -89,6 +90,7 @@ class Proposal {
     }
     take_given();
     if (!choices_.complete) take_best(candidates());
+    take_companions(choices_, head_.units, mapping_, diagnostics_);
     name_kept();
     if (!choices_.complete) remark_on_quantities();
     return std::move(mapping_);
@@ -256,6 +258,7 @@ class Proposal {
     for (std::size_t source = 0; source < mapping_.columns.size(); ++source) {
       const std::string& header = mapping_.columns[source].header;
       if (mapping_.columns[source].target || header.empty() || is_price_of_many(header)) continue;
+      if (names_companion(header, choices_.family)) continue;
       for (std::size_t index = 0; index < column_count(choices_.family); ++index) {
         const Column target{choices_.family, static_cast<std::uint8_t>(index)};
         if (is_taken(target) || is_constant(target)) continue;
@@ -318,7 +321,7 @@ class Proposal {
   /// Says of each such column why it is no price.
   void remark_on_quantities() {
     for (const SourceColumn& column : mapping_.columns)
-      if (!column.target && is_price_of_many(column.header))
+      if (!column.target && !column.companion && is_price_of_many(column.header))
         mapping_.remarks.push_back(fmt::format(
             "{} has a number in its header and may be the price of so many: kept as {}, not taken as price; "
             "a mapping file can name it",
@@ -330,7 +333,7 @@ class Proposal {
     std::set<std::string> names;
     for (std::size_t i = 0; i < mapping_.columns.size(); ++i) {
       SourceColumn& column = mapping_.columns[i];
-      if (column.target) continue;
+      if (column.target || column.companion) continue;
       std::string slug = "x";
       for (const char c : column.header) {
         const bool letter =

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "catalogue/companions.h"
 #include "catalogue/family.h"
 #include "catalogue/import_number.h"
 #include "catalogue/import_sheet.h"
@@ -27,10 +28,26 @@ struct GivenColumn {
   text::SourceSpan where;  ///< where that is said
 };
 
+/// What a column says of the figure of another one.
+struct ImportCompanion {
+  Column figure{};
+  CompanionKind kind = CompanionKind::source;
+};
+
+/// What a mapping file knows of such a column.
+struct GivenCompanion {
+  ImportCompanion companion;
+  std::string from;
+  int occurrence = 1;
+  std::optional<std::string> unit;  ///< of tolerances, as our header takes it
+  text::SourceSpan where;
+};
+
 /// What a person says about a table; all of it may be empty.
 struct ImportChoices {
   Family family = Family::steppers;
   std::vector<GivenColumn> columns;
+  std::vector<GivenCompanion> companions;
   std::vector<std::pair<Column, std::string>> constants;  ///< of columns that the table does not have
   DecimalMark mark = DecimalMark::unknown;                ///< of all columns
   bool complete = false;  ///< a mapping file: columns it does not name are kept as they are, not guessed
@@ -41,12 +58,13 @@ struct SourceColumn {
   std::string header;  ///< as written; empty if it has none
   int occurrence = 1;
   text::SourceSpan span;
-  std::optional<Column> target;  ///< none: kept under `kept_name`
-  std::string kept_name;         ///< x_...
-  double confidence = 1.0;       ///< 0 to 1
+  std::optional<Column> target;  ///< none: a companion, or kept under `kept_name`
+  std::optional<ImportCompanion> companion;
+  std::string kept_name;    ///< x_...; of a companion its name
+  double confidence = 1.0;  ///< 0 to 1
   std::vector<std::string> reasons;
 
-  // Of numbers and prices:
+  // Of numbers and prices, and of tolerances the unit:
   std::string unit;      ///< of figures without a unit of their own, as our header takes it
   std::string currency;  ///< of a price, if header or units row say it; "?" for $
   UnitOrigin unit_origin = UnitOrigin::none;

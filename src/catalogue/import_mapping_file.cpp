@@ -7,6 +7,7 @@
 
 #include "catalogue/column_unit.h"
 #include "catalogue/header.h"
+#include "catalogue/import_companions.h"
 #include "catalogue/import_unit.h"
 #include "text/document.h"
 #include "text/nearest.h"
@@ -140,6 +141,10 @@ class MappingFile {
   void read_columns(const text::Node& table) {
     request_.choices.complete = true;
     for (const text::TableEntry& entry : table.entries()) {
+      if (const auto companion = companion_named(entry.key, *request_.family)) {
+        read_companion(entry, *companion);
+        continue;
+      }
       const auto column = column_named(*request_.family, entry.key, entry.key_span, diagnostics_);
       if (!column) continue;
       text::TableReader reader(entry.value, fmt::format("columns.{}", entry.key), diagnostics_);
@@ -177,6 +182,32 @@ class MappingFile {
         diagnostics_.error(typed.where,
                            fmt::format("the mapping file has no column {}", declaration(typed.target).name),
                            "a unit is said of figures that the file names");
+  }
+
+  void read_companion(const text::TableEntry& entry, const ImportCompanion& companion) {
+    text::TableReader reader(entry.value, fmt::format("columns.{}", entry.key), diagnostics_);
+    GivenCompanion given;
+    given.companion = companion;
+    const auto from =
+        reader.string({"from", "its header in the table, as it is written there"}, text::Presence::required);
+    const auto occurrence = reader.integer({"occurrence", "if several columns have that header: 1, 2, ..."});
+    const auto unit = reader.string({"unit", "of tolerances without a unit of their own"});
+    reader.finish();
+    if (!from) return;
+    given.where = entry.value.find("from")->span();
+    given.from = *from;
+    if (occurrence && (*occurrence < 1 || *occurrence > 1024))
+      diagnostics_.error(entry.value.find("occurrence")->span(), "occurrences count from 1");
+    given.occurrence = static_cast<int>(occurrence.value_or(1));
+    std::string reason;
+    if (unit && companion.kind == CompanionKind::tolerance) {
+      given.unit = tolerance_unit(*unit, companion.figure, reason);
+      if (!given.unit)
+        diagnostics_.error(entry.value.find("unit")->span(), fmt::format("{}: {}", entry.key, reason), "for example %");
+    } else if (unit) {
+      diagnostics_.error(entry.value.find("unit")->span(), fmt::format("{} is a text and has no unit", entry.key));
+    }
+    request_.choices.companions.push_back(std::move(given));
   }
 
   /// A unit from the command line goes before that of the file.
@@ -305,11 +336,13 @@ std::string mapping_text(const ImportMapping& mapping, const ImportRequest& requ
   text += "\n[columns]\n";
   std::string kept;
   for (const SourceColumn& column : mapping.columns) {
-    if (!column.target) {
+    if (!column.target && !column.companion) {
       kept += fmt::format("# {}: kept as {}\n", text::printable(toml_string(column.header)), column.kept_name);
       continue;
     }
-    text += fmt::format("{} = {{ from = {}", declaration(*column.target).name, toml_string(column.header));
+    text += fmt::format("{} = {{ from = {}",
+                        column.target ? declaration(*column.target).name : std::string_view(column.kept_name),
+                        toml_string(column.header));
     if (column.occurrence > 1) text += fmt::format(", occurrence = {}", column.occurrence);
     const bool open = column.unit_origin == UnitOrigin::assumed && !confirmed;
     const std::string unit = unit_said(column);

@@ -19,6 +19,8 @@ namespace {
 constexpr double usual_ratio = 5.0;
 /// Of all that a supplier sells, one piece or metre each: a fee above this many of them, a minimum order above.
 constexpr double most_fee = 1.0, most_minimum = 10.0;
+/// Cutting a piece, or machining an end, may cost so many whole bars.
+constexpr double most_work = 5.0;
 /// More pieces of one part than a workshop has.
 constexpr double most_owned = 1000.0;
 
@@ -46,6 +48,7 @@ class OverlayLint {
     const bool same_money = comparable(own.currency) == comparable(offer.currency);
     compare(offer, "price", offer.price, same_money ? own.piece : std::nan(""));
     compare(offer, "price_per_length", offer.price_per_length, same_money ? own.length : std::nan(""));
+    check_cutting(offer);
     const auto breaks = parse_price_breaks(offer.price_breaks);
     if (!breaks) return;
     double before = offer.price;
@@ -62,6 +65,53 @@ class OverlayLint {
                              "is that the price of all of them? what stands there is that of one");
       before = each.price;
     }
+  }
+
+  /// The terms of cutting are those of the family's columns.
+  void check_cutting(const Offer& offer) {
+    const CuttingTerms& terms = offer.cutting;
+    const auto check = [&](std::string_view name, double value) {
+      const auto found = find_column(offer.family, name);
+      if (!found || std::isnan(value)) return;
+      const ColumnDeclaration& declared = declaration(*found);
+      const bool is_length = declared.kind == Kind::number;
+      const double shown = is_length ? scalar::Unit::of(declared.unit).from_si(value) : value;
+      constexpr double rounding = 1e-9;
+      const bool low = shown<declared.lower*(1.0 - rounding), high = shown> declared.upper * (1.0 + rounding);
+      if (!low && !high) return;
+      const std::string_view unit = is_length ? declared.unit : std::string_view(offer.currency);
+      diagnostics_.warning(offer.where,
+                           fmt::format("{}: {} {} {} is outside the plausible {} to {} [magnitude]",
+                                       offer.part_number,
+                                       name,
+                                       scalar::format_number(shown, 5),
+                                       unit,
+                                       scalar::format_number(declared.lower),
+                                       scalar::format_number(declared.upper)),
+                           is_length ? fmt::format("what stands there is read in {}", declared.unit)
+                                     : std::string("of one piece or end, in the offer's currency"));
+    };
+    check("stock_length", terms.stock_length);
+    check("cutting_loss", terms.cutting_loss);
+    check("cut_price", terms.cut_price);
+    check("end_machining_price", terms.end_machining_price);
+    dearer_than_a_bar(offer, "cut_price", terms.cut_price);
+    dearer_than_a_bar(offer, "end_machining_price", terms.end_machining_price);
+  }
+
+  /// Work on one piece or end for which a whole bar could be had, where that much is known, is doubted.
+  void dearer_than_a_bar(const Offer& offer, std::string_view name, double price) {
+    const double bar = offer.cutting.stock_length * offer.price_per_length;
+    if (!(price > most_work * bar)) return;
+    diagnostics_.warning(offer.where,
+                         fmt::format("{}: {} {} {} is more than {} bars cost there, {} [cutting-price]",
+                                     offer.part_number,
+                                     name,
+                                     scalar::format_number(price, 5),
+                                     offer.currency,
+                                     scalar::format_number(most_work),
+                                     scalar::format_number(most_work * bar, 5)),
+                         "decimal point, or the price of all pieces? what stands there is of one");
   }
 
   void compare(const Offer& offer, std::string_view what, double price, double own) {

@@ -20,8 +20,15 @@ namespace {
 /// One file on its way into a table.
 class TableFileReader {
  public:
-  TableFileReader(const text::CsvTable& csv, Family family, const Header& header, text::Diagnostics& diagnostics)
-      : csv_(csv), family_(family), header_(header), diagnostics_(diagnostics), keep_(csv.row_count(), true) {
+  /// The table has room for so many rows, if those are more than there are.
+  TableFileReader(
+      const text::CsvTable& csv, Family family, const Header& header, text::Diagnostics& diagnostics, std::size_t room)
+      : csv_(csv),
+        family_(family),
+        header_(header),
+        diagnostics_(diagnostics),
+        room_(std::max(room, csv.row_count())),
+        keep_(csv.row_count(), true) {
     columns_.numbers.resize(column_count(family));
     columns_.texts.resize(column_count(family));
   }
@@ -73,7 +80,7 @@ class TableFileReader {
       fields.push_back(cell_column(at(index)));
       wanted.push_back(at(index));
     }
-    std::vector<std::vector<double>> values = csv_.number_columns(fields, diagnostics_);
+    std::vector<std::vector<double>> values = csv_.number_columns(fields, diagnostics_, room_);
     for (std::size_t i = 0; i < wanted.size(); ++i) {
       const scalar::Unit& unit = *header_.units[wanted[i].index];
       unit.to_si(values[i]);
@@ -126,7 +133,7 @@ class TableFileReader {
     std::vector<Wanted> wanted;
     for (std::size_t index = 0; index < column_count(family_); ++index) {
       if (field(at(index)) < 0 || declaration(at(index)).kind != Kind::text) continue;
-      text::reserve_large(columns_.texts[index], csv_.row_count());
+      text::reserve_large(columns_.texts[index], room_);
       columns_.texts[index].resize(csv_.row_count());
       wanted.push_back({cell_column(at(index)), &columns_.texts[index]});
     }
@@ -226,10 +233,11 @@ class TableFileReader {
     const Column availability = column(family_, "availability");
     for (std::size_t row = 0; field(availability) >= 0 && row < csv_.row_count(); ++row) {
       const std::string_view word = text_of(availability, row);
-      if (!word.empty() && word != unavailable && !diagnostics_.is_full(csv_.text().get()))
-        diagnostics_.warning(csv_.cell_span(row, cell_column(availability)),
-                             fmt::format("availability {} changes nothing", text::quoted(word)),
-                             "write unavailable if it cannot be had; what is owned goes into owned_quantity");
+      if (!word.empty() && word != unavailable && word != preferred && !diagnostics_.is_full(csv_.text().get()))
+        diagnostics_.warning(
+            csv_.cell_span(row, cell_column(availability)),
+            fmt::format("availability {} changes nothing", text::quoted(word)),
+            "write unavailable if it cannot be had, or preferred; what is owned goes into owned_quantity");
     }
   }
 
@@ -292,7 +300,9 @@ class TableFileReader {
   }
 
   std::vector<std::uint32_t> record_offsets() const {
-    std::vector<std::uint32_t> offsets(csv_.row_count());
+    std::vector<std::uint32_t> offsets;
+    text::reserve_large(offsets, room_);
+    offsets.resize(csv_.row_count());
     for (std::size_t row = 0; row < offsets.size(); ++row)
       offsets[row] = static_cast<std::uint32_t>(csv_.record_offset(row));
     return offsets;
@@ -302,6 +312,7 @@ class TableFileReader {
   Family family_;
   const Header& header_;
   text::Diagnostics& diagnostics_;
+  std::size_t room_;
   std::vector<bool> keep_;
   TableColumns columns_;
   std::shared_ptr<std::deque<std::string>> unescaped_;
@@ -312,7 +323,8 @@ class TableFileReader {
 Table read_table(const std::shared_ptr<const text::SourceText>& text,
                  Family family,
                  int layer,
-                 text::Diagnostics& diagnostics) {
+                 text::Diagnostics& diagnostics,
+                 double room) {
   const std::size_t errors = diagnostics.error_count();
   const text::CsvTable csv = text::read_csv(text, diagnostics);
   if (csv.columns().empty()) {
@@ -327,7 +339,8 @@ Table read_table(const std::shared_ptr<const text::SourceText>& text,
   if (csv.row_count() == 0 && diagnostics.error_count() == errors) {
     diagnostics.error(csv.header_span(), "the catalogue is empty: no parts below the header", "one line a part");
   }
-  return TableFileReader(csv, family, *header, diagnostics).read(layer);
+  const auto rows = static_cast<std::size_t>(room * static_cast<double>(csv.row_count()));
+  return TableFileReader(csv, family, *header, diagnostics, rows).read(layer);
 }
 
 void drop_duplicates(Table& table, text::Diagnostics& diagnostics) {

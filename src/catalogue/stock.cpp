@@ -42,16 +42,17 @@ class StockReader {
     if (!reader_.says(row, owned) && !reader_.says(row, available))
       diagnostics_.error(csv_.row_span(row),
                          "nothing is said about this part",
-                         "owned: how many pieces you have; available: no if it cannot be had");
+                         "owned: how many pieces you have; available: no if it cannot be had, or preferred");
     const double pieces = reader_.count(
         row, owned, 0, 1e6, [&](double) { return fmt::format("{} pieces cannot be owned", reader_.cell(row, owned)); });
     mark.owned = std::isnan(pieces) ? 0.0 : pieces;
     if (const std::string_view word = reader_.cell(row, available); !word.empty()) {
-      mark.available = word == "yes";
-      if (word != "yes" && word != "no")
+      mark.available = word != "no";
+      mark.preferred = word == preferred;
+      if (word != "yes" && word != "no" && !mark.preferred)
         diagnostics_.error(reader_.span(row, available),
-                           fmt::format("available: {} is neither yes nor no", text::quoted(word)),
-                           "write yes or no");
+                           fmt::format("available: {} is none of yes, no and preferred", text::quoted(word)),
+                           "write yes, no or preferred");
     }
     if (!mark.available && mark.owned > 0.0)
       diagnostics_.error(reader_.span(row, available),
@@ -126,6 +127,12 @@ double owned_pieces(const Table& table, int row, const Stock& stock) {
   if (mark != nullptr) return mark->owned;
   const double pieces = table.number(column(table.family(), "owned_quantity"), row);
   return pieces > 0.0 ? pieces : 0.0;
+}
+
+bool is_preferred(const Table& table, int row, const Stock& stock) {
+  if (const StockMark* mark = stock.find(table.family(), table.manufacturer(row), table.part_number(row)))
+    return mark->preferred;
+  return table.text(column(table.family(), "availability"), row) == preferred;
 }
 
 bool is_stock_file(const std::filesystem::path& file) { return file.filename() == file_name; }

@@ -5,10 +5,11 @@
 //   manufacturer,part_number,owned,available
 //   OMC,17HS19-2004S1,2,            two lie in the drawer: they cost nothing, more of them cost their price
 //   ,DM542T,,no                     cannot be had: is not chosen
+//   ,BK12,,preferred                is chosen where it costs little more than another one
 //
-// A row of a catalogue may say the same of itself in its columns owned_quantity and availability; a stock file goes
-// first. The maker may be left out where only one has the part. A later overlay's word on a part replaces an earlier
-// one's.
+// A row of a catalogue may say the same of itself in its columns owned_quantity and availability (unavailable,
+// preferred); a stock file goes first. The maker may be left out where only one has the part. A later overlay's word on
+// a part replaces an earlier one's.
 #pragma once
 
 #include <filesystem>
@@ -32,6 +33,7 @@ class Table;
 struct StockMark {
   double owned = 0.0;  ///< pieces
   bool available = true;
+  bool preferred = false;
   text::SourceSpan where;
 };
 
@@ -59,6 +61,11 @@ double owned_pieces(const Table& table, int row, const Stock& stock);
 
 /// The word in a row's `availability` that says the same as `no` in a stock file.
 inline constexpr std::string_view unavailable = "unavailable";
+/// The word for parts that are chosen where they cost little more than others, in rows and in stock files.
+inline constexpr std::string_view preferred = "preferred";
+
+/// Whether a row's part is preferred, as a stock file or else the row itself says.
+bool is_preferred(const Table& table, int row, const Stock& stock);
 
 /// The stock file of a place as given to Catalogue::load: the place itself, or in its folder.
 std::optional<std::filesystem::path> stock_file(const std::filesystem::path& place);

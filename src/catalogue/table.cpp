@@ -79,13 +79,15 @@ void append_column(std::vector<T>& to, std::vector<T>&& from, std::size_t rows, 
     to = std::move(from);
     return;
   }
-  std::vector<T> both;
-  text::reserve_large(both, rows + more);
-  both.insert(both.end(), to.begin(), to.end());
-  both.resize(rows, filler);
-  both.insert(both.end(), from.begin(), from.end());
-  both.resize(rows + more, filler);
-  to = std::move(both);
+  if (to.capacity() < rows + more) {
+    std::vector<T> both;
+    text::reserve_large(both, rows + more);
+    both.insert(both.end(), to.begin(), to.end());
+    to = std::move(both);
+  }
+  to.resize(rows, filler);
+  to.insert(to.end(), from.begin(), from.end());
+  to.resize(rows + more, filler);
 }
 
 template <class T>
@@ -282,7 +284,9 @@ void Table::overlay(Table&& upper) {
 void Table::fill_absent_columns() {
   for (std::size_t index = 0; index < numbers_.size(); ++index) {  // they answer NaN without being asked for
     const Column each{family_, static_cast<std::uint8_t>(index)};
-    if (!is_text(declaration(each))) numbers_[index].resize(offsets_.size(), not_known);
+    if (is_text(declaration(each))) continue;
+    if (numbers_[index].empty()) text::reserve_large(numbers_[index], offsets_.capacity());
+    numbers_[index].resize(offsets_.size(), not_known);
   }
 }
 

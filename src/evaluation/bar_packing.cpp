@@ -20,10 +20,13 @@ class Packing {
       room_.assign(shares_.size(), 1.0);
       bar_.assign(shares_.size(), 0);
       place(0, 0);
+      searched_ = steps_ <= most_steps;
     }
   }
   [[nodiscard]] const std::vector<std::size_t>& bars_of_pieces() const { return best_; }
   [[nodiscard]] std::size_t bars() const { return bars_; }
+  /// Nothing needs fewer, or every way that could need fewer was tried.
+  [[nodiscard]] bool is_fewest() const { return bars_ <= least_ || searched_; }
 
  private:
   static constexpr std::size_t most_steps = 200'000;
@@ -92,21 +95,22 @@ class Packing {
   std::vector<std::size_t> best_, bar_;
   std::vector<double> room_;
   std::size_t bars_ = 0, least_ = 0, steps_ = 0;
+  bool searched_ = false;
 };
 
 }  // namespace
 
-std::vector<std::vector<std::size_t>> cut_from_bars(std::span<const double> lengths, const BarSize& bar) {
+BarPlan cut_from_bars(std::span<const double> lengths, const BarSize& bar) {
   std::vector<std::size_t> order(lengths.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return lengths[a] > lengths[b]; });
   std::vector<double> shares;
   for (const std::size_t piece : order)
     shares.push_back(std::min(1.0, (lengths[piece] + bar.cutting_loss) / (bar.stock_length + bar.cutting_loss)));
-  const Packing packing(std::move(shares), lengths.size() <= pieces_proved);
-  std::vector<std::vector<std::size_t>> result(packing.bars());
-  for (std::size_t i = 0; i < order.size(); ++i) result[packing.bars_of_pieces()[i]].push_back(order[i]);
-  return result;
+  const Packing packing(std::move(shares), lengths.size() <= pieces_searched);
+  BarPlan plan{std::vector<std::vector<std::size_t>>(packing.bars()), packing.is_fewest()};
+  for (std::size_t i = 0; i < order.size(); ++i) plan.bars[packing.bars_of_pieces()[i]].push_back(order[i]);
+  return plan;
 }
 
 }  // namespace millwright::evaluation

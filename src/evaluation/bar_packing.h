@@ -17,12 +17,15 @@ struct BarSize {
   [[nodiscard]] bool holds(double piece) const { return piece <= stock_length * (1.0 + 1e-9); }
 };
 
-/// Up to so many pieces the number of bars is proved to be the least. Of more, and where the proof would take too long,
-/// it is that of the best plan found.
-inline constexpr std::size_t pieces_proved = 60;
+/// Up to so many pieces a plan is searched for that needs fewer bars than taking the longest piece first.
+inline constexpr std::size_t pieces_searched = 60;
 
-/// [bar]: indices of the pieces cut from it. Each piece fits on a bar. Depends on nothing but the lengths, and on the
-/// order of equal ones.
-std::vector<std::vector<std::size_t>> cut_from_bars(std::span<const double> lengths, const BarSize& bar);
+struct BarPlan {
+  std::vector<std::vector<std::size_t>> bars;  ///< of each: indices of the pieces cut from it
+  bool is_fewest = true;                       ///< proved: no plan needs fewer bars. Else it is the best one found.
+};
+
+/// Each piece fits on a bar. Depends on nothing but the lengths, and on the order of equal ones.
+BarPlan cut_from_bars(std::span<const double> lengths, const BarSize& bar);
 
 }  // namespace millwright::evaluation

@@ -64,6 +64,7 @@ PartLine part_line(const MachineModel& model,
   const catalogue::Price price = table.price(use.row);
   line.price_estimate = price.estimate;
   line.paper_only = table.text(catalogue::column(use.family, "evidence"), use.row) == "paper";
+  line.preferred = catalogue::is_preferred(table, use.row, model.catalogue().stock());
   line.estimate = price.estimate || line.confidence == "low";
   line.cuts = cuts_of(model.machine(), use, axis);
   add_work(model, table, use, axis, line);
@@ -102,6 +103,9 @@ void BillLedger::add_parts(const StageEntry& entry, std::span<const solver::Row>
       shops_.take(use, share.owned, share.price);
       design_.parts.push_back(part_line(model_, use, entry.axis, design_.currency, share));
       design_.cost += share.price - use.price;
+      if (use.stated.empty())
+        saved_by_preference_ +=
+            (1.0 - model_.prices().preference(model_.catalogue().table(use.family), use.row)) * share.price;
     }
     for (const Setting& setting : candidate.settings)
       design_.dimensions.push_back({entry.axis, setting.name, setting.value, setting.unit});
@@ -136,8 +140,10 @@ void BillLedger::charge_orders() {
 }
 
 void BillLedger::finish() {
+  if (design_.preference) design_.preference->compared_cost = design_.cost - saved_by_preference_;
   design_.purchases = counted_.purchases(model_.catalogue());
   design_.bars = bars_.purchases();
+  design_.all_fewest_bars = model_.bars().all_fewest();
 }
 
 }  // namespace millwright::evaluation

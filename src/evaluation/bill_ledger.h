@@ -37,6 +37,7 @@ class BillLedger {
   StockBarsLedger bars_;
   ShopLedger shops_;
   Design& design_;
+  double saved_by_preference_ = 0.0;  ///< what the compared cost is below the cost
 };
 
 }  // namespace millwright::evaluation

@@ -22,7 +22,7 @@ class Prices {
  public:
   Prices(ConditionTrials& trials, const BestBuild& best, Explanation& result)
       : trials_(trials), best_(best), result_(result), objective_(machine::objective_named(result.objective)) {
-    base_ = result.design->total(objective_);
+    base_ = result.design->compared(objective_);
   }
 
   void find() {
@@ -98,7 +98,7 @@ class Prices {
     const MachineModel model(asked.problem, trials_.catalogue_for(asked), {}, {.fixed = asked.fixed});
     std::optional<solver::Build> start = same_parts_in(model, *best_.model, best_.build);
     if (!start) return false;
-    const std::size_t resource = model.resource(*objective_.single());
+    const std::size_t resource = model.compared(*objective_.single());
     evaluate(model.problem(), *start);
     double least = base_ - 1e-5 * std::abs(base_);
     bool found = false;
@@ -125,7 +125,7 @@ class Prices {
 
   double saving(const ConditionTrials::Change& change, const std::string& what) {
     const auto design = trials_.best_soon(what, change);
-    return design ? base_ - design->total(objective_) : 0.0;
+    return design ? base_ - design->compared(objective_) : 0.0;
   }
 
   Price price(std::size_t index) {

@@ -32,6 +32,7 @@ std::optional<std::size_t> CountedParts::find_or_add(catalogue::Family family, i
   part.price = table.piece_price(row);
   part.rate = prices_.rate(table.price(row).currency);
   part.least = prices_.least_piece(table, row);
+  part.preference = prices_.preference(table, row);
   part.state = first_state_ + index;
   parts_.push_back(std::move(part));
   most_.push_back(0.0);

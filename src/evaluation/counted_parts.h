@@ -39,11 +39,12 @@ struct CountedPart : LateCharge {
   [[nodiscard]] catalogue::PiecePrice::Purchase purchase(double pieces) const;
 };
 
-/// How many pieces of a counted part the rows of a slot take.
+/// How many pieces of a counted part the rows of a slot take, or what else they add up to by row.
 struct PieceCount {
   std::size_t slot = 0;
   std::size_t state = 0;
   std::vector<double> of_row;  ///< [row of the slot's table]
+  bool is_resource = false;    ///< `state` is the index of a resource
 };
 
 /// Finds the counted parts among the candidates of all stages.

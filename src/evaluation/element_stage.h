@@ -30,7 +30,8 @@ struct Selection {
   std::vector<T> variables;
 };
 
-/// Indices of the resources that every stage has; behind them stands what objectives count beside (CountedResources).
+/// Indices of the resources that every stage has; behind them stands what objectives count beside (CountedResources),
+/// and last what is compared in place of the cost where some parts are preferred (preferred_parts.h).
 enum ResourceIndex : std::size_t { cost_resource = 0, mass_resource = 1, first_counted_resource = 2 };
 
 /// Index of the supply power in the state vector; loads of the axes follow it.
@@ -121,6 +122,13 @@ class ElementStage : public solver::Stage {
   /// What its slots take of counted parts, by slot: before the stage is asked for the first time.
   void set_piece_counts(std::vector<PieceCount> counts) { piece_counts_ = std::move(counts); }
 
+  /// Where the compared cost is counted, and whether piece counts hold that of the stage's rows; else it is the cost.
+  /// Before the stage is asked for the first time.
+  void set_compared(std::size_t resource, bool by_rows) {
+    compared_resource_ = resource;
+    compared_by_rows_ = by_rows;
+  }
+
   /// Who sells the rows of its slots: before the stage is asked for the first time.
   void set_shops(std::vector<SlotShops> shops) { shops_ = std::move(shops); }
   [[nodiscard]] bool offered(std::span<const solver::Row> shared, std::size_t slot, solver::Row row) const final {
@@ -204,6 +212,8 @@ class ElementStage : public solver::Stage {
   std::size_t constraint_count_ = 0;
   std::size_t resources_ = first_counted_resource;
   std::vector<PieceCount> piece_counts_;
+  std::size_t compared_resource_ = cost_resource;
+  bool compared_by_rows_ = false;
   std::vector<SlotShops> shops_;  ///< empty, or one per slot
 
   void finish_slots() {
@@ -231,6 +241,9 @@ class ElementStage : public solver::Stage {
     answer.resources.assign(resources_, T(0.0));
     answer.handed_on.assign(selection.inherited.begin(), selection.inherited.end());
     static_cast<const Derived&>(*this).template answer<T>(selection, answer);
+    if constexpr (!requires { Derived::compares_itself; })
+      if (compared_resource_ != cost_resource && !compared_by_rows_)
+        answer.resources[compared_resource_] = answer.resources[cost_resource];
     if (!piece_counts_.empty()) count_pieces(selection, answer);
   }
 
@@ -242,9 +255,10 @@ class ElementStage : public solver::Stage {
           std::find_if(first, piece_counts_.end(), [&](const PieceCount& each) { return each.slot != first->slot; });
       const RowsAlive& rows = selection.rows[first->slot];
       std::size_t reading = rows.readings.size() - (rows.readings.empty() ? 0 : static_cast<std::size_t>(last - first));
-      for (; first != last; ++first, ++reading)
-        answer.handed_on[first->state] = answer.handed_on[first->state] +
-                                         hull_of<T>(rows, reading, [&](solver::Row row) { return first->of_row[row]; });
+      for (; first != last; ++first, ++reading) {
+        T& sum = first->is_resource ? answer.resources[first->state] : answer.handed_on[first->state];
+        sum = sum + hull_of<T>(rows, reading, [&](solver::Row row) { return first->of_row[row]; });
+      }
     }
   }
 

@@ -135,6 +135,7 @@ class Contradictions {
       const bool mass = condition.unit == "kg";
       way.design = trials_.best_by(mass ? "mass" : "cost", what, [&](Asked& asked) {
         trials_.lift_others(without(imposed, {way.condition}), asked);
+        asked.problem.preference.reset();  // the least cost itself is asked for
       });
       if (way.design) way.to = rounded_looser(condition, mass ? way.design->mass : way.design->cost);
       if (way.design && mass)  // of the builds as light as that, as shown, the cheapest

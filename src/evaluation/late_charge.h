@@ -17,6 +17,7 @@ struct LateCharge {
   std::optional<std::size_t> shop;  ///< where it is bought, if that is one of Shops
   std::size_t state = 0;            ///< where the state vector counts
   std::vector<double> charge;       ///< [counted], in the problem's currency
+  double preference = 1.0;          ///< of it, where builds are compared (PriceBook::preference)
   scalar::Interval any, any_step;   ///< of all of them, and from one to the next: for ranges too long to look through
 
   /// After the table has been filled.

@@ -39,6 +39,13 @@ double Design::total(const machine::Objective& objective) const {
   return sum;
 }
 
+double Design::compared(const machine::Objective& objective) const {
+  double sum = total(objective);
+  for (const machine::ObjectiveTerm& term : objective.terms)
+    if (term.quantity == machine::Quantity::cost && preference) sum += term.weight * (preference->compared_cost - cost);
+  return sum;
+}
+
 const Check* Design::governing(const std::string& axis) const {
   const Check* worst = nullptr;
   for (const Check& check : checks)
@@ -263,6 +270,7 @@ Design MachineModel::design(const solver::Build& found, bool with_worksheet) con
   Design design;
   design.currency = problem_.currency;
   for (const machine::Quantity quantity : problem_.counted) design.counted.push_back({quantity, 0.0});
+  if (prefers()) design.preference = {*problem_.preference, 0.0};
   design.supply_voltage = problem_.supply_voltages[build.shared.empty() ? 0 : build.shared.front()];
   design.dimensions.push_back({"machine", "supply_voltage", design.supply_voltage, "V"});
   std::vector<double> state = solver_problem_.first_state;

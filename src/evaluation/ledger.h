@@ -5,6 +5,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -68,6 +69,7 @@ struct PartLine {
   std::string source;           ///< where the figures come from
   bool estimate = false;        ///< price or a figure of the part is an estimate
   bool price_estimate = false;  ///< the price is
+  bool preferred = false;       ///< marked as such in a catalogue or stock file
   bool paper_only = false;      ///< a publication names it; no maker's document is known
   std::string origin;           ///< "paper", "ours" from a BOM; empty otherwise
 };
@@ -126,6 +128,7 @@ struct BarPurchase {
   double cutting_loss = 0.0;  ///< m, between two pieces
   double bar_price = 0.0;     ///< in `currency` of the design
   std::vector<CutBar> bars;
+  bool is_fewest = true;  ///< proved: these pieces need so many
 };
 
 /// An order from a supplier that charges for the order itself, in `currency` of the design.
@@ -149,6 +152,7 @@ struct Design {
   std::vector<PartLine> parts;
   std::vector<Purchase> purchases;      ///< of counted parts only
   std::vector<BarPurchase> bars;        ///< where whole bars are bought
+  bool all_fewest_bars = true;          ///< of every build that this one was compared with, too
   std::vector<ShopOrder> orders;        ///< from suppliers that charge for orders only
   std::vector<StatedOnly> stated_only;  ///< neither bought nor weighed here
   std::vector<DimensionLine> dimensions;
@@ -158,6 +162,13 @@ struct Design {
   double cost = 0.0;
   double mass = 0.0;  ///< kg, of everything chosen
   std::vector<CountedTotal> counted;
+  /// Where preferred parts could be chosen: what the search compared in place of the cost (preferred_parts.h), and by
+  /// how much dearer than others they may be.
+  struct Preference {
+    double premium = 0.0;
+    double compared_cost = 0.0;
+  };
+  std::optional<Preference> preference;
   std::string currency;
   double supply_voltage = 0.0;
   std::shared_ptr<const Worksheet> worksheet;        ///< null unless it was asked for
@@ -165,6 +176,8 @@ struct Design {
   /// Total of a quantity, or of the weighted sum of an objective; NaN for what was not counted.
   [[nodiscard]] double total(machine::Quantity quantity) const;
   [[nodiscard]] double total(const machine::Objective& objective) const;
+  /// The same as the search compares builds: with preferred parts counted less.
+  [[nodiscard]] double compared(const machine::Objective& objective) const;
   [[nodiscard]] bool satisfied() const;
   /// The hard check with the largest utilisation of an axis, null if the axis has none.
   [[nodiscard]] const Check* governing(const std::string& axis) const;

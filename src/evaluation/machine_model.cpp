@@ -10,8 +10,10 @@
 #include "evaluation/held_parts.h"
 #include "evaluation/machine_stages.h"
 #include "evaluation/motor_shortage.h"
+#include "evaluation/preferred_parts.h"
 #include "evaluation/price_book.h"
 #include "evaluation/same_parts.h"
+#include "evaluation/short_bars.h"
 
 namespace millwright::evaluation {
 
@@ -124,8 +126,12 @@ MachineModel::MachineModel(const machine::Problem& given,
     entries_.push_back({"machine", "whole", std::move(whole)});
   }
   for (const StageEntry& entry : entries_) {
-    std::visit([&](const auto& stage) { stage->set_resources(first_counted_resource + problem.counted.size()); },
-               entry.stage);
+    std::visit(
+        [&](const auto& stage) {
+          stage->set_resources(first_counted_resource + problem.counted.size() + (prefers() ? 1 : 0));
+          if (prefers()) stage->set_compared(*compared_resource_, any_preferred(catalogue, prices, stage->tables()));
+        },
+        entry.stage);
     solver_problem_.stages.push_back(&entry.as_stage());
   }
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -139,6 +145,7 @@ MachineModel::MachineModel(const machine::Problem& given,
                                {"mass", limit(problem.mass_limit, infinity)}};
   for (const machine::Quantity quantity : problem.counted)
     solver_problem_.resources.push_back({std::string(machine::declaration(quantity).name), infinity});
+  if (prefers()) solver_problem_.resources.push_back({"compared cost", infinity});
   if (!options_.scenarios.empty()) add_scenarios(given, given_slots);
   if (!options_.fixed.lines.empty()) fix();
 }
@@ -180,6 +187,10 @@ void MachineModel::count_parts(const PriceBook& prices) {
   for (CountedPart& part : counted_parts_) part.shop = shops_.shop_of(part.family, part.row);
   for (BarStock& stock : bars_->stocks()) stock.shop = shops_.shop_of(stock.family, stock.row);
   if (!shops_.empty()) solver_problem_.shared.push_back({"suppliers", solver::Row{1} << shops_.shops().size()});
+  if (std::any_of(entries_.begin(), entries_.end(), [&](const StageEntry& entry) {
+        return any_preferred(catalogue_, prices, entry.tables());
+      }))
+    compared_resource_ = first_counted_resource + problem_.counted.size();
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     std::visit([&](auto& stage) { bars_->reprice(i, stage->change_tables()); }, entries_[i].stage);
     const std::vector<SlotTable>& tables = entries_[i].tables();
@@ -187,6 +198,7 @@ void MachineModel::count_parts(const PriceBook& prices) {
       counts[i].insert(counts[i].end(), more.begin(), more.end());
     };
     add(bars_->counts(i, tables));
+    if (prefers()) add(compared_prices(catalogue_, prices, tables, *compared_resource_));
     if (!shops_.empty()) add(shops_.counts(tables));
     std::stable_sort(counts[i].begin(), counts[i].end(), [](const auto& a, const auto& b) { return a.slot < b.slot; });
     std::visit(
@@ -267,6 +279,10 @@ std::size_t MachineModel::resource(machine::Quantity quantity) const {
   return *found;
 }
 
+std::size_t MachineModel::compared(machine::Quantity quantity) const {
+  return quantity == machine::Quantity::cost && prefers() ? *compared_resource_ : resource(quantity);
+}
+
 void MachineModel::add_axis(std::size_t index, const PriceBook& prices) {
   const machine::Axis& axis = problem_.axes[index];
   AxisPlace place;
@@ -318,6 +334,7 @@ EmptySlot empty_slot(const MachineModel& model, const std::string& axis, const s
       const MotorShortage shortage = motor_shortage(model.catalogue(), each, model.machine().supply_voltages);
       return {axis, shortage.slot, shortage.reason};
     }
+  if (std::string reason = short_bars(model, axis, slot); !reason.empty()) return {axis, slot, std::move(reason)};
   return {axis, slot, fmt::format("no catalogue row fits what axis '{}' asks of its {}", axis, slot)};
 }
 

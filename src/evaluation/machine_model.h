@@ -116,6 +116,11 @@ class MachineModel {
   void set_suppliers(solver::Build& build) const;
   /// Why something cannot be fixed; then nothing is.
   [[nodiscard]] const std::vector<BomProblem>& problems() const { return problems_; }
+  /// The resource by which builds are compared in a quantity: of the cost, where a part that could be chosen is
+  /// preferred, that in which preferred parts count less. Throws as resource() does.
+  [[nodiscard]] std::size_t compared(machine::Quantity quantity) const;
+  /// Whether there is such a part.
+  [[nodiscard]] bool prefers() const { return compared_resource_.has_value(); }
   /// The resource that holds a quantity; throws std::invalid_argument if the problem does not count it.
   [[nodiscard]] std::size_t resource(machine::Quantity quantity) const;
 
@@ -147,6 +152,7 @@ class MachineModel {
   PriceBook prices_;
   std::vector<StageEntry> entries_;
   std::vector<CountedPart> counted_parts_;
+  std::optional<std::size_t> compared_resource_;
   std::unique_ptr<StockBars> bars_;  ///< looks at what stands above
   Shops shops_;
   solver::Problem solver_problem_;

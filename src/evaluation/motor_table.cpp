@@ -107,6 +107,7 @@ std::shared_ptr<const mechanics::PullOutCurve> governing_curve(
 struct Driver {
   int row;
   double peak_current, largest_voltage, least_voltage, price, mass;
+  double preference = 1.0;                        ///< of its price, where builds are compared
   const catalogue::Supplier* supplier = nullptr;  ///< where an order costs more than the driver
 };
 
@@ -121,6 +122,7 @@ std::vector<Driver> eligible_drivers(const Table& t, const machine::Axis& axis, 
              t.number(column(Family::drivers, "minimum_voltage"), row),
              prices.line(t, row, 1.0, 0.0),
              t.number(column(Family::drivers, "mass"), row),
+             prices.preference(t, row),
              prices.charging_supplier(t, row)};
     if (std::isnan(d.peak_current + d.largest_voltage + d.least_voltage + d.price + d.mass)) continue;
     drivers.push_back(d);
@@ -146,12 +148,13 @@ bool is_never_better(
     const Driver& b, const Driver& a, double current, const std::vector<double>& voltages, double voltage_factor) {
   if (std::min(a.peak_current, current) != std::min(b.peak_current, current)) return false;
   if (a.price > b.price || a.mass > b.mass) return false;
+  if (a.preference * a.price > b.preference * b.price) return false;
   // An order more is not for nothing, and what is bought may help to reach a minimum.
   if (a.supplier != nullptr && a.supplier != b.supplier) return false;
   if (b.supplier != nullptr && b.supplier->minimum_order > 0.0) return false;
   for (const double v : voltages)
     if (runs_at(b, v, voltage_factor) && !runs_at(a, v, voltage_factor)) return false;
-  return a.price < b.price || a.mass < b.mass || a.row < b.row;
+  return a.price < b.price || a.mass < b.mass || a.preference * a.price < b.preference * b.price || a.row < b.row;
 }
 
 constexpr catalogue::Column curve_torque = column(Family::stepper_curves, "torque");

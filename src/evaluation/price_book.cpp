@@ -7,7 +7,7 @@
 namespace millwright::evaluation {
 
 PriceBook::PriceBook(const machine::Problem& problem, const catalogue::Catalogue& catalogue)
-    : stock_(catalogue.stock()), suppliers_(catalogue.suppliers()) {
+    : premium_(problem.preference), stock_(catalogue.stock()), suppliers_(catalogue.suppliers()) {
   for (const auto& [currency, rate] : problem.currencies) rates_[currency] = rate.rate;
   rates_.try_emplace(problem.currency, 1.0);
   for (const machine::Axis& axis : problem.axes) drives_ += static_cast<double>(axis.mechanism.drives);
@@ -29,6 +29,11 @@ const catalogue::Supplier* PriceBook::charging_supplier(const catalogue::Table& 
   if (suppliers_.suppliers.empty() || table.ownership(row) == catalogue::Ownership::only) return nullptr;
   const catalogue::Supplier* supplier = suppliers_.find(table.text(catalogue::column(table.family(), "supplier"), row));
   return supplier != nullptr && supplier->charges() ? supplier : nullptr;
+}
+
+double PriceBook::preference(const catalogue::Table& table, int row) const {
+  constexpr double at_most = 1e-6;  // what costs just the premium more, or as much, is still chosen
+  return premium_ && catalogue::is_preferred(table, row, stock_) ? 1.0 / ((1.0 + *premium_) * (1.0 + at_most)) : 1.0;
 }
 
 double PriceBook::most_pieces(catalogue::Family family) const {

@@ -40,6 +40,8 @@ class PriceBook {
   [[nodiscard]] bool is_counted(const catalogue::Table& table, int row) const;
   /// Where a row's part is ordered, if an order there costs more than the part; else null.
   [[nodiscard]] const catalogue::Supplier* charging_supplier(const catalogue::Table& table, int row) const;
+  /// By what the price of a row is multiplied where builds are compared: less than 1 for a preferred part.
+  [[nodiscard]] double preference(const catalogue::Table& table, int row) const;
   /// The least that a piece of such a part can cost, in the problem's currency.
   [[nodiscard]] double least_piece(const catalogue::Table& table, int row) const;
   /// Price of whole pieces plus a length; of what is counted the least that so many pieces can cost.
@@ -65,6 +67,7 @@ class PriceBook {
 
   double drives_ = 0.0;  ///< of all axes
   double spares_ = 0.0;  ///< no more than so many of one part
+  std::optional<double> premium_;
   catalogue::Stock stock_;
   catalogue::Suppliers suppliers_;
 };

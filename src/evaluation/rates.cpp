@@ -62,7 +62,7 @@ class Rates {
     build_ = solver::settled(base_->problem(), how(*base_, options), first.builds.front());
     least_ = total(build_);
     // The proof says that this is the least, to its gap.
-    if (std::abs(least_ - result_.design->total(objective_)) > 1e-5 * std::abs(least_)) return;
+    if (std::abs(least_ - result_.design->compared(objective_)) > 1e-5 * std::abs(least_)) return;
     const auto multipliers = solver::Multipliers::find(base_->problem(), how(*base_, options), build_);
     if (!multipliers) {
       result_.rates_undetermined = true;
@@ -101,7 +101,7 @@ class Rates {
   [[nodiscard]] double total(const solver::Build& build) const {
     double sum = 0.0;
     for (const machine::ObjectiveTerm& term : objective_.terms)
-      sum += term.weight * build.resources[base_->resource(term.quantity)];
+      sum += term.weight * build.resources[base_->compared(term.quantity)];
     return sum;
   }
 

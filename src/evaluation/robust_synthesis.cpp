@@ -15,8 +15,9 @@ namespace {
 using catalogue::Catalogue;
 using Values = std::vector<std::pair<std::size_t, double>>;
 
-/// Rounds after which it is left unsettled.
+/// Sets of values after which it is left unsettled.
 constexpr std::size_t most_scenarios = 12;
+constexpr std::size_t most_scenarios_of_fronts = 40;
 
 /// All values that broke the build one at a time, if they do so together too: one scenario then says what each says.
 Values breaking_values(const MachineModel& model, const solver::Build& build, const ToleranceCheck& check) {
@@ -72,7 +73,56 @@ std::shared_ptr<const Catalogue> scenario(const Catalogue& catalogue,
 }
 
 double objective_of(const Synthesis& synthesis, const SearchOptions& options) {
-  return synthesis.designs.front().total(machine::objective_named(options.objectives.front()));
+  return synthesis.designs.front().compared(machine::objective_named(options.objectives.front()));
+}
+
+/// Whether two builds were broken by the same values of the same figures.
+bool same_values(const ToleranceCheck& a, const Values& in_a, const ToleranceCheck& b, const Values& in_b) {
+  const auto same = [&](const std::pair<std::size_t, double>& x, const std::pair<std::size_t, double>& y) {
+    const TolerancedFigure& figure = a.figures[x.first];
+    const TolerancedFigure& other = b.figures[y.first];
+    return figure.family == other.family && figure.row == other.row && figure.column == other.column &&
+           x.second == y.second;
+  };
+  return in_a.size() == in_b.size() && std::equal(in_a.begin(), in_a.end(), in_b.begin(), same);
+}
+
+/// Of the builds found, the values that break them, the same ones once.
+class Breaks {
+ public:
+  Breaks(const MachineModel& model, const Synthesis& found) {
+    for (std::size_t i = 0; i < found.designs.size(); ++i) {
+      if (!found.designs[i].tolerances) continue;  // of a single objective only the best is asked
+      const ToleranceCheck& check = *found.designs[i].tolerances;
+      unsettled_ = unsettled_ || check.verdict == ToleranceVerdict::unsettled;
+      if (check.verdict != ToleranceVerdict::broken) continue;
+      any_ = true;
+      if (all_.size() == most_at_once) continue;
+      Values values = breaking_values(model, found.builds[i], check);
+      const bool known = std::any_of(all_.begin(), all_.end(), [&](const auto& each) {
+        return same_values(*each.first, each.second, check, values);
+      });
+      if (!known) all_.emplace_back(&check, std::move(values));
+    }
+  }
+  [[nodiscard]] bool any() const { return any_; }
+  [[nodiscard]] bool unsettled() const { return unsettled_; }
+  [[nodiscard]] const std::vector<std::pair<const ToleranceCheck*, Values>>& all() const { return all_; }
+
+ private:
+  /// Each makes the search longer, and what breaks one build of a front mostly breaks its neighbours.
+  static constexpr std::size_t most_at_once = 4;
+
+  std::vector<std::pair<const ToleranceCheck*, Values>> all_;
+  bool any_ = false, unsettled_ = false;
+};
+
+void leave_out_broken(Synthesis& front) {
+  for (std::size_t i = front.designs.size(); i-- > 0;) {
+    if (front.designs[i].tolerances->verdict != ToleranceVerdict::broken) continue;
+    front.designs.erase(front.designs.begin() + static_cast<std::ptrdiff_t>(i));
+    front.builds.erase(front.builds.begin() + static_cast<std::ptrdiff_t>(i));
+  }
 }
 
 }  // namespace
@@ -85,6 +135,7 @@ RobustSynthesis synthesise_robustly(const machine::Problem& problem,
   result.without = std::nan("");
   SearchOptions how = options;
   how.tolerances = true;
+  const bool is_front = options.objectives.size() > 1;
   ModelOptions with = model_options;
   double seconds = 0.0;
   for (;;) {
@@ -99,18 +150,20 @@ RobustSynthesis synthesise_robustly(const machine::Problem& problem,
     result.scenarios = with.scenarios.size();
     if (result.best.designs.empty()) return result;
     if (with.scenarios.empty()) result.without = objective_of(result.best, how);
-    const ToleranceCheck& check = *result.best.designs.front().tolerances;
-    if (check.verdict != ToleranceVerdict::broken) {
-      if (check.verdict == ToleranceVerdict::unsettled) result.best.status = solver::Status::limit;
+    const Breaks breaks(model, result.best);
+    if (!breaks.any()) {
+      if (breaks.unsettled()) result.best.status = solver::Status::limit;
       return result;
     }
-    if (result.best.status == solver::Status::limit || with.scenarios.size() == most_scenarios ||
+    const std::size_t most = is_front ? most_scenarios_of_fronts : most_scenarios;
+    if (result.best.status == solver::Status::limit || with.scenarios.size() >= most ||
         (options.stop != nullptr && options.stop->load())) {
       result.best.status = solver::Status::limit;
+      if (is_front) leave_out_broken(result.best);
       return result;
     }
-    const Values values = breaking_values(model, result.best.builds.front(), check);
-    with.scenarios.push_back(scenario(catalogue.with_offers(), check, values));
+    for (const auto& [check, values] : breaks.all())
+      with.scenarios.push_back(scenario(catalogue.with_offers(), *check, values));
   }
 }
 

@@ -29,16 +29,22 @@ class Comparison {
       : catalogue_(catalogue), prices_(prices), shops_(shops) {}
 
   [[nodiscard]] bool beats(const Candidate& by, const Candidate& beaten) const {
-    double saved = 0.0;
+    double saved = 0.0, saved_compared = 0.0;
     for (std::size_t i = 0; i < by.parts.size(); ++i) {
       if (by.parts[i].row == beaten.parts[i].row) continue;
       if (is_counted(by.parts[i]) || is_counted(beaten.parts[i]) || helps_to_minimum(beaten.parts[i])) return false;
-      saved += beaten.parts[i].price - by.parts[i].price;
+      const double saves = beaten.parts[i].price - by.parts[i].price;
+      saved += saves;
+      saved_compared += preference(by.parts[i]) * saves;
     }
-    return saved >= 0.0;
+    return saved >= 0.0 && saved_compared >= 0.0;
   }
 
  private:
+  /// The same whoever sells the part.
+  [[nodiscard]] double preference(const PartUse& use) const {
+    return use.stated.empty() ? prices_.preference(catalogue_.table(use.family), use.row) : 1.0;
+  }
   /// What it costs is not known before the end.
   [[nodiscard]] bool is_counted(const PartUse& use) const {
     if (!use.stated.empty()) return false;

@@ -118,14 +118,14 @@ class Choices {
     const SearchOptions options = trials_.begin(question.what, false);
     const solver::RestrictedProblem restricted(model.problem(), question.left);
     const solver::Summary summary = solver::solve(restricted.problem(), solver_options(model, options));
-    const double base = design_.total(objective_);
+    const double base = design_.compared(objective_);
     const bool settled = summary.status != solver::Status::limit;
     if (!settled) trials_.check_time();
     choice.settled = settled;
     if (!settled) choice.next_best = std::max(0.0, summary.lower_bound - base);
     if (summary.builds.empty()) return;
     const Design next = model.design(restricted.whole_build(summary.builds.front()));
-    choice.at_most = std::max(0.0, next.total(objective_) - base);
+    choice.at_most = std::max(0.0, next.compared(objective_) - base);
     if (settled) choice.next_best = choice.at_most;
     choice.instead =
         choice.slot == "supply_voltage" ? volts(next.supply_voltage) : name_of(next, choice.axis, choice.slot);

@@ -21,7 +21,7 @@ constexpr std::size_t most_codes = std::size_t{1} << 16U;
 double sum_of(const std::vector<double>& lengths) { return std::accumulate(lengths.begin(), lengths.end(), 0.0); }
 
 double bars_for(const std::vector<double>& lengths, const BarSize& size) {
-  return static_cast<double>(cut_from_bars(lengths, size).size());
+  return static_cast<double>(cut_from_bars(lengths, size).bars.size());
 }
 
 }  // namespace
@@ -92,6 +92,7 @@ void StockBars::settle_row(Key row, std::size_t first_state) {
   stock.row = row.second;
   stock.size = bar->size;
   stock.bar_price = bar->price;
+  stock.preference = prices_.preference(table, row.second);
   fill(stock, digits);
   if (stock.is_shared()) stock.state = first_state + components_++;
   stocks_.push_back(std::move(stock));
@@ -145,7 +146,11 @@ void StockBars::fill(BarStock& stock, const std::vector<Digit>& digits) {
       all.insert(all.end(), of.pieces.begin(), of.pieces.end());
       alone += of.alone;
     }
-    if (!is_known) packed.emplace_back(bars_for(all, stock.size), sum_of(all));
+    if (!is_known) {
+      const BarPlan plan = cut_from_bars(all, stock.size);
+      all_fewest_ = all_fewest_ && plan.is_fewest;
+      packed.emplace_back(static_cast<double>(plan.bars.size()), sum_of(all));
+    }
     is_shared = is_shared || packed[code].first != alone;
     for (digit = 0; digit < digits.size() && ++value[digit] == digits[digit].values(); ++digit) value[digit] = 0;
   }
@@ -223,10 +228,13 @@ void StockBarsLedger::finish() {
                          stock.size.stock_length,
                          stock.size.cutting_loss,
                          stock.bar_price,
-                         {}};
+                         {},
+                         true};
     std::vector<double> lengths;
     for (const BarPiece& piece : pieces) lengths.push_back(piece.length);
-    for (const auto& bar : cut_from_bars(lengths, stock.size)) {
+    const BarPlan plan = cut_from_bars(lengths, stock.size);
+    purchase.is_fewest = plan.is_fewest;
+    for (const auto& bar : plan.bars) {
       CutBar& cut = purchase.bars.emplace_back();
       cut.left_over = stock.size.stock_length;
       for (const std::size_t piece : bar) {

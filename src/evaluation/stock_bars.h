@@ -65,6 +65,9 @@ class StockBars {
   /// What the stages charge for a part that is cut from bars, beside work on its pieces.
   [[nodiscard]] double charged(const BarStock& stock, const std::vector<double>& lengths) const;
 
+  /// After settle(): whether of every set of pieces that a build can take the bars are proved to be the fewest.
+  [[nodiscard]] bool all_fewest() const { return all_fewest_; }
+
   [[nodiscard]] std::vector<BarStock>& stocks() { return stocks_; }
   [[nodiscard]] const std::vector<BarStock>& stocks() const { return stocks_; }
   /// Where a candidate's part is cut from; none where it is no bar's.
@@ -104,6 +107,7 @@ class StockBars {
   /// Bars and metres of each code, of digits that several rows have in common.
   std::map<std::tuple<double, double, std::vector<Digit>>, std::vector<std::pair<double, double>>> packed_;
   std::size_t components_ = 0;
+  bool all_fewest_ = true;
 };
 
 /// Goes through the parts of a build and says which bar each piece is cut from.

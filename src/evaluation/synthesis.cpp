@@ -16,15 +16,16 @@ namespace millwright::evaluation {
 namespace {
 
 /// Cost and mass decide between equals, as far as they are not settled with the objective itself.
-std::vector<std::size_t> ties(const machine::Objective& objective) {
+std::vector<std::size_t> ties(const MachineModel& model, const machine::Objective& objective) {
+  const std::size_t compared_cost = model.compared(machine::Quantity::cost);
   bool more = false, cost = false;
   for (const machine::ObjectiveTerm& term : objective.terms) {
     more = more || (term.quantity != machine::Quantity::cost && term.quantity != machine::Quantity::mass);
     cost = cost || term.quantity == machine::Quantity::cost;
   }
-  if (more) return {cost_resource, mass_resource};
+  if (more) return {compared_cost, mass_resource};
   // Of builds of equal cost + w mass and equal mass the cost is equal too.
-  return {cost ? mass_resource : cost_resource};
+  return {cost ? mass_resource : compared_cost};
 }
 
 /// The same machine with all ramps held on which its cycle time hangs: at those of a build, or at the shortest.
@@ -80,7 +81,9 @@ solver::Summary solve_cycle_time(const MachineModel& model, const SearchOptions&
   rest.time_limit_seconds = std::max(0.0, options.time_limit_seconds - fastest.seconds);
   solver::Summary cheapest = cheapest_with(model, rest, &fastest.builds.front());
   add_effort(cheapest);
-  const auto cost = [](const solver::Summary& of) { return of.builds.front().resources[cost_resource]; };
+  const auto cost = [&](const solver::Summary& of) {
+    return of.builds.front().resources[model.compared(machine::Quantity::cost)];
+  };
   if (cheapest.builds.empty() || cost(cheapest) > cost(fastest)) return fastest;
   fastest.builds = std::move(cheapest.builds);
   if (cheapest.status == solver::Status::optimal) fastest.method += "; of the builds with these ramps the cheapest";
@@ -125,7 +128,7 @@ solver::Summary solve_with_start(const MachineModel& model, const SearchOptions&
   summary.builds = start.builds;
   double value = 0.0;
   for (const machine::ObjectiveTerm& term : objective.terms)
-    value += term.weight * start.builds.front().resources[model.resource(term.quantity)];
+    value += term.weight * start.builds.front().resources[model.compared(term.quantity)];
   summary.lower_bound = std::min(summary.lower_bound, value);
   summary.gap = (value - summary.lower_bound) / std::max(std::abs(value), 1e-300);
   return summary;
@@ -140,14 +143,14 @@ solver::Options solver_options(const MachineModel& model, const SearchOptions& o
     const machine::Objective objective = machine::objective_named(name);
     const auto quantity = objective.single();
     if (quantity) {
-      result.objectives.push_back(model.resource(*quantity));
+      result.objectives.push_back(model.compared(*quantity));
     } else {
       if (options.objectives.size() > 1) throw std::invalid_argument("a front of a weighted sum: " + name);
       result.weights.assign(model.problem().resources.size(), 0.0);
       for (const machine::ObjectiveTerm& term : objective.terms)
-        result.weights[model.resource(term.quantity)] = term.weight;
+        result.weights[model.compared(term.quantity)] = term.weight;
     }
-    if (options.objectives.size() == 1) result.ties = ties(objective);
+    if (options.objectives.size() == 1) result.ties = ties(model, objective);
   }
   result.gap = options.gap;
   result.time_limit_seconds = options.time_limit_seconds;
@@ -185,9 +188,10 @@ Synthesis synthesise(const MachineModel& model, const SearchOptions& options) {
   synthesis.status = summary.status;
   for (const solver::Build& build : summary.builds)
     synthesis.designs.push_back(model.design(build, options.worksheets));
-  if (options.tolerances && !summary.builds.empty()) {
-    Design& best = synthesis.designs.front();
-    best.tolerances = std::make_shared<const ToleranceCheck>(check_tolerances(model, summary.builds.front(), best));
+  const std::size_t asked = options.objectives.size() > 1 ? synthesis.designs.size() : 1;
+  for (std::size_t i = 0; options.tolerances && i < std::min(asked, synthesis.designs.size()); ++i) {
+    Design& design = synthesis.designs[i];
+    design.tolerances = std::make_shared<const ToleranceCheck>(check_tolerances(model, summary.builds[i], design));
   }
   synthesis.builds = std::move(summary.builds);
   synthesis.lower_bound = summary.lower_bound;

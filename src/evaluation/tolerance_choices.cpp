@@ -44,7 +44,7 @@ FigureEnd end_of(ConditionTrials& trials, const Explanation& known, std::size_t 
   if (found.designs.empty()) return end;
   const Design& best = found.designs.front();
   const machine::Objective objective = machine::objective_named(known.objective);
-  end.worse = best.total(objective) - known.design->total(objective);
+  end.worse = best.compared(objective) - known.design->compared(objective);
   end.changes = changes_of(*known.design, best);
   end.outcome = end.changes.empty() ? FigureEnd::Outcome::same : FigureEnd::Outcome::other;
   return end;

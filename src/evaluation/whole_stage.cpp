@@ -50,22 +50,29 @@ void WholeStage::set_suppliers(std::vector<Shop> shops) {
   for (const Shop& shop : suppliers_) constraint_count_ += shop.used_state ? 1 : 0;
 }
 
+/// What is charged counts among the cost, and where preferred parts are compared otherwise that share of it there.
+template <class T>
+void WholeStage::pay(const T& charged, double preference, solver::Answer<T>& out) const {
+  out.resources[cost_resource] = out.resources[cost_resource] + charged;
+  if (compared_resource_ == cost_resource) return;
+  out.resources[compared_resource_] = out.resources[compared_resource_] + T(preference) * charged;
+}
+
 /// Of the set of suppliers that is chosen.
 template <class T>
 void WholeStage::charge_orders(const Selection<T>& s, solver::Answer<T>& out) const {
   using scalar::larger;
-  T& cost = out.resources[cost_resource];
   for (std::size_t i = 0; i < suppliers_.size(); ++i) {
     const Shop& shop = suppliers_[i];
     const bool open = ((s.shared[shop_choice] >> i) & 1U) != 0;
     if (shop.used_state) out.utilisation.push_back(open ? utilisation(T(1.0), s.inherited[*shop.used_state]) : T(0.0));
     if (!open) continue;
-    cost = cost + T(shop.shipping_fee);
+    pay(T(shop.shipping_fee), 1.0, out);
     if (!shop.spent_state) continue;
     T spent = s.inherited[*shop.spent_state];
     for (const LateCharge& late : charges_)
       if (late.shop == i) spent = spent + charge(late, s.inherited[late.state]);
-    cost = cost + larger(T(0.0), T(shop.minimum_order) - spent);
+    pay(larger(T(0.0), T(shop.minimum_order) - spent), 1.0, out);
   }
 }
 
@@ -73,8 +80,7 @@ template <class T>
 void WholeStage::answer(const Selection<T>& s, solver::Answer<T>& out) const {
   const WholeMachine<T> d = design(s);
   whole_constraints(UtilisationVisitor<T, WholeMachine<T>>(d, out.utilisation));
-  for (const LateCharge& late : charges_)
-    out.resources[cost_resource] = out.resources[cost_resource] + charge(late, s.inherited[late.state]);
+  for (const LateCharge& late : charges_) pay(charge(late, s.inherited[late.state]), late.preference, out);
   charge_orders(s, out);
   if (!error_resource_) return;
   for (std::size_t i = 0; i < states_.error.size(); ++i)

@@ -122,6 +122,8 @@ void whole_constraints(Visit&& visit) {
 
 class WholeStage final : public ElementStage<WholeStage> {
  public:
+  static constexpr bool compares_itself = true;
+
   /// `error_resource`: where the tool's position error is counted, if an objective asks for it.
   explicit WholeStage(const machine::Problem& problem, std::optional<std::size_t> error_resource = {});
 
@@ -143,6 +145,8 @@ class WholeStage final : public ElementStage<WholeStage> {
   std::vector<LateCharge> charges_;
   std::vector<Shop> suppliers_;
 
+  template <class T>
+  void pay(const T& charged, double preference, solver::Answer<T>& out) const;
   template <class T>
   void charge_orders(const Selection<T>& selection, solver::Answer<T>& out) const;
 };

@@ -275,6 +275,8 @@ struct Spare {
   double pieces = 0.0;
 };
 
+inline constexpr double usual_preference = 0.05;
+
 struct Problem {
   std::string title;
   std::string source;
@@ -290,6 +292,9 @@ struct Problem {
   Requirements require;                 ///< of the whole machine; each axis has its own, which start from these
   std::optional<Tool> tool;
   std::vector<Spare> spares;
+  /// By how much of its price a preferred part may be dearer than what would be chosen otherwise; without it nothing is
+  /// preferred.
+  std::optional<double> preference = usual_preference;
   std::optional<double> cost_limit;  ///< in `currency`
   std::optional<double> mass_limit;  ///< kg, of everything chosen
 };

@@ -90,6 +90,11 @@ void read_objective(const Node& node, Problem& problem, Diagnostics& diagnostics
         diagnostics.error(
             node.find("minimise")->part_span(fault.offset, fault.length), "minimise: " + fault.message, fault.hint);
     }
+  problem.preference = q.share_or({"preference",
+                                   "how much dearer a part may be that a catalogue or stock.csv marks as preferred, "
+                                   "and is chosen still; with 0 it goes first among equally dear ones"},
+                                  usual_preference,
+                                  true);
   reader.finish();
 }
 

@@ -176,7 +176,7 @@ std::string parts_table(const MachineResult& result, const Design& design, const
       table.add(
           {first ? "<b>" + escaped(axis == "machine" ? t("machine") : axis) + "</b>" : std::string(),
            escaped(part.slot) + (part.origin.empty() ? "" : "<small>" + escaped(part.origin) + "</small>"),
-           escaped(part_name(part)) +
+           escaped(part_name(part)) + (part.preferred ? "<small>" + escaped(t("parts.preferred")) + "</small>" : "") +
                (part.paper_only ? "<small class=\"note\">" + escaped(t("parts.paper_only")) + "</small>" : ""),
            scalar::format_number(part.quantity) + unit("x") +
                (part.owned > 0.0

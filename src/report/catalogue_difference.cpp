@@ -77,6 +77,29 @@ std::string family_text(const Table& a, const Table& b, const FamilyDifference& 
   return out + list_text("only in B", b, family.added, style) + list_text("only in A", a, family.removed, style);
 }
 
+std::string lines_list(const char* title, const std::vector<catalogue::LineChange>& changes, const Style& style) {
+  if (changes.empty()) return {};
+  TextTable lines({{""}, {""}});
+  for (const catalogue::LineChange& each : changes)
+    lines.add({text::printable(each.title), line_of(each.a_where.text ? each.a_where : each.b_where)});
+  return fmt::format("  {}\n", title) + lines.str(4, style);
+}
+
+std::string file_text(const catalogue::FileDifference& file, const Style& style) {
+  std::string out;
+  if (!file.changed.empty()) out += "  changed\n";
+  for (const catalogue::LineChange& each : file.changed) {
+    const std::string in_a = "A " + line_of(each.a_where), in_b = "B " + line_of(each.b_where);
+    out += fmt::format(
+        "    {}\n{}\n", text::printable(each.title), style.faint(fmt::format("      {}\n      {}", in_a, in_b)));
+    TextTable table({{""}, {"", Align::left, 0, false, 2}});
+    for (const catalogue::LineCell& cell : each.cells)
+      table.add({text::printable(cell.column), value_text(cell.a) + " -> " + value_text(cell.b)});
+    out += table.str(6, style);
+  }
+  return out + lines_list("only in B", file.added, style) + lines_list("only in A", file.removed, style);
+}
+
 std::string counts_text(std::size_t added, std::size_t removed, std::size_t changed, std::size_t same) {
   std::string out;
   for (const auto& [count, what] : {std::pair<std::size_t, const char*>{added, "added"},
@@ -84,7 +107,7 @@ std::string counts_text(std::size_t added, std::size_t removed, std::size_t chan
                                     {changed, "changed"},
                                     {same, "the same"}})
     if (count > 0) out += (out.empty() ? "" : ", ") + counted(count, what);
-  return out.empty() ? "no parts" : out;
+  return out.empty() ? "nothing" : out;
 }
 
 std::string side_text(const char* letter, const ComparedCatalogue& side) {
@@ -124,6 +147,34 @@ Json rows_json(const Table& table, const std::vector<int>& rows) {
   return list;
 }
 
+Json line_json(const catalogue::LineChange& line) {
+  Json json{{"line", line.title}};
+  if (line.a_where.text && line.b_where.text) {
+    json["a_place"] = place_of(line.a_where);
+    json["b_place"] = place_of(line.b_where);
+    json["cells"] = Json::array();
+    const auto given = [](const std::string& value) { return value.empty() ? Json(nullptr) : Json(value); };
+    for (const catalogue::LineCell& cell : line.cells)
+      json["cells"].push_back({{"column", cell.column}, {"a", given(cell.a)}, {"b", given(cell.b)}});
+  } else {
+    json["place"] = place_of(line.a_where.text ? line.a_where : line.b_where);
+  }
+  return json;
+}
+
+Json file_json(const catalogue::FileDifference& file) {
+  const auto lines = [](const std::vector<catalogue::LineChange>& changes) {
+    Json list = Json::array();
+    for (const catalogue::LineChange& each : changes) list.push_back(line_json(each));
+    return list;
+  };
+  return {{"file", file.file},
+          {"same", file.same},
+          {"changed", lines(file.changed)},
+          {"added", lines(file.added)},
+          {"removed", lines(file.removed)}};
+}
+
 Json changes_json(const Table& a, const Table& b, const std::vector<PartChange>& changes) {
   Json list = Json::array();
   for (const PartChange& part : changes) {
@@ -143,6 +194,7 @@ Json changes_json(const Table& a, const Table& b, const std::vector<PartChange>&
 std::string catalogue_difference_text(const ComparedCatalogue& a,
                                       const ComparedCatalogue& b,
                                       const std::vector<FamilyDifference>& families,
+                                      const std::vector<catalogue::FileDifference>& files,
                                       const Style& style) {
   std::string out = side_text("A", a) + side_text("B", b) + "\n";
   std::size_t added = 0, removed = 0, changed = 0, same = 0;
@@ -160,14 +212,32 @@ std::string catalogue_difference_text(const ComparedCatalogue& a,
     if (!style.brief)
       out += family_text(a.catalogue->table(family.family), b.catalogue->table(family.family), family, style) + "\n";
   }
+  std::size_t same_lines = 0;
+  for (const catalogue::FileDifference& file : files) {
+    added += file.added.size();
+    removed += file.removed.size();
+    changed += file.changed.size();
+    same_lines += file.same;
+    if (file.equal()) continue;
+    out += style.heading(file.file) + ": " +
+           counts_text(file.added.size(), file.removed.size(), file.changed.size(), file.same) + "\n";
+    if (!style.brief) out += file_text(file, style) + "\n";
+  }
   const bool equal = added + removed + changed == 0;
-  return out + (equal ? "No differences: " + parts_text(same) + " the same.\n"
+  const std::string lines =
+      same_lines == 0
+          ? std::string()
+          : (same == 0 ? "" : parts_text(same) + " and ") +
+                fmt::format("{} line{} of stock, suppliers and offers", same_lines, same_lines == 1 ? "" : "s");
+  same += same_lines;
+  return out + (equal ? "No differences: " + (lines.empty() ? parts_text(same) : lines) + " the same.\n"
                       : "In all: " + counts_text(added, removed, changed, same) + ".\n");
 }
 
 std::string catalogue_difference_json(const ComparedCatalogue& a,
                                       const ComparedCatalogue& b,
-                                      const std::vector<FamilyDifference>& families) {
+                                      const std::vector<FamilyDifference>& families,
+                                      const std::vector<catalogue::FileDifference>& files) {
   Json json = result_of("catalogue diff");
   json["a"] = {{"name", a.name}, {"rows", a.catalogue->rows()}};
   json["b"] = {{"name", b.name}, {"rows", b.catalogue->rows()}};
@@ -183,8 +253,14 @@ std::string catalogue_difference_json(const ComparedCatalogue& a,
                     {"added", rows_json(in_b, family.added)},
                     {"removed", rows_json(in_a, family.removed)}});
   }
+  Json other_files = Json::array();
+  for (const catalogue::FileDifference& file : files) {
+    equal = equal && file.equal();
+    other_files.push_back(file_json(file));
+  }
   json["equal"] = equal;
   json["families"] = std::move(list);
+  json["files"] = std::move(other_files);
   return text_of(json);
 }
 

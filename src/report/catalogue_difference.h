@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "catalogue/difference.h"
+#include "catalogue/overlay_difference.h"
 #include "report/text_table.h"
 
 namespace millwright::report {
@@ -20,10 +21,12 @@ struct ComparedCatalogue {
 std::string catalogue_difference_text(const ComparedCatalogue& a,
                                       const ComparedCatalogue& b,
                                       const std::vector<catalogue::FamilyDifference>& families,
+                                      const std::vector<catalogue::FileDifference>& files,
                                       const Style& style);
 
 std::string catalogue_difference_json(const ComparedCatalogue& a,
                                       const ComparedCatalogue& b,
-                                      const std::vector<catalogue::FamilyDifference>& families);
+                                      const std::vector<catalogue::FamilyDifference>& families,
+                                      const std::vector<catalogue::FileDifference>& files);
 
 }  // namespace millwright::report

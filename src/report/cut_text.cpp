@@ -23,6 +23,7 @@ std::string bars_text(const evaluation::BarPurchase& purchase) {
                                 purchase.bars.size(),
                                 purchase.bars.size() == 1 ? "" : "s",
                                 millimetres(purchase.stock_length));
+  if (!purchase.is_fewest) out += " (fewer may do)";
   if (!rests.empty()) out += fmt::format(", left over {} mm", fmt::join(rests, " + "));
   return out;
 }

@@ -32,6 +32,7 @@ Json part_of(const evaluation::PartLine& part) {
   for (const evaluation::Cut& cut : part.cuts) pieces += cut.count;
   if (part.cut_price > 0.0) json["cutting_price"] = number(pieces * part.cut_price);
   if (part.ends * part.end_price > 0.0) json["end_machining_price"] = number(part.ends * part.end_price);
+  if (part.preferred) json["preferred"] = true;
   if (part.paper_only) json["known_from_paper_only"] = true;
   if (!part.supplier.empty()) json["supplier"] = part.supplier;
   if (!part.origin.empty()) json["origin"] = part.origin;
@@ -112,7 +113,8 @@ Json bars_of(const evaluation::BarPurchase& purchase, const std::string& currenc
           {"cutting_loss_m", number(purchase.cutting_loss)},
           {"bar_price", number(purchase.bar_price)},
           {"currency", currency},
-          {"bars", bars}};
+          {"bars", bars},
+          {"fewest_proved", purchase.is_fewest}};
 }
 
 Json build_of(const Design& design) {

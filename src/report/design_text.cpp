@@ -77,6 +77,14 @@ std::string in_stock_text(const Design& design) {
   return out;
 }
 
+/// "Preferred: Acme M23 (y.motor)", a line for each such part.
+std::string preferred_text(const Design& design) {
+  std::string out;
+  for (const PartLine& part : design.parts)
+    if (part.preferred) out += fmt::format("  Preferred: {} ({}.{})\n", part_name(part), part.axis, part.slot);
+  return out;
+}
+
 /// "Spare: 1 more of Acme M23 (y.motor)", a line for each part.
 std::string spares_text(const Design& design) {
   std::string out;
@@ -182,7 +190,8 @@ std::string parts_text(const MachineResult& result, const Design& design, const 
     }
   }
   out += table.str(2, style) + made_to_measure(design) + work_text(design);
-  out += in_stock_text(design) + spares_text(design) + bars_lines(design, style) + orders_text(design);
+  out += preferred_text(design) + in_stock_text(design) + spares_text(design) + bars_lines(design, style) +
+         orders_text(design);
   out += fmt::format("  Total: {}\n", totals_text(design));
   for (const std::string& line : stated_only_lines(design, Texts(Language::english)))
     out += "  " + style.bad("not included") + ": " + wrapped(line, style.width - 16, 4) + "\n";

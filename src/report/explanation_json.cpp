@@ -127,6 +127,8 @@ std::string explanation_json(const MachineResult& result, const Explanation& exp
                              : explanation.status == solver::Status::infeasible ? Status::infeasible
                                                                                 : Status::limit);
   json["objective"] = explanation.objective;
+  if (explanation.design && explanation.design->preference)
+    json["preference"] = number(explanation.design->preference->premium);
   if (explanation.design)
     add_feasible(result, explanation, json);
   else

@@ -383,6 +383,9 @@ std::string explanation_text(const MachineResult& result, const Explanation& exp
                                      explanation.objective,
                                      totals_text(design, quantity.value_or(machine::Quantity::cost)))) +
            "\n\n";
+    if (design.preference)
+      out += fmt::format("  Costs are compared below with the prices of preferred parts divided by {:.4g}.\n\n",
+                         1.0 + design.preference->premium);
     out += governing_text(result, design, style) + choices_text(explanation, result.currency, style);
     out += rates_text(explanation, result.currency, style);
     out += tolerance_choices_text(result, explanation, style);

@@ -12,6 +12,7 @@
 #include "report/html.h"
 #include "report/machine_text.h"
 #include "report/page_parts.h"
+#include "report/tolerance_text.h"
 #include "scalar/unit.h"
 
 namespace millwright::report {
@@ -95,9 +96,11 @@ std::string front_section(const MachineResult& result, const Texts& t) {
     cells.push_back(i == 0 ? escaped(t("front.first")) : change.empty() ? escaped(t("front.dimensions")) : change);
     table.add(cells, "", fmt::format("build-{}", i + 1));
   }
+  const std::string robust = robust_front_text(result, t);
   return section("front",
                  t("front"),
-                 "<figure class=\"chart wide\" data-chart=\"front\"><figcaption>" + escaped(t("front.hint")) +
+                 (robust.empty() ? "" : "<p>" + escaped(robust) + "</p>\n") +
+                     "<figure class=\"chart wide\" data-chart=\"front\"><figcaption>" + escaped(t("front.hint")) +
                      "</figcaption></figure>\n<div id=\"build\" class=\"build\" aria-live=\"polite\"></div>\n" +
                      table.str());
 }

@@ -42,12 +42,12 @@ std::string import_text(const catalogue::ImportMapping& mapping, const Style& st
   for (const SourceColumn& column : mapping.columns) {
     const std::string header = text::printable(column.header.empty() ? "(no header)" : column.header, 40) +
                                (column.occurrence > 1 ? fmt::format(" ({})", column.occurrence) : "");
-    if (!column.target) {
+    if (!column.target && !column.companion) {
       kept += fmt::format("  {}: kept as {}\n", header, column.kept_name);
       continue;
     }
     columns.add({header,
-                 std::string(catalogue::declaration(*column.target).name),
+                 column.target ? std::string(catalogue::declaration(*column.target).name) : column.kept_name,
                  unit_of(column),
                  fmt::format("{:.0f} %", 100.0 * column.confidence),
                  fmt::format("{}", fmt::join(column.reasons, "; "))});

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "report/findings_json.h"
 #include "report/json.h"
 #include "report/json_value.h"
 
@@ -62,11 +63,6 @@ Json figure_of(const catalogue::Figure& figure) {
               {"confidence", figure.confidence},
               {"tolerance", number(figure.tolerance)},
               {"place", figure.place}};
-}
-
-const char* severity_name(text::Severity severity) {
-  if (severity == text::Severity::error) return "error";
-  return severity == text::Severity::warning ? "warning" : "note";
 }
 
 }  // namespace
@@ -189,14 +185,7 @@ std::string lint_json(const text::Diagnostics& diagnostics, int files, int rows)
   json["rows"] = rows;
   json["errors"] = diagnostics.error_count();
   json["warnings"] = diagnostics.warning_count();
-  json["findings"] = Json::array();
-  for (const text::Diagnostic& each : diagnostics.all())
-    json["findings"].push_back({{"severity", severity_name(each.severity)},
-                                {"file", each.where.text ? each.where.text->path() : std::string()},
-                                {"line", each.where.line},
-                                {"column", each.where.column},
-                                {"message", each.message},
-                                {"hint", each.hint}});
+  json["findings"] = findings_of(diagnostics);
   return text_of(json);
 }
 

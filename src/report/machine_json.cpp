@@ -124,6 +124,10 @@ Json objective_of(const MachineResult& result) {
     json["gap"] = number(result.gap);
     if (result.fixed_objective) json["fixed"] = true;
     if (!single) json["terms"] = terms_of(objective, *design);
+    if (preference_counts(result)) {  // bound and gap are of what was compared
+      json["compared_value"] = number(design->compared(objective));
+      json["preference"] = number(design->preference->premium);
+    }
   }
   if (result.status != Status::infeasible) json["lower_bound"] = number(result.lower_bound);
   return json;
@@ -172,12 +176,17 @@ std::string front_json(const MachineResult& result) {
   add_steering(result, json);
   json["status"] = to_string(result.status);
   json["objectives"] = result.objectives;
+  if (preference_counts(result)) json["preference"] = number(result.designs.front().preference->premium);
   json["front"] = Json::array();
-  for (const Design& design : result.designs)
-    json["front"].push_back({{"objectives", objectives_of(result, design)},
-                             {"totals", totals_of(design)},
-                             {"build", build_of(design)},
-                             {"governing", governing_of(result, design)}});
+  for (const Design& design : result.designs) {
+    Json point{{"objectives", objectives_of(result, design)},
+               {"totals", totals_of(design)},
+               {"build", build_of(design)},
+               {"governing", governing_of(result, design)}};
+    if (preference_counts(result)) point["compared_cost"] = number(design.preference->compared_cost);
+    add_tolerances(result, design, point);
+    json["front"].push_back(std::move(point));
+  }
   json["complete"] = result.status != Status::limit;
   json["tolerance"] = result.certificate.front_tolerance;
   add_missing(result, json);

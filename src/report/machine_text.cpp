@@ -58,6 +58,19 @@ std::string all_totals(const std::string& name, const Design& design) {
                      totals_text(design));
 }
 
+/// ", preferred parts up to 5 % dearer"; nothing where none could be chosen.
+std::string preference_words(const MachineResult& result) {
+  if (!preference_counts(result)) return {};
+  return fmt::format(", preferred parts up to {:.4g} % dearer", 100.0 * result.designs.front().preference->premium);
+}
+
+/// "Cheapest compliant build", "Best compliant build, preferred parts up to 5 % dearer".
+std::string build_words(const MachineResult& result) {
+  return best_word(result.objectives.front()) +
+         (robust_to_something(result) ? " build compliant over all tolerances" : " compliant build") +
+         preference_words(result);
+}
+
 /// What a proof is about when the command line asks for more than the problem file.
 const char* as_asked(const MachineResult& result) {
   return result.steering.empty() ? "" : ", with what was asked for above";
@@ -137,6 +150,18 @@ std::string end_text(const MachineResult& result,
          parts_text(result, design, style) + governing_text(result, design, style);
 }
 
+/// What preferred parts cost more than the best build without regard to them, as far as that is proved: no build costs
+/// less than what was compared of the best.
+std::string premium_text(const MachineResult& result, const std::string& divisor, const Texts& t) {
+  const Design& design = result.designs.front();
+  if (!best_is_proved(result) || result.objectives.front() != "cost")
+    return fmt::format(fmt::runtime(t("certificate.preferred")), divisor);
+  const double more = design.cost - design.preference->compared_cost;
+  return more > 0.0
+             ? fmt::format(fmt::runtime(t("certificate.premium")), fmt::format("{:.2f} {}", more, design.currency))
+             : t("certificate.no_premium");
+}
+
 /// What the page leaves out.
 std::string more_text(const Design& design) {
   const std::string outside = design.outside_validity.empty()
@@ -187,6 +212,8 @@ std::string certificate_text(const MachineResult& result, const Style& style, co
   const auto fill = [&](const char* key, auto&&... values) { return fmt::format(fmt::runtime(t(key)), values...); };
   const auto line = [&](const std::string& text) { out += "  " + wrapped(text, style.width - 2, 2) + "\n"; };
   const Design* design = result.designs.empty() ? nullptr : &result.designs.front();
+  const bool preferred = preference_counts(result);
+  const std::string divisor = preferred ? fmt::format("{:.4g}", 1.0 + design->preference->premium) : std::string();
   if (result.status == Status::infeasible) {
     line(t(result.robust ? "certificate.none_robust" : "certificate.none"));
   } else if (result.objectives.size() == 1 && design != nullptr) {
@@ -194,17 +221,21 @@ std::string certificate_text(const MachineResult& result, const Style& style, co
     line(best_is_proved(result) ? fill(robust_to_something(result) ? "certificate.best_robust"
                                        : result.steering.empty()   ? "certificate.best"
                                                                    : "certificate.best_asked",
-                                       better_words(objective, t))
+                                       preferred ? fill("certificate.divided", better_words(objective, t), divisor)
+                                                 : better_words(objective, t))
                                 : fill("certificate.open",
                                        objective_text(objective, result.lower_bound, design->currency),
                                        fmt::format("{:.2f}", 100.0 * result.gap)));
     if (const std::string others = alternatives_certificate(result, t); !others.empty()) line(others);
+    if (preferred) line(premium_text(result, divisor, t));
   } else if (result.objectives.size() > 1) {
     const double tolerance = certificate.front_tolerance;
     line(result.status != Status::optimal ? t("certificate.front_open")
          : tolerance > 0.0                ? fill("certificate.front_within", fmt::format("{:.3g}", 100.0 * tolerance))
                                           : t("certificate.front"));
+    if (preferred) line(fill("certificate.preferred", divisor));
   }
+  if (design != nullptr && !design->all_fewest_bars) line(t("certificate.bars"));
   line(fill("certificate.combinations", scalar::format_number(certificate.combinations, 3)));
   if (!certificate.method.empty()) line(t.clauses(certificate.method));
   if (design != nullptr) line(t("certificate.again"));
@@ -238,11 +269,7 @@ std::string solve_text(const MachineResult& result, const Style& style) {
   }
   const Design& design = result.designs.front();
   const std::string& objective = result.objectives.front();
-  out += best_is_proved(result) ? style.heading(best_word(objective) +
-                                                (robust_to_something(result) ? " build compliant over all tolerances: "
-                                                                             : " compliant build: ") +
-                                                all_totals(objective, design)) +
-                                      "\n\n"
+  out += best_is_proved(result) ? style.heading(build_words(result) + ": " + all_totals(objective, design)) + "\n\n"
                                 : style.heading("Best build found before the limit: " + all_totals(objective, design)) +
                                       fmt::format("\n  proved so far: not below {}, gap {:.2f} %\n\n",
                                                   objective_text(objective, result.lower_bound, design.currency),
@@ -265,11 +292,12 @@ std::string front_text(const MachineResult& result, const Style& style) {
     out += nothing_text(result, style) + "\n";
     return result.missing.empty() ? out + certificate_text(result, style) : out;
   }
-  out += style.heading(fmt::format("{} build{} that no other{} beats in {}",
+  out += style.heading(fmt::format("{} build{} that no other{} beats in {}{}",
                                    result.designs.size(),
                                    result.designs.size() == 1 ? "" : "s",
                                    result.status == Status::limit ? " found before the limit" : "",
-                                   fmt::join(result.objectives, " and "))) +
+                                   fmt::join(result.objectives, " and "),
+                                   preference_words(result))) +
          "\n";
   std::vector<TableColumn> columns{
       {"", Align::right}, {result.designs.front().currency, Align::right}, {"kg", Align::right}};
@@ -294,6 +322,8 @@ std::string front_text(const MachineResult& result, const Style& style) {
     table.add(cells);
   }
   out += table.str(2, style) + "\n";
+  if (const std::string robust = robust_front_text(result, Texts(Language::english)); !robust.empty())
+    out += "  " + wrapped(robust, style.width - 2, 2) + "\n\n";
   if (style.brief) return out;
   for (std::size_t k = 0; k < result.objectives.size() && (k == 0 || result.designs.size() > 1); ++k)
     out += end_text(result, best_in(result, result.objectives[k]), result.objectives[k], style);
@@ -312,8 +342,9 @@ std::string check_text(const MachineResult& result, const Style& style) {
                      : style.bad(fmt::format("It fails {} of {} checks.", failed, design.checks.size())) + "\n";
   if (result.completed)
     out += result.completion_is_optimal
-               ? fmt::format("What it leaves open was chosen so that the build is the {} compliant one.\n",
-                             in_sentence(best_word(result.objectives.front())))
+               ? fmt::format("What it leaves open was chosen so that the build is the {} compliant one{}.\n",
+                             in_sentence(best_word(result.objectives.front())),
+                             preference_words(result))
                : "What it leaves open was filled with the cheapest parts that fit.\n";
   out += fmt::format("Totals: {}\n\n", totals_text(design));
   out += failures_text(result, design, style);

@@ -20,6 +20,16 @@ const char* to_string(Status status) {
   return "";
 }
 
+bool preference_counts(const MachineResult& result) {
+  return !result.designs.empty() && result.designs.front().preference &&
+         std::any_of(result.objectives.begin(), result.objectives.end(), [](const std::string& name) {
+           const auto terms = machine::objective_named(name).terms;
+           return std::any_of(terms.begin(), terms.end(), [](const machine::ObjectiveTerm& term) {
+             return term.quantity == machine::Quantity::cost;
+           });
+         });
+}
+
 std::vector<RequirementLine> used_requirements(const machine::Problem& problem, const evaluation::Design& design) {
   std::set<std::pair<std::string, std::string>> used;
   for (const evaluation::Check& check : design.checks)

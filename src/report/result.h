@@ -90,6 +90,10 @@ struct MachineResult {
   bool completion_is_optimal = false;
 };
 
+/// Whether builds were compared with preferred parts counted less: an objective counts the cost, and such parts could
+/// be chosen.
+bool preference_counts(const MachineResult& result);
+
 /// The checks of an axis ("machine" for what no single axis owns), the most used first; what was not evaluated last.
 std::vector<const evaluation::Check*> checks_of(const evaluation::Design& design, const std::string& axis);
 

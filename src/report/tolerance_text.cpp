@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "catalogue/column_unit.h"
@@ -95,7 +96,7 @@ std::string robust_text(const MachineResult& result, const evaluation::Design& d
   const std::string& objective = result.objectives.front();
   std::string text = t(result.status == Status::optimal ? "tolerances.robust" : "tolerances.robust_open");
   if (result.robust_scenarios == 0) return text + ".";
-  const double more = design.total(machine::objective_named(objective)) - result.robust_without;
+  const double more = design.compared(machine::objective_named(objective)) - result.robust_without;
   const bool equal = std::abs(more) <= 1e-5 * std::abs(result.robust_without);
   text += "; ";
   text += equal ? t("tolerances.robust_same")
@@ -108,9 +109,24 @@ std::string robust_text(const MachineResult& result, const evaluation::Design& d
 }  // namespace
 
 bool robust_to_something(const MachineResult& result) {
-  if (!result.robust || result.designs.empty()) return false;
-  const auto& check = result.designs.front().tolerances;
-  return check && check->verdict != ToleranceVerdict::none_stated;
+  if (!result.robust) return false;
+  return std::any_of(result.designs.begin(), result.designs.end(), [](const evaluation::Design& design) {
+    return design.tolerances && design.tolerances->verdict != ToleranceVerdict::none_stated;
+  });
+}
+
+std::string robust_front_text(const MachineResult& result, const Texts& t) {
+  if (!result.robust || result.designs.empty()) return {};
+  if (!robust_to_something(result)) return t("tolerances.front_none");
+  const auto unsettled = std::count_if(result.designs.begin(), result.designs.end(), [](const auto& design) {
+    return design.tolerances && design.tolerances->verdict == ToleranceVerdict::unsettled;
+  });
+  std::string text = unsettled > 0 ? filled(t, "tolerances.front_open", unsettled) : t("tolerances.front");
+  if (result.robust_scenarios > 0)
+    text += " " + filled(t,
+                         result.robust_scenarios == 1 ? "tolerances.scenario" : "tolerances.scenarios",
+                         result.robust_scenarios);
+  return text;
 }
 
 std::string figure_text(const TolerancedFigure& figure) {

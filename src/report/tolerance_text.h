@@ -20,6 +20,9 @@ std::string tolerances_text(const MachineResult& result,
 /// Whether it was asked to hold within tolerances, and the best design has any.
 bool robust_to_something(const MachineResult& result);
 
+/// What --robust says of a whole front; empty without it.
+std::string robust_front_text(const MachineResult& result, const Texts& t);
+
 /// Of `explain`: which figure would break the build, and what would be chosen if one were at an end of its tolerance.
 std::string tolerance_choices_text(const MachineResult& result,
                                    const evaluation::Explanation& explanation,

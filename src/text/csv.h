@@ -82,8 +82,11 @@ class CsvTable {
   /// A whole column of numbers: NaN where the cell is empty or (reported) no finite number.
   std::vector<double> number_column(std::size_t column, Diagnostics& diagnostics) const;
 
-  /// Several columns in one pass over the text, which is faster than one after the other.
-  std::vector<std::vector<double>> number_columns(std::span<const std::size_t> columns, Diagnostics& diagnostics) const;
+  /// Several columns in one pass over the text, which is faster than one after the other. The vectors have room for
+  /// `room` numbers, if those are more than there are records.
+  std::vector<std::vector<double>> number_columns(std::span<const std::size_t> columns,
+                                                  Diagnostics& diagnostics,
+                                                  std::size_t room = 0) const;
 
   std::vector<std::string_view> text_column(std::size_t column) const;
 

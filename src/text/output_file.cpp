@@ -18,17 +18,17 @@ std::string directory_of(const std::string& path) {
   return slash == std::string::npos ? "./" : path.substr(0, slash + 1);
 }
 
-/// A file in the directory of the target that vanishes unless it is renamed.
+/// A file in the directory of the target that vanishes unless it is renamed. Where the file system can, it has no name
+/// until it is complete, so that nothing is left of it even if the process is killed.
 class TemporaryFile {
  public:
   /// Opened by hand and not with mkstemp, which ignores the permissions that the process gives new files.
-  explicit TemporaryFile(const std::string& directory) {
-    constexpr int attempts = 1000;
-    for (int i = 0; i < attempts && descriptor_ < 0; ++i) {
-      path_ = fmt::format("{}.millwright-{}-{}.tmp", directory, ::getpid(), i);
+  explicit TemporaryFile(const std::string& directory) : directory_(directory) {
+    if (open_nameless()) return;
+    try_names([this] {
       descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
-      if (descriptor_ < 0 && errno != EEXIST) return;
-    }
+      return descriptor_ >= 0;
+    });
     exists_ = descriptor_ >= 0;
   }
   TemporaryFile(const TemporaryFile&) = delete;
@@ -55,12 +55,47 @@ class TemporaryFile {
 
   /// Flushes (a full disk may show only here) and takes the target's place.
   bool replace(const std::string& target) {
-    if (::fsync(descriptor_) != 0 || ::rename(path_.c_str(), target.c_str()) != 0) return false;
+    if (::fsync(descriptor_) != 0) return false;
+    if (!exists_ && !give_name()) return false;
+    if (::rename(path_.c_str(), target.c_str()) != 0) return false;
     exists_ = false;
     return true;
   }
 
  private:
+  /// Of names that are not taken the first with which `make` succeeds.
+  template <class Make>
+  bool try_names(const Make& make) {
+    constexpr int attempts = 1000;
+    for (int i = 0; i < attempts; ++i) {
+      path_ = fmt::format("{}.millwright-{}-{}.tmp", directory_, ::getpid(), i);
+      if (make()) return true;
+      if (errno != EEXIST) return false;
+    }
+    return false;
+  }
+
+  /// What stands for the open file where a name of it is wanted.
+  [[nodiscard]] std::string handle() const { return fmt::format("/proc/self/fd/{}", descriptor_); }
+
+  bool open_nameless() {
+#ifdef O_TMPFILE
+    descriptor_ = ::open(directory_.c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666);
+    if (descriptor_ < 0) return false;
+    if (::access(handle().c_str(), F_OK) == 0) return true;  // else it could never be given a name
+    ::close(descriptor_);
+    descriptor_ = -1;
+#endif
+    return false;
+  }
+
+  bool give_name() {
+    exists_ = try_names(
+        [this] { return ::linkat(AT_FDCWD, handle().c_str(), AT_FDCWD, path_.c_str(), AT_SYMLINK_FOLLOW) == 0; });
+    return exists_;
+  }
+
+  std::string directory_;
   std::string path_;
   int descriptor_ = -1;
   bool exists_ = false;

@@ -162,9 +162,17 @@ std::string_view SourceText::line(int number) const {
 }
 
 Position SourceText::position(std::size_t offset) const {
-  index_lines();
   const std::string_view text = contents();
   offset = std::min(offset, text.size());
+  // Most files are asked for the places of their header, and for nothing else.
+  constexpr std::size_t near = 4096;
+  if (offset < near) {
+    const std::string_view before = text.substr(0, offset);
+    const std::size_t begin = before.rfind('\n') + 1;  // 0 where there is none
+    return {to_int(static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')) + 1),
+            to_int(count_characters(before.substr(begin)) + 1)};
+  }
+  index_lines();
   const auto after = std::upper_bound(line_begins_.begin(), line_begins_.end(), offset);
   const std::size_t begin = *(after - 1);
   return {to_int(static_cast<std::size_t>(after - line_begins_.begin())),

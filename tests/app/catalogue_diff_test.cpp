@@ -103,3 +103,68 @@ TEST_CASE("catalogue diff refuses what it cannot compare, all in one go") {
   CHECK(missing.says("nowhere: error"));
   CHECK(missing.says("--catalogue: both catalogues are named"));
 }
+
+TEST_CASE("catalogue diff tells what changed in stock, suppliers and offers, of whatever parts") {
+  const Workshop shop;
+  shop.write("old/stock.csv", "manufacturer,part_number,owned,available\nAcme,M1,2,\nAcme,M2,,no\n,M4,1,\n");
+  shop.write("new/stock.csv", "part_number,manufacturer,available,owned\nM1,Acme,,2.0\nM2,Acme,preferred,\nM5,,no,\n");
+  shop.write("old/offers.csv", "part_number,supplier,price,currency\nM1,Shop A,8.90,USD\nM1,Shop B,9,USD\n");
+  shop.write("new/offers.csv", "part_number,supplier,price,currency\nM1,Shop A,9.10,USD\nM1,Shop B,9.00,USD\n");
+  shop.write("old/suppliers.csv", "supplier,shipping_fee,currency\n,5,USD\n");
+  shop.write("new/suppliers.csv", "supplier,shipping_fee,currency\n,5,USD\n");
+  const Outcome text = shop.run({"catalogue", "diff", "old", "new"});
+  CHECK(text.exit_code == 1);
+  CHECK(text.err.empty());
+  CHECK(text.prints("stock.csv: 1 added, 1 removed, 1 changed, 1 the same"));
+  CHECK(text.prints("no -> preferred"));
+  CHECK(text.prints("M5  new/stock.csv:4"));
+  CHECK(text.prints("M4  old/stock.csv:4"));
+  CHECK(text.prints("offers.csv: 1 changed, 1 the same"));
+  CHECK(text.prints("M1, Shop A"));
+  CHECK(text.prints("8.90 -> 9.10"));
+  CHECK_FALSE(text.prints("suppliers.csv"));
+  CHECK(text.prints("In all: 1 added, 1 removed, 2 changed, 3 the same."));
+  CHECK(longest_line(text.out) <= 80);
+  const Outcome same = shop.run({"catalogue", "diff", "old", "old"});
+  CHECK(same.exit_code == 0);
+  CHECK(same.prints("No differences: 6 lines of stock, suppliers and offers the same."));
+  const auto json = nlohmann::json::parse(shop.run({"catalogue", "diff", "old", "new", "--json", "-"}).out);
+  CHECK(json.at("equal") == false);
+  const auto& files = json.at("files");
+  REQUIRE(files.size() == 3);
+  CHECK(files.at(0).at("file") == "stock.csv");
+  const auto& changed = files.at(0).at("changed").at(0);
+  CHECK(changed.at("line") == "Acme M2");
+  CHECK(changed.at("cells").at(0).at("column") == "available");
+  CHECK(changed.at("cells").at(0).at("a") == "no");
+  CHECK(changed.at("b_place") == "new/stock.csv:3:1");
+  CHECK(files.at(1).at("same") == 1);
+  CHECK(files.at(2).at("changed").at(0).at("cells").at(0).at("b") == "9.10");
+  // A family is of parts alone.
+  CHECK(shop.run({"catalogue", "diff", "old", "new", "--family", "steppers"}).exit_code == 0);
+}
+
+TEST_CASE("catalogue diff of an overlay without parts shows what it says of the shipped ones") {
+  const Workshop shop;
+  shop.write("mine/stock.csv", "part_number,owned\n17HS4401S,2\n");
+  shop.write("more/stock.csv", "part_number,owned\n17HS4401S,3\n");
+  const Outcome first = shop.run({"catalogue", "diff", "mine"});
+  CHECK(first.exit_code == 1);
+  CHECK(first.prints("17HS4401S  mine/stock.csv:2"));
+  const Outcome second = shop.run({"catalogue", "diff", "more", "--catalogue", "mine"});
+  CHECK(second.exit_code == 1);
+  CHECK(second.prints("2 -> 3"));
+  CHECK(second.prints("In all: 1 changed"));
+  CHECK(shop.run({"catalogue", "diff", "mine", "--catalogue", "mine"}).exit_code == 0);
+  // There the part must exist.
+  shop.write("wrong/stock.csv", "part_number,owned\n17HS4401X,2\n");
+  CHECK(shop.run({"catalogue", "diff", "wrong"}).exit_code == 2);
+  shop.write("twice/stock.csv", "part_number,owned\nM1,2\nM1,3\n");
+  const Outcome twice = shop.run({"catalogue", "diff", "twice", "mine"});
+  CHECK(twice.exit_code == 2);
+  CHECK(twice.says("twice/stock.csv:3:1: error: M1 stands in this file twice"));
+  shop.write("nameless/offers.csv", "supplier,price\nShop A,2\n");
+  const Outcome nameless = shop.run({"catalogue", "diff", "nameless", "mine"});
+  CHECK(nameless.exit_code == 2);
+  CHECK(nameless.says("offers.csv has no column part_number"));
+}

@@ -2,6 +2,8 @@
 // `catalogue import` as a user meets it: what is written, and what never is.
 #include <unistd.h>
 
+#include <nlohmann/json.hpp>
+
 #include "app/program.h"
 #include "catch.h"
 
@@ -149,6 +151,51 @@ TEST_CASE("Options of an import that make no sense are pointed at") {
             .says("command line:1:12: error: mass is named twice"));
   CHECK(shop.run({"catalogue", "import", "nothing.csv", "--family", "steppers"}).says("cannot be opened"));
   CHECK(shop.run({"catalogue", "import", ".", "--family", "steppers"}).exit_code == 2);
+}
+
+TEST_CASE("An import tells programs what it found and wrote") {
+  const Workshop shop;
+  shop.write("prices.csv", table);
+  const Outcome shown = shop.run(import({"--family", "steppers", "--json", "-"}));
+  CHECK(shown.exit_code == 1);
+  const auto proposed = nlohmann::json::parse(shown.out);
+  CHECK(proposed.at("command") == "catalogue import");
+  CHECK(proposed.at("family") == "steppers");
+  CHECK(proposed.at("rows") == 2);
+  CHECK(proposed.at("written").is_null());
+  const auto& torque = proposed.at("columns").at(3);
+  CHECK(torque.at("header") == "Torque (N.cm)");
+  CHECK(torque.at("column") == "holding_torque");
+  CHECK(torque.at("unit") == "N.cm");
+  CHECK(torque.at("unit_origin") == "header");
+  CHECK(torque.at("decimal") == "point");
+  CHECK(torque.at("confidence").get<double>() > 0.5);
+  const auto& kept = proposed.at("columns").at(7);
+  CHECK(kept.at("column").is_null());
+  CHECK(kept.at("kept_as") == "x_stock");
+  const Outcome written =
+      shop.run(import({"--family", "steppers", "--output", "steppers.csv", "--yes", "--json", "result.json"}));
+  CHECK(written.exit_code == 0);
+  CHECK(written.prints("2 rows written"));
+  const auto json = nlohmann::json::parse(shop.read("result.json"));
+  CHECK(json.at("written") == "steppers.csv");
+  CHECK(json.at("rows_written") == 2);
+  CHECK(json.at("errors") == 0);
+  shop.write("prices.csv", std::string(table) + "ACME,009,1.8,126000,2.8 A,1,20,1\n");
+  const Outcome wrong = shop.run(
+      import({"--family", "steppers", "--output", "steppers.csv", "--yes", "--force", "--json", "result.json"}));
+  CHECK(wrong.exit_code == 2);
+  const auto failed = nlohmann::json::parse(shop.read("result.json"));
+  CHECK(failed.at("written").is_null());
+  CHECK(failed.at("errors").get<int>() > 0);
+  CHECK(failed.at("findings").at(0).at("file") == "prices.csv");
+  // What is read is never written over, and no two outputs are one file.
+  const std::string before = shop.read("prices.csv");
+  CHECK(shop.run(import({"--family", "steppers", "--json", "prices.csv", "--force"})).exit_code == 2);
+  CHECK(shop.read("prices.csv") == before);
+  CHECK(shop.run(import({"--family", "steppers", "--output", "a.csv", "--yes", "--json", "a.csv"}))
+            .says("--json cannot be one file with --output or --save-mapping"));
+  CHECK_FALSE(shop.has("a.csv"));
 }
 
 }  // namespace

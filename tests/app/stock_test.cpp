@@ -62,6 +62,66 @@ TEST_CASE("A row of a user's own catalogue may say itself that it is owned or ca
   CHECK(cost(solved(shop, {"--catalogue", "mine"})) == cost(solved(shop, {"--without", name})));
 }
 
+TEST_CASE(
+    "A preferred part is chosen where it costs little more, at real prices, and the answer says what it may cost") {
+  const Workshop shop;
+  const auto driver = [](const Json& result) { return part(result, "driver"); };
+  const Json plain = solved(shop, {});
+  CHECK_FALSE(plain.at("objective").contains("compared_value"));
+  // The next best build with another driver: with just its premium, and a little less.
+  const std::string chosen = driver(plain).at("part_number");
+  const Json other = solved(shop, {"--without", chosen});
+  const std::string name = driver(other).at("part_number");
+  const double dearer = cost(other) - cost(plain), price = driver(other).at("price");
+  REQUIRE(dearer > 0.0);
+  const double needed = dearer / (price - dearer);  // price / (1 + needed) = price - dearer
+  REQUIRE(needed < 0.99);
+  shop.write("mine/stock.csv", fmt::format("part_number,available\n{},preferred\n", name));
+  const auto with = [&](double premium, const std::vector<std::string>& more) {
+    std::vector<std::string> words{"--catalogue",
+                                   "mine",
+                                   "--set",
+                                   "objective.minimise=cost",
+                                   "--set",
+                                   fmt::format("objective.preference={:.6f}", premium)};
+    words.insert(words.end(), more.begin(), more.end());
+    return solved(shop, words);
+  };
+  const Json taken = with(1.01 * needed, {});
+  CHECK(driver(taken).at("part_number") == name);
+  CHECK(driver(taken).at("preferred") == true);
+  CHECK(cost(taken) == Approx(cost(other)).epsilon(1e-9));
+  const Json& objective = taken.at("objective");
+  CHECK(objective.at("value").get<double>() == Approx(cost(taken)));
+  CHECK(objective.at("compared_value").get<double>() ==
+        Approx(cost(taken) - price * (1.0 - 1.0 / (1.0 + 1.01 * needed))).epsilon(1e-5));
+  CHECK(objective.at("lower_bound").get<double>() <= objective.at("compared_value").get<double>() * (1.0 + 1e-9));
+  CHECK(driver(with(0.99 * needed, {})).at("part_number") == chosen);
+  CHECK(cost(with(0.99 * needed, {})) == Approx(cost(plain)).epsilon(1e-9));
+  // A budget is about real prices.
+  const Json limited = with(1.01 * needed, {"--limit", fmt::format("cost={:.4f}", cost(plain) + 0.5 * dearer)});
+  CHECK(driver(limited).at("part_number") == chosen);
+  const Outcome text = shop.run({"solve",
+                                 lifter,
+                                 "--catalogue",
+                                 "mine",
+                                 "--set",
+                                 "objective.minimise=cost",
+                                 "--set",
+                                 fmt::format("objective.preference={:.6f}", 1.01 * needed),
+                                 "--report",
+                                 "r.html"});
+  CHECK(text.prints("preferred parts up to"));
+  CHECK(text.prints("  Preferred: "));
+  CHECK(text.prints("With its preferred parts it costs at most"));
+  CHECK(shop.read("r.html").find("With its preferred parts it costs at most") != std::string::npos);
+  CHECK(shop.run({"solve", lifter, "--set", "objective.minimise=cost", "--set", "objective.preference=5"}).exit_code ==
+        2);
+  // A row may say so of itself, and a stock file takes it back.
+  shop.write("mine/stock.csv", fmt::format("part_number,available\n{},yes\n", name));
+  CHECK(driver(with(1.01 * needed, {})).at("part_number") == chosen);
+}
+
 TEST_CASE("A stock file that names an unknown part stops the run at its place") {
   const Workshop shop;
   shop.write("mine/stock.csv", "part_number,owned\n17HS19-2004S,1\n");

@@ -44,3 +44,26 @@ TEST_CASE("a robust build has no next best") {
   CHECK(outcome.exit_code == 2);
   CHECK(outcome.says("--robust"));
 }
+
+TEST_CASE("every build of pareto --robust is compliant for every value, and the front says so") {
+  const Workshop shop;
+  const Outcome front = shop.run({"pareto", feeder, "--robust", "--json", "front.json", "--report", "front.html"});
+  REQUIRE(front.exit_code == 0);
+  CHECK(front.prints("Every build of it is compliant for every value within the stated"));
+  const auto json = nlohmann::json::parse(shop.read("front.json"));
+  REQUIRE(!json.at("front").empty());
+  std::size_t proved = 0;
+  for (const auto& build : json.at("front")) {
+    // Some are of parts that state no tolerance.
+    const std::string verdict = build.at("tolerances").at("verdict");
+    CHECK((verdict == "compliant" || verdict == "none_stated"));
+    proved += verdict == "compliant";
+  }
+  CHECK(proved > 0);
+  CHECK(shop.read("front.html").find("Every build of it is compliant") != std::string::npos);
+  // Its cheapest build is the one of solve --robust.
+  const Outcome best = shop.run({"solve", feeder, "--robust", "--json", "-"});
+  REQUIRE(best.exit_code == 0);
+  CHECK(json.at("front").at(0).at("totals").at("cost").at("value").get<double>() ==
+        Approx(nlohmann::json::parse(best.out).at("totals").at("cost").at("value").get<double>()).epsilon(1e-3));
+}

@@ -337,5 +337,97 @@ TEST_CASE("Columns whose name begins with x_ are nobody's business") {
   CHECK(text::format(diagnostics).find("is ignored") == std::string::npos);
 }
 
+TEST_CASE("Columns that speak of a figure's source, confidence and tolerance become its companions") {
+  const Imported result = import_csv(
+      "Brand,Part No,Step angle (deg),Holding torque (N.cm),Torque tolerance,Holding torque source,Current (A),"
+      "Rotor inertia (g.cm2),rotor_inertia_confidence,Tolerance of rotor inertia (%),Step angle tolerance,Price source,"
+      "Price (EUR),Mass tolerance\n"
+      "ACME,1,1.8,126,\xC2\xB1 8 %,measured 2026,2.8,480,low,10,\xC2\xB1 5 %,list,24.33,5 %\n"
+      "ACME,2,1.8,44,5 N.cm,-,1.7,57,high,2.5,\xC2\xB1 5 %,list,12.50,5 %\n"
+      "ACME,3,1.8,60,n/a,,1.7,70,,,\xC2\xB1 5 %,,13.50,\n");
+  INFO(result.complaints);
+  REQUIRE(result.good);
+  CHECK(result.meaning("Torque tolerance") == "holding_torque_tolerance");
+  CHECK(result.meaning("Holding torque source") == "holding_torque_source");
+  CHECK(result.meaning("rotor_inertia_confidence") == "rotor_inertia_confidence");
+  CHECK(result.meaning("Tolerance of rotor inertia (%)") == "rotor_inertia_tolerance");
+  CHECK(result.meaning("Price source") == "price_source");
+  // A step angle takes no tolerance, and of masses the table has none: kept as they are.
+  CHECK(result.meaning("Step angle tolerance") == "x_step_angle_tolerance");
+  CHECK(result.meaning("Mass tolerance") == "x_mass_tolerance");
+  CHECK(result.column("Tolerance of rotor inertia (%)").unit == "%");
+  const Table table = result.table(Family::steppers);
+  REQUIRE(table.rows() == 3);
+  const Column torque = column(Family::steppers, "holding_torque");
+  const Column inertia = column(Family::steppers, "rotor_inertia");
+  // 8 % of 1.26 N.m; 5 N.cm; of 480e-7 kg.m2 a tenth, of 57e-7 2.5 %.
+  CHECK(table.half_width(0, torque) == Approx(0.08 * 1.26));
+  CHECK(table.half_width(1, torque) == Approx(0.05));
+  CHECK_FALSE(table.half_width(2, torque) > 0.0);
+  CHECK(table.half_width(0, inertia) == Approx(0.1 * 480e-7));
+  CHECK(table.half_width(1, inertia) == Approx(0.025 * 57e-7));
+  CHECK(table.figure_source(0, torque) == "measured 2026");
+  CHECK(table.figure_confidence(0, inertia) == "low");
+  CHECK(table.figure_confidence(1, inertia) == "high");
+}
+
+TEST_CASE("Companions in German, with decimal commas, and by a mapping file that is replayed") {
+  const std::string contents =
+      "Artikelnummer;Haltemoment (Ncm);Haltemoment Toleranz;Quelle Haltemoment;Nennstrom (A);Schrittwinkel "
+      "(deg);Preis (EUR)\n"
+      "S1;126,5;\xC2\xB1 2,5 %;Datenblatt 3;2,8;1,8;49,90\n";
+  ImportRequest request = asking({{"manufacturer", "Nanotec"}});
+  const Imported result = import_csv(contents, request);
+  INFO(result.complaints);
+  REQUIRE(result.good);
+  const Column torque = column(Family::steppers, "holding_torque");
+  const Table table = result.table(Family::steppers);
+  CHECK(table.half_width(0, torque) == Approx(0.025 * 1.265));
+  CHECK(table.figure_source(0, torque) == "Datenblatt 3");
+  const TemporaryFolder folder;
+  const auto replayed = [&](const std::string& mapping, const std::string& prices) {
+    const std::string file = folder.write("m.toml", mapping).string();
+    ImportRequest again;
+    text::Diagnostics diagnostics;
+    read_mapping(file, again, diagnostics);
+    if (diagnostics.has_errors()) throw std::runtime_error(text::format(diagnostics));
+    return import_csv(prices, again);
+  };
+  const std::string mapping = mapping_text(*result.mapping, request, true);
+  CHECK(mapping.find("holding_torque_tolerance = { from = \"Haltemoment Toleranz\" }") != std::string::npos);
+  const Imported second = replayed(mapping, contents);
+  INFO(second.complaints);
+  REQUIRE(second.good);
+  CHECK(second.text == result.text);
+  // Named by somebody, with the unit of its figures.
+  const std::string own =
+      "family = \"steppers\"\n[constants]\nmanufacturer = \"N\"\ncurrency = \"EUR\"\n[columns]\n"
+      "part_number = { from = \"A\" }\nstep_angle = { from = \"S\", unit = \"deg\" }\n"
+      "holding_torque = { from = \"H\", unit = \"N.cm\" }\nrated_current = { from = \"I\", unit = \"A\" }\n"
+      "price = { from = \"P\" }\nholding_torque_tolerance = { from = \"T\", unit = \"N.cm\" }\n";
+  const Imported named = replayed(own, "A,S,H,I,P,T\n1,1.8,126,2.8,20,12\n");
+  INFO(named.complaints);
+  REQUIRE(named.good);
+  CHECK(named.table(Family::steppers).half_width(0, torque) == Approx(0.12));
+  const Imported missing = replayed(own, "A,S,H,I,P,Q\n1,1.8,126,2.8,20,12\n");
+  CHECK_FALSE(missing.good);
+  CHECK(missing.says("the table has no column 'T'"));
+}
+
+TEST_CASE("A companion that is no tolerance, or of another unit than its column, is an error at its cell") {
+  const std::string head = "Brand,Part No,Step angle (deg),Torque (N.cm),Current (A),Price (EUR),Torque tolerance";
+  const Imported words = import_csv(head + "\nACME,1,1.8,126,2.8,20,rough\n");
+  CHECK_FALSE(words.good);
+  CHECK(words.says("table.csv:2:23: error: holding_torque_tolerance: 'rough' is no tolerance"));
+  const Imported both = import_csv(head + " (%)\nACME,1,1.8,126,2.8,20,5 N.cm\n");
+  CHECK_FALSE(both.good);
+  CHECK(both.says("has another unit than its column, %"));
+  // A bare 5 is five times the figure: lint says so, nothing is guessed.
+  const Imported bare = import_csv(head + "\nACME,1,1.8,126,2.8,20,5\n");
+  CHECK_FALSE(bare.good);
+  CHECK(bare.says("is as large as the figure itself"));
+  CHECK(import_csv(head + "\nACME,1,1.8,126,2.8,20,0.05\n").good);
+}
+
 }  // namespace
 }  // namespace millwright::catalogue

@@ -96,3 +96,25 @@ TEST_CASE("errors of the files are told by lint too, and one file finds its neig
   CHECK_FALSE(has(folders.lint("suppliers.csv"), "sells no part"));
   CHECK(folders.summary.files == 2);
 }
+
+TEST_CASE("terms of cutting that no seller has are doubted, as a family's own columns are") {
+  const Folders folders;
+  folders.parts.write(
+      "steel_sections/a.csv",
+      "manufacturer,part_number,kind,height [mm],width [mm],area [mm2],mass_per_length [kg/m],second_moment_x [mm4],"
+      "second_moment_y [mm4],material,elastic_modulus [MPa],price_per_length [1/m],currency\n"
+      "Acme,B20,square tube,20,20,200,1.6,10000,10000,steel,200000,50,USD\n");
+  folders.mine.write("offers.csv",
+                     "part_number,supplier,price_per_length [1/m],currency,stock_length [mm],"
+                     "cutting_loss [mm],cut_price\n"
+                     "B20,Shop A,50,USD,3000,3,2\n"      // in order
+                     "B20,Shop B,50,USD,300000,3,2\n"    // longer than any bar
+                     "B20,Shop C,50,USD,3000,60,2\n"     // wider than any saw
+                     "B20,Shop D,50,USD,3000,3,800\n");  // more than five bars of 150
+  const std::string told = folders.lint();
+  CHECK(has(told, "offers.csv:3:1: warning: B20: stock_length 300000 mm is outside the plausible 100 to 20000"));
+  CHECK(has(told, "offers.csv:4:1: warning: B20: cutting_loss 60 mm is outside the plausible 0 to 50"));
+  CHECK(has(told, "offers.csv:5:1: warning: B20: cut_price 800 USD is more than 5 bars cost there, 750"));
+  CHECK(folders.summary.warnings == 3);
+  CHECK(folders.summary.errors == 0);
+}

@@ -167,3 +167,36 @@ TEST_CASE("the shipped catalogues are found beside an installed program and abov
   const auto found = shipped_catalogues(tree.path() / "build/release/src/millwright");
   CHECK(std::filesystem::exists(found / "steppers"));
 }
+
+TEST_CASE("files of a family are put together whichever is the longer one and whatever columns they have") {
+  const std::string more =
+      "manufacturer,part_number,step_angle [deg],holding_torque [N.m],mass [kg],rated_current "
+      "[A],price,currency,note\n";
+  for (const int first : {1, 3, 400}) {
+    for (const int second : {1, 5, 900}) {
+      const TemporaryFolder folder;
+      std::string a = motors, b = more;
+      for (int i = 0; i < first; ++i) a += "Acme,A" + std::to_string(i) + ",1.8,1.5,2,10,USD\n";
+      for (int i = 0; i < second; ++i) b += "Acme,B" + std::to_string(i) + ",1.8,2.5,0.5,2,20,USD,\"a \"\"b\"\"\"\n";
+      folder.write("steppers/a.csv", a);
+      folder.write("steppers/b.csv", b);
+      folder.write("steppers/c.csv", motors + "Acme,C,1.8,3.5,2,30,USD\n");
+      text::Diagnostics diagnostics;
+      const Catalogue catalogue = Catalogue::load({folder.path()}, diagnostics);
+      INFO(text::format(diagnostics));
+      REQUIRE(diagnostics.count() == 0);
+      const Table& table = catalogue.table(Family::steppers);
+      REQUIRE(table.rows() == first + second + 1);
+      CHECK(torque_of(catalogue, "A0", "Acme") == 1.5);
+      CHECK(torque_of(catalogue, "C", "Acme") == 3.5);
+      const int last = table.find("B" + std::to_string(second - 1), "Acme").rows.front();
+      CHECK(table.number("mass", last) == 0.5);
+      CHECK(table.text("note", last) == "a \"b\"");
+      CHECK(table.price(last).piece == 20.0);
+      CHECK(std::isnan(table.number("mass", 0)));
+      CHECK(table.text("note", 0).empty());
+      CHECK(std::isnan(table.price(0).length));
+      CHECK(table.where(last).line == second + 1);
+    }
+  }
+}

@@ -77,7 +77,7 @@ TEST_CASE("Everything wrong in a stock file is reported at its place") {
   CHECK(said(2, "M3"));
   CHECK(said(3, "M1"));  // of two makers
   CHECK(said(4, "1.5 pieces"));
-  CHECK(said(5, "neither yes nor no"));
+  CHECK(said(5, "none of yes, no and preferred"));
   CHECK(said(6, "nothing is said"));
   CHECK(said(7, "cut to length"));
   CHECK(said(8, "not available"));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Machines of which some parts lie in the drawer: the best builds against all builds, whose price is worked out from
-// what each of them is made of.
+// Machines of which some parts lie in the drawer, or are preferred: the best builds against all builds, whose price is
+// worked out from what each of them is made of.
 #include <fmt/format.h>
 
 #include <map>
@@ -71,16 +71,27 @@ void write_offers(const TemporaryFolder& folder, const Offers& offers) {
   folder.write("drivers/offers.csv", drivers);
 }
 
-TemporaryFolder& write_stock(TemporaryFolder& folder, const Owned& owned) {
-  std::string text = "part_number,owned\n";
-  for (const auto& [part, pieces] : owned) text += fmt::format("{},{}\n", part, pieces);
+using Preferred = std::set<std::string>;
+
+TemporaryFolder& write_stock(TemporaryFolder& folder, const Owned& owned, const Preferred& preferred = {}) {
+  std::string text = "part_number,owned,available\n";
+  for (const auto& [part, pieces] : owned)
+    text += fmt::format("{},{},{}\n", part, pieces, preferred.contains(part) ? "preferred" : "");
+  for (const std::string& part : preferred)
+    if (!owned.contains(part)) text += fmt::format("{},,preferred\n", part);
   folder.write("stock.csv", text);
   return folder;
 }
 
-/// What a build costs less than the sum of its single pieces: for those that are there, and by the offers.
-Discount saving(const MachineModel& model, const Owned& owned, const Offers& offers = {}) {
-  return [&model, owned, offers](const std::vector<std::vector<solver::Row>>& rows) {
+/// What a build costs less than the sum of its single pieces: for those that are there, and by the offers. With a
+/// premium, what it costs less where preferred parts are compared; builds above the budget cost a million more.
+struct Wanted {
+  Preferred preferred;
+  double premium = 0.0;
+  double budget = std::numeric_limits<double>::infinity();
+};
+Discount saving(const MachineModel& model, const Owned& owned, const Offers& offers = {}, const Wanted& wanted = {}) {
+  return [&model, owned, offers, wanted](const std::vector<std::vector<solver::Row>>& rows) {
     std::map<std::string, std::pair<double, double>> taken;  // pieces, price of one
     for (std::size_t stage = 0; stage < rows.size(); ++stage)
       for (std::size_t slot = 0; slot < rows[stage].size(); ++slot)
@@ -89,15 +100,16 @@ Discount saving(const MachineModel& model, const Owned& owned, const Offers& off
           pieces += use.quantity;
           price = use.price / use.quantity;
         }
-    double sum = 0.0;
+    double sum = 0.0, real = 0.0;
     for (const auto& [part, count] : taken) {
       const auto there = owned.find(part);
       const double needed = std::max(0.0, count.first - (there == owned.end() ? 0.0 : there->second));
       const auto offer = offers.find(part);
       const double paid = offer == offers.end() ? needed * count.second : offer->second.price(static_cast<int>(needed));
-      sum += count.first * count.second - paid;
+      sum += count.first * count.second - paid / (wanted.preferred.contains(part) ? 1.0 + wanted.premium : 1.0);
+      real += paid;
     }
-    return sum;
+    return real > wanted.budget ? sum - 1e6 : sum;
   };
 }
 
@@ -256,4 +268,155 @@ TEST_CASE("A single piece in stock goes to one axis and the other takes what is 
   CHECK(motors == std::vector<std::string>{"M17", "M23"});
   CHECK(paid == 9.0);
   require_sound(found.designs[0], owned);
+}
+
+namespace {
+
+/// The compared cost of a design, worked out from its lines.
+double compared_cost(const Design& design, const Wanted& wanted) {
+  double sum = 0.0;
+  for (const evaluation::PartLine& part : design.parts) {
+    CHECK(part.preferred == wanted.preferred.contains(part.part_number));
+    sum += part.preferred ? part.price / (1.0 + wanted.premium) : part.price;
+  }
+  return sum;
+}
+
+/// Offers of couplings and drivers, owned pieces and preferred parts, all at random.
+struct Choice {
+  Offers offers;
+  Owned owned;
+  Wanted wanted;
+};
+
+Choice random_choice(unsigned seed) {
+  std::mt19937 random(seed);
+  const auto between = [&](double low, double high) {
+    return std::round(100.0 * (low + (high - low) * static_cast<double>(random() >> 8U) / 16777216.0)) / 100.0;
+  };
+  Choice choice;
+  for (const char* part : {"K8", "K12", "D2", "D4"}) {
+    Offer offer{between(4.0, 12.0), {}, 1 + static_cast<int>(random() % 3)};
+    if (random() % 2 == 0) offer.breaks.emplace_back(2, std::round(100.0 * between(0.3, 1.0) * offer.single) / 100.0);
+    choice.offers[part] = offer;
+  }
+  for (const char* part : {"M23", "K8", "D4", "F6"})
+    if (random() % 4 == 0) choice.owned[part] = 1.0;
+  for (const char* part : {"M17", "M23", "M23L", "D2", "D4", "K8", "K12", "F6", "F10", "P24-350", "P36-350", "Tr16x4"})
+    if (random() % 3 == 0) choice.wanted.preferred.insert(part);
+  constexpr double premiums[] = {0.0, 0.05, 0.25, 1.0};
+  choice.wanted.premium = premiums[seed % 4];
+  return choice;
+}
+
+}  // namespace
+
+TEST_CASE("With preferred parts the best build and the front equal those of all builds, compared by their prices") {
+  std::size_t compared = 0, dearer = 0, limited = 0, heavier = 0;
+  for (unsigned seed = 0; seed < (sanitized ? 4 : 16); ++seed) {
+    auto [offers, owned, wanted] = random_choice(seed);
+    const TinyCatalogue tiny([&offers = offers](const std::string& part, PriceAndMass usual) {
+      const auto offer = offers.find(part);
+      return PriceAndMass{offer == offers.end() ? usual.price : offer->second.single, usual.mass};
+    });
+    TemporaryFolder overlay;
+    write_offers(overlay, offers);
+    const catalogue::Catalogue stocked =
+        catalogue_of({tiny.path(), write_stock(overlay, owned, wanted.preferred).path()});
+    machine::Problem problem = two_axes(4.0 + 8.0 * (seed % 3));
+    problem.preference = wanted.premium;
+    machine::Problem everything = problem;
+    for (machine::Axis& axis : everything.axes) axis.keep_every_candidate = true;
+    const MachineModel plain(everything, tiny.parts());
+    INFO("machine " << seed);
+    machine::Problem indifferent = problem;
+    indifferent.preference.reset();
+    const MachineModel without(indifferent, stocked);
+    CHECK_FALSE(without.prefers());
+    const Synthesis cheapest = solved(without, {"cost"});
+    if (cheapest.designs.empty()) continue;
+    CHECK_FALSE(cheapest.designs[0].preference);
+    // Every third machine may cost but little more than the least.
+    if (seed % 3 == 1) {
+      wanted.budget = 1.02 * cheapest.designs[0].cost;
+      problem.cost_limit = wanted.budget;
+    }
+    const MachineModel model(problem, stocked);
+    REQUIRE(model.prefers());
+    const Exhaustive all(plain, saving(plain, owned, offers, wanted));
+    const Synthesis best = solved(model, {"cost"});
+    REQUIRE(best.designs.size() == 1);
+    const Design& design = best.designs[0];
+    require_sound(design, owned);
+    CHECK(best.status == solver::Status::optimal);
+    REQUIRE(design.preference);
+    // What is preferred at just its premium is chosen still, by a millionth.
+    CHECK(design.preference->compared_cost == Approx(compared_cost(design, wanted)).epsilon(2e-6));
+    CHECK(design.preference->compared_cost == Approx(all.least(&BuildValue::cost)).epsilon(3e-6));
+    CHECK(best.lower_bound <= design.preference->compared_cost * (1.0 + 1e-9));
+    CHECK(design.cost <= wanted.budget * (1.0 + 1e-9));
+    // Not dearer than the cheapest by more than the certificate says.
+    CHECK(design.cost - cheapest.designs[0].cost <= design.cost - design.preference->compared_cost + 1e-9);
+    dearer += design.cost > cheapest.designs[0].cost + 1e-6;
+    limited += seed % 3 == 1;
+    ++compared;
+    const Synthesis front = solved(model, {"cost", "mass"});
+    std::vector<BuildValue> within;
+    for (const BuildValue& value : all.front())
+      if (value.cost < 1e5) within.push_back(value);
+    // Builds that differ by less than that millionth may both be there.
+    std::vector<BuildValue> found;
+    for (const Design& each : front.designs)
+      found.push_back({each.preference ? each.preference->compared_cost : each.cost, each.mass});
+    for (const BuildValue& value : within) {
+      const auto beats = [&](const BuildValue& by) {
+        return by.cost <= value.cost * (1.0 + 3e-6) && by.mass <= value.mass * (1.0 + 1e-9);
+      };
+      CHECK(std::any_of(found.begin(), found.end(), beats));
+    }
+    for (const BuildValue& value : found) {
+      const auto beats = [&](const BuildValue& by) {
+        return by.cost < value.cost * (1.0 - 3e-6) && by.mass <= value.mass * (1.0 + 1e-9);
+      };
+      CHECK(std::none_of(within.begin(), within.end(), beats));
+    }
+    heavier += front.designs.size() > 1;
+    if (sanitized) continue;
+    const Synthesis again = solved(model, {"cost", "mass"}, 2);
+    REQUIRE(again.designs.size() == front.designs.size());
+    for (std::size_t i = 0; i < again.designs.size(); ++i) CHECK(again.designs[i].cost == front.designs[i].cost);
+  }
+  CHECK(compared >= 3);
+  if (sanitized) return;
+  CHECK(dearer > 0);
+  CHECK(limited > 0);
+  CHECK(heavier > 0);
+}
+
+// M17 costs 9 USD. At a premium of 5 % another motor that does the same is taken up to 9.45 USD.
+TEST_CASE("A preferred part is taken up to just its premium and no further") {
+  const auto motor = [](double price, std::optional<double> premium, const char* mark = "preferred") {
+    const TinyCatalogue tiny([price](const std::string& part, PriceAndMass usual) {
+      return PriceAndMass{part == "M23" ? price : usual.price, usual.mass};
+    });
+    TemporaryFolder overlay;
+    overlay.write("stock.csv", fmt::format("part_number,available\nM23,{}\n", mark));
+    machine::Problem problem = two_axes(1.0);
+    problem.preference = premium;
+    const catalogue::Catalogue marked = catalogue_of({tiny.path(), overlay.path()});
+    const Synthesis found = solved(MachineModel(problem, marked), {"cost"});
+    REQUIRE(found.designs.size() == 1);
+    std::string names;
+    for (const evaluation::PartLine& part : found.designs[0].parts)
+      if (part.slot == "motor") names += part.part_number + " ";
+    return names;
+  };
+  CHECK(motor(9.45, 0.05) == "M23 M23 ");
+  CHECK(motor(9.46, 0.05) == "M17 M17 ");
+  CHECK(motor(9.45, 0.05, "yes") == "M17 M17 ");
+  CHECK(motor(9.45, std::nullopt) == "M17 M17 ");
+  // With no premium it goes first among equals, though it is heavier.
+  CHECK(motor(9.0, 0.0) == "M23 M23 ");
+  CHECK(motor(9.0, std::nullopt) == "M17 M17 ");
+  CHECK(motor(9.01, 0.0) == "M17 M17 ");
 }

@@ -28,6 +28,12 @@ struct Market {
   std::vector<Shop> shops = {{"", 0.0, 0.0}};
   std::map<std::string, std::map<std::size_t, double>> offers;  ///< [part][shop]: price
   std::map<std::string, int> owned;
+  std::map<std::string, double> preferred = {};  ///< [part]: by how much of its price it may be dearer, one for all
+
+  [[nodiscard]] double factor(const std::string& part) const {
+    const auto found = preferred.find(part);
+    return found == preferred.end() ? 1.0 : 1.0 / (1.0 + found->second);
+  }
 
   void write(const TemporaryFolder& folder) const {
     std::string text = "supplier,shipping_fee,minimum_order,currency\n";
@@ -37,16 +43,20 @@ struct Market {
     for (const auto& [part, by] : offers)
       for (const auto& [shop, price] : by) text += fmt::format("{},{},{},USD\n", part, shops[shop].name, price);
     folder.write("offers.csv", text);
-    text = "part_number,owned\n";
-    for (const auto& [part, pieces] : owned) text += fmt::format("{},{}\n", part, pieces);
-    if (!owned.empty()) folder.write("stock.csv", text);
+    text = "part_number,owned,available\n";
+    for (const auto& [part, pieces] : owned)
+      text += fmt::format("{},{},{}\n", part, pieces, preferred.contains(part) ? "preferred" : "");
+    for (const auto& [part, premium] : preferred)
+      if (!owned.contains(part)) text += fmt::format("{},,preferred\n", part);
+    if (!owned.empty() || !preferred.empty()) folder.write("stock.csv", text);
   }
 };
 
 /// A piece that a build takes, and what it costs by the catalogue.
 using Piece = std::pair<std::string, double>;
 
-/// The cheapest way to have these pieces: every piece from every shop and from the drawer, every set of orders.
+/// The cheapest way to have these pieces: every piece from every shop and from the drawer, every set of orders. With
+/// preferred parts, the best where what they cost is compared; minimum orders are about what is paid.
 class Cheapest {
  public:
   Cheapest(const Market& market, std::vector<Piece> pieces)
@@ -54,6 +64,7 @@ class Cheapest {
         pieces_(std::move(pieces)),
         left_(market.owned),
         spent_(market.shops.size(), 0.0),
+        compared_(spent_),
         count_(spent_.size(), 0) {
     take(0);
   }
@@ -64,18 +75,22 @@ class Cheapest {
     if (at == pieces_.size()) {
       double sum = 0.0;
       for (std::size_t i = 0; i < spent_.size(); ++i)
-        if (count_[i] > 0) sum += market_.shops[i].fee + std::max(spent_[i], market_.shops[i].minimum);
+        if (count_[i] > 0)
+          sum += market_.shops[i].fee + compared_[i] + std::max(0.0, market_.shops[i].minimum - spent_[i]);
       price = std::min(price, sum);
       return;
     }
-    const auto& [part, usual] = pieces_[at];
+    const auto& part = pieces_[at].first;
+    const double usual = pieces_[at].second;
     const auto buy = [&](std::size_t shop, double price_there) {
-      const double before = spent_[shop];
+      const double before = spent_[shop], compared_before = compared_[shop];
       spent_[shop] += price_there;
+      compared_[shop] += market_.factor(part) * price_there;
       ++count_[shop];
       take(at + 1);
       --count_[shop];
       spent_[shop] = before;
+      compared_[shop] = compared_before;
     };
     if (const auto there = left_.find(part); there != left_.end() && there->second > 0) {
       --there->second;
@@ -90,7 +105,7 @@ class Cheapest {
   const Market& market_;
   std::vector<Piece> pieces_;
   std::map<std::string, int> left_;
-  std::vector<double> spent_;
+  std::vector<double> spent_, compared_;
   std::vector<int> count_;
 };
 
@@ -104,7 +119,7 @@ Discount saving(const MachineModel& model, const Market& market) {
       for (std::size_t slot = 0; slot < rows[stage].size(); ++slot)
         for (const evaluation::PartUse& use : model.candidate(stage, slot, rows[stage][slot]).parts) {
           const std::string part(model.catalogue().table(use.family).part_number(use.row));
-          if (market.offers.contains(part) || market.owned.contains(part))
+          if (market.offers.contains(part) || market.owned.contains(part) || market.preferred.contains(part))
             pieces.emplace_back(part, use.price);
           else
             others += use.price;
@@ -213,6 +228,45 @@ TEST_CASE("With several shops the cheapest build and the front equal those of al
   CHECK(used[1] > 0);
   CHECK(used[2] > 0);
   CHECK(topped_up > 0);
+}
+
+TEST_CASE("With several shops and preferred parts the best build is that of all builds and orders") {
+  std::size_t compared = 0, dearer = 0, ordered = 0;
+  for (unsigned seed = 0; seed < (sanitized ? 3 : 12); ++seed) {
+    std::mt19937 random(300 + seed);
+    Market market = random_market(random, seed);
+    constexpr double premiums[] = {0.0, 0.5, 1.5};
+    const double premium = premiums[seed % 3];
+    for (const char* part : {"M23", "M23L", "D4", "K8", "K12", "F10"})
+      if (random() % 2 == 0) market.preferred[part] = premium;
+    if (market.preferred.empty()) continue;
+    const TinyCatalogue tiny({}, {"ball_screws"});
+    TemporaryFolder overlay;
+    market.write(overlay);
+    const catalogue::Catalogue offered = catalogue_of({tiny.path(), overlay.path()});
+    machine::Problem problem = two_axes(4.0 + 8.0 * (seed % 3));
+    problem.preference = premium;
+    machine::Problem everything = problem;
+    for (machine::Axis& axis : everything.axes) axis.keep_every_candidate = true;
+    const MachineModel plain(everything, tiny.parts());
+    const Exhaustive all(plain, saving(plain, market));
+    INFO("machine " << seed << ", " << all.builds.size() << " compliant builds");
+    const Synthesis best = solved(MachineModel(problem, offered), {"cost"});
+    REQUIRE(best.designs.size() == (all.builds.empty() ? 0 : 1));
+    if (all.builds.empty()) continue;
+    ++compared;
+    const Design& design = best.designs[0];
+    require_sound(design, market);
+    REQUIRE(design.preference);
+    CHECK(design.preference->compared_cost == Approx(all.least(&BuildValue::cost)).epsilon(3e-6));
+    problem.preference.reset();
+    dearer += design.cost > solved(MachineModel(problem, offered), {"cost"}).designs[0].cost + 1e-6;
+    ordered += shops_used(design) > 0;
+  }
+  CHECK(compared >= 2);
+  if (sanitized) return;
+  CHECK(dearer > 0);
+  CHECK(ordered > 0);
 }
 
 // Two motors M17 (9 USD) and two drivers D2 (6 USD): 30 USD. Shop A asks 5 for shipping and has the motors for 7, Shop

@@ -98,9 +98,16 @@ force = "40 N"
 /// How many pieces a slot takes of its length.
 double count_of(const std::string& slot, double spares) { return (slot == "guide" ? 2.0 : 1.0) + spares; }
 
-/// What a build costs less than its lengths by the metre: less than nothing where bars are left over.
-Discount saving(const MachineModel& model, const TermsOf& terms, double spare_screws) {
-  return [&model, terms, spare_screws](const std::vector<std::vector<solver::Row>>& rows) {
+using Factors = std::map<std::string, double>;  ///< by part number: of its price, where builds are compared
+
+double factor_of(const Factors& factors, const std::string& part) {
+  return factors.count(part) > 0 ? factors.at(part) : 1.0;
+}
+
+/// What a build costs less than its lengths by the metre: less than nothing where bars are left over. With factors,
+/// what it costs less where they are compared.
+Discount saving(const MachineModel& model, const TermsOf& terms, double spare_screws, const Factors& factors = {}) {
+  return [&model, terms, spare_screws, factors](const std::vector<std::vector<solver::Row>>& rows) {
     std::map<std::string, std::pair<std::vector<double>, double>> taken;  // lengths, price of a metre
     double saved = 0.0;
     for (std::size_t stage = 0; stage < rows.size(); ++stage)
@@ -112,7 +119,10 @@ Discount saving(const MachineModel& model, const TermsOf& terms, double spare_sc
           const double count = count_of(use.slot, use.slot == "screw" ? spare_screws : 0.0);
           const double usual = count_of(use.slot, 0.0) * use.length * table.price(use.row).length;
           const Terms of = terms.count(part) ? terms.at(part) : Terms();
-          saved += usual - count * (of.cut + (use.slot == "screw" ? 2.0 * of.end : 0.0));
+          const double factor = factor_of(factors, part);
+          // The carriages of a guide cost what they do.
+          saved += usual + (1.0 - factor) * (use.price - usual);
+          saved -= factor * count * (of.cut + (use.slot == "screw" ? 2.0 * of.end : 0.0));
           auto& [lengths, metre] = taken[part];
           metre = table.price(use.row).length;
           lengths.insert(lengths.end(), static_cast<std::size_t>(count), use.length);
@@ -120,10 +130,12 @@ Discount saving(const MachineModel& model, const TermsOf& terms, double spare_sc
     for (const auto& [part, pieces] : taken) {
       const Terms of = terms.count(part) ? terms.at(part) : Terms();
       const auto& [lengths, metre] = pieces;
+      const double factor = factor_of(factors, part);
       if (of.stock > 0.0)
-        saved -= 1e-3 * of.stock * metre * static_cast<double>(fewest_bars(lengths, 1e-3 * of.stock, 1e-3 * of.loss));
+        saved -= factor * 1e-3 * of.stock * metre *
+                 static_cast<double>(fewest_bars(lengths, 1e-3 * of.stock, 1e-3 * of.loss));
       else
-        for (const double length : lengths) saved -= (length + 1e-3 * of.loss) * metre;
+        for (const double length : lengths) saved -= factor * (length + 1e-3 * of.loss) * metre;
     }
     return saved;
   };
@@ -233,6 +245,52 @@ TEST_CASE("With pieces cut from whole bars the cheapest build and the front equa
   CHECK(changed > 0);
   CHECK(shared > 0);
   CHECK(fronts > 0);
+}
+
+TEST_CASE("With pieces cut from bars of preferred parts the best build is that of all builds") {
+  std::size_t compared = 0, dearer = 0, shared = 0;
+  for (unsigned seed = 0; seed < (sanitized ? 3 : 16); ++seed) {
+    std::mt19937 random(500 + seed);
+    const TermsOf terms = random_terms(random);
+    const TinyCatalogue tiny;
+    constexpr double premiums[] = {0.05, 0.5, 2.0};
+    const double premium = premiums[seed % 3];
+    Factors factors;
+    std::string stock = "part_number,available\n";
+    for (const char* part : {"Tr10x2", "Tr16x4", "R12", "R20", "box20", "box60"})
+      if (random() % 3 == 0) {
+        factors[part] = 1.0 / (1.0 + premium);
+        stock += fmt::format("{},preferred\n", part);
+      }
+    if (factors.empty()) continue;
+    TemporaryFolder overlay;
+    write_terms(tiny, overlay, terms);
+    overlay.write("stock.csv", stock);
+    const catalogue::Catalogue sold = catalogue_of({tiny.path(), overlay.path()});
+    machine::Problem problem =
+        bar_machine(250.0 + 50.0 * (seed % 4), 300.0 + 30.0 * (seed % 3), 400.0 + 60.0 * (seed % 4));
+    problem.preference = premium;
+    const MachineModel plain(problem, tiny.parts());
+    const Exhaustive all(plain, saving(plain, terms, 0.0, factors));
+    INFO("machine " << seed << ", " << all.builds.size() << " compliant builds");
+    const Synthesis best = solved(MachineModel(problem, sold), {"cost"});
+    REQUIRE(best.designs.size() == (all.builds.empty() ? 0 : 1));
+    if (all.builds.empty()) continue;
+    ++compared;
+    const Design& design = best.designs[0];
+    require_sound(design);
+    REQUIRE(design.preference);
+    CHECK(design.preference->compared_cost == Approx(all.least(&BuildValue::cost)).epsilon(3e-6));
+    for (const evaluation::BarPurchase& purchase : design.bars)
+      if (factors.count(purchase.part_number) > 0)
+        for (const evaluation::CutBar& bar : purchase.bars) shared += bar.pieces.size() > 1;
+    problem.preference.reset();
+    dearer += design.cost > solved(MachineModel(problem, sold), {"cost"}).designs[0].cost + 1e-6;
+  }
+  CHECK(compared >= 3);
+  if (sanitized) return;
+  CHECK(dearer > 0);
+  CHECK(shared > 0);
 }
 
 namespace {
@@ -386,4 +444,30 @@ TEST_CASE("Two screws come from one bar, and a row whose bar is too short for on
   CHECK(screws({{"Tr10x2", {420.0}}}) == std::vector<std::string>{"Tr10x2", "Tr16x4", "1"});
   // Ends that cost 120 USD in all make the dear one the cheaper one.
   CHECK(screws({{"Tr10x2", {0.0, 0.0, 0.0, 30.0}}}) == std::vector<std::string>{"Tr16x4", "Tr16x4", "0"});
+}
+
+TEST_CASE("Where every bar is shorter than the pieces the answer says so, with both lengths") {
+  const TinyCatalogue tiny;
+  const machine::Problem problem = bar_machine(300.0, 400.0, 500.0);
+  const auto reasons = [&](const TermsOf& terms) {
+    TemporaryFolder overlay;
+    write_terms(tiny, overlay, terms);
+    const catalogue::Catalogue sold = catalogue_of({tiny.path(), overlay.path()});
+    std::string text;
+    for (const evaluation::EmptySlot& slot : solved(MachineModel(problem, sold), {"cost"}).empty_slots)
+      text += slot.axis + "." + slot.slot + ": " + slot.reason + "\n";
+    return text;
+  };
+  CHECK(reasons({{"box20", {2000.0}}, {"box60", {2000.0}}}).empty());
+  // The beams are of 500 mm on x and 650 mm on y.
+  const std::string beams = reasons({{"box20", {400.0}}, {"box60", {450.0}}});
+  CHECK(beams.find("x.beam: what fits axis 'x' there is sold in bars of at most 450 mm (tiny box60), and the shortest "
+                   "piece that it takes is 500 mm") != std::string::npos);
+  CHECK(beams.find("takes is 650 mm") != std::string::npos);
+  // Where one can be had, it is no reason.
+  CHECK(reasons({{"box20", {400.0}}, {"box60", {700.0}}}).empty());
+  const std::string screws = reasons({{"Tr10x2", {200.0}}, {"Tr16x4", {150.0}}});
+  CHECK(screws.find("x.screw: what fits axis 'x' there is sold in bars of at most 200 mm (tiny Tr10x2)") !=
+        std::string::npos);
+  CHECK(screws.find("guide") == std::string::npos);
 }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "text/output_file.h"
 
+#include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -120,4 +122,61 @@ TEST_CASE("when the disk gives no more room, the old file stays whole") {
   CHECK(diagnostics.all()[0].message == "cannot be written: File too large");
   CHECK(contents(path) == "old");
   CHECK(scratch.count() == 1);
+}
+
+namespace {
+
+/// Whether files without a name can be had there.
+bool has_nameless_files(const fs::path& folder) {
+  const int descriptor = ::open(folder.c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0600);
+  if (descriptor < 0) return false;
+  ::close(descriptor);
+  return true;
+}
+
+}  // namespace
+
+TEST_CASE("nothing is left of a file whose writer is killed, and the old one is whole") {
+  const Scratch scratch;
+  if (!has_nameless_files(scratch.root)) return;  // an old file system
+  const std::string path = scratch.path("prices.csv");
+  Diagnostics diagnostics;
+  REQUIRE(write_file_atomically(path, "old", diagnostics));
+  for (const bool there : {true, false}) {
+    const std::string target = there ? path : scratch.path("new.csv");
+    const pid_t writer = ::fork();
+    REQUIRE(writer >= 0);
+    if (writer == 0) {
+      const auto file = OutputFile::open(target, diagnostics);
+      if (file && file->append(std::string(100000, 'x'))) ::kill(::getpid(), SIGKILL);
+      ::_exit(1);
+    }
+    int status = 0;
+    REQUIRE(::waitpid(writer, &status, 0) == writer);
+    CHECK(WIFSIGNALED(status));
+    CHECK(contents(path) == "old");
+    CHECK(scratch.count() == 1);
+  }
+}
+
+TEST_CASE("a file that is not committed leaves nothing") {
+  const Scratch scratch;
+  Diagnostics diagnostics;
+  {
+    const auto file = OutputFile::open(scratch.path("a.csv"), diagnostics);
+    REQUIRE(file);
+    CHECK(file->append("half"));
+    CHECK_FALSE(fs::exists(scratch.path("a.csv")));
+  }
+  CHECK(scratch.count() == 0);
+  const auto first = OutputFile::open(scratch.path("a.csv"), diagnostics);
+  const auto second = OutputFile::open(scratch.path("b.csv"), diagnostics);
+  REQUIRE((first && second));
+  CHECK(first->append("one"));
+  CHECK(second->append("two"));
+  CHECK(first->commit());
+  CHECK(second->commit());
+  CHECK(contents(scratch.path("a.csv")) == "one");
+  CHECK(contents(scratch.path("b.csv")) == "two");
+  CHECK(scratch.count() == 2);
 }

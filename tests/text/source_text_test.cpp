@@ -101,6 +101,31 @@ TEST_CASE("positions agree with counting from the start, on random text") {
   }
 }
 
+TEST_CASE("positions are the same near the beginning, where lines are counted, and behind it") {
+  std::mt19937 random(5);
+  for (const std::size_t line_length : {std::size_t{1}, std::size_t{60}, std::size_t{5000}}) {
+    std::string bytes;
+    while (bytes.size() < 12000) {
+      for (std::size_t i = 0; i < line_length; ++i) bytes += random() % 7 == 0 ? "\xC2\xB5" : "a";
+      bytes += "\n";
+    }
+    const auto text = SourceText::from_string("t", bytes);
+    int line = 1, column = 1;
+    for (std::size_t at = 0; at < bytes.size(); ++at) {
+      const bool inside = (static_cast<unsigned char>(bytes[at]) & 0xC0U) == 0x80U;
+      if (!inside) {
+        const Position place = text->position(at);
+        if (place.line != line || place.column != column) FAIL("at " << at);
+        ++column;
+      }
+      if (bytes[at] == '\n') {
+        ++line;
+        column = 1;
+      }
+    }
+  }
+}
+
 TEST_CASE("UTF-8 is decoded as RFC 3629 says") {
   CHECK(decode("A", 0).value == U'A');
   CHECK(decode("\xC2\xB5", 0).value == 0xB5);
