@@ -8,6 +8,7 @@
 
 #include "evaluation/condition_prices.h"
 #include "evaluation/condition_trials.h"
+#include "evaluation/design_bill.h"
 #include "evaluation/machine_stages.h"
 #include "evaluation/rates.h"
 #include "evaluation/slot_choices.h"
@@ -28,31 +29,6 @@ ConditionSet without(const ConditionSet& set, const ConditionSet& others) {
 }
 
 std::string title_of(const Condition& condition) { return condition.axis + ": " + condition.name; }
-
-/// A build as somebody would write it down.
-machine::BillOfMaterials bill_of(const Design& design) {
-  machine::BillOfMaterials bill;
-  for (const PartLine& part : design.parts) {
-    // Made to measure, told by its dimensions; or a reduction without a name, of which there is only one.
-    if (part.family == "materials" || (part.family.empty() && part.manufacturer.empty())) continue;
-    machine::BomLine line;
-    line.axis = part.axis;
-    line.slot = part.slot;
-    line.manufacturer = part.manufacturer;
-    line.part_number = part.part_number;
-    line.quantity = part.quantity;
-    if (part.length > 0.0) line.length = part.length;
-    bill.lines.push_back(std::move(line));
-  }
-  for (const DimensionLine& dimension : design.dimensions) {
-    machine::BomLine line;
-    line.axis = dimension.axis;
-    line.slot = dimension.name;
-    line.value = dimension.value;
-    bill.lines.push_back(std::move(line));
-  }
-  return bill;
-}
 
 /// Nothing is compliant.
 class Contradictions {
