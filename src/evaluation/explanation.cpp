@@ -152,7 +152,7 @@ class Contradictions {
   }
 
   /// What may be had instead of a condition's giving way: from the first of its stops that is enough as far back as it
-  /// is. Nothing where none is.
+  /// is, with all that was found not to be. Nothing where none is.
   std::optional<Relaxation> instead_of(const ConditionSet& imposed, std::size_t member, std::size_t index) {
     const Condition& condition = trials_.conditions()[member].instead[index];
     const std::string what = "a way out by " + title_of(condition);
@@ -161,20 +161,23 @@ class Contradictions {
       condition.set(asked, to);
     };
     const auto enough = [&](double to) { return trials_.possible(what, [&](Asked& asked) { eased(asked, to); }); };
-    double refused = condition.value;
+    std::vector<double> refused{condition.value};
     for (const double stop : condition.stops) {
       if (!enough(stop)) {
-        refused = stop;
+        refused.push_back(stop);
         continue;
       }
       double accepted = stop;
-      while (accepted - refused > (smallest_change - 1.0) * accepted) {
-        const double middle = 0.5 * (accepted + refused);
-        (enough(middle) ? accepted : refused) = middle;
+      while (accepted - refused.back() > (smallest_change - 1.0) * accepted) {
+        const double middle = 0.5 * (accepted + refused.back());
+        if (enough(middle))
+          accepted = middle;
+        else
+          refused.push_back(middle);
       }
       for (const double to : {rounded_looser(condition, accepted), accepted})
         if (auto design = trials_.best_by("cost", what, [&](Asked& asked) { eased(asked, to); }))
-          return Relaxation{member, true, to, std::move(design), index, {}};
+          return Relaxation{member, true, to, std::move(design), index, {}, std::move(refused)};
     }
     return std::nullopt;
   }
