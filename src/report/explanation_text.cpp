@@ -106,7 +106,7 @@ std::string prices_text(const Explanation& explanation, const std::string& curre
   const std::string unit = heading_unit(explanation, currency);
   std::string out = style.heading("What each thing that is asked costs, all else as it is") + "\n";
   TextTable table({{"axis"},
-                   {"asked", Align::left, 18},
+                   {"asked", Align::left, 22},
                    {"at"},
                    {"now", Align::right, 10},
                    {"eased to", Align::right},
