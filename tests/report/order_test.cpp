@@ -12,7 +12,6 @@
 namespace millwright::report {
 namespace {
 
-using evaluation::Cut;
 using evaluation::PartLine;
 
 PartLine part(const char* axis, const char* slot, const char* family, const char* maker, const char* number) {
