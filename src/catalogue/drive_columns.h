@@ -5,6 +5,7 @@
 // number: name, unit, need, plausible range in that unit, meaning, basis column.
 
 #include "catalogue/column.h"
+#include "catalogue/cut_columns.h"
 
 namespace millwright::catalogue::columns {
 
@@ -79,15 +80,10 @@ inline constexpr ColumnDeclaration ball_screws[] = {
     number("maximum_length", "mm", expected, 50, 15000, "longest shaft supplied"),
     number("dn_limit", "mm.rpm", expected, 10000, 400000, "limit of nominal diameter x speed"),
     text("process", optional, "rolled or ground"),
-    number("stock_length",
-           "mm",
-           optional,
-           100,
-           20000,
-           "length that is sold: only whole bars of it, which pieces are cut from"),
-    number("cutting_loss", "mm", optional, 0, 50, "length that is lost, and paid, with every piece that is cut"),
-    money("cut_price", "", "price of cutting one piece to length"),
-    money("end_machining_price", "", "price of machining one end of a screw for its bearing"),
+    stock_length,
+    cutting_loss,
+    cut_price,
+    end_machining_price,
 };
 
 inline constexpr ColumnDeclaration lead_screws[] = {
@@ -110,15 +106,10 @@ inline constexpr ColumnDeclaration lead_screws[] = {
     number("lead_error_per_300mm", "um", expected, 5, 2000, "lead error over 300 mm"),
     number("maximum_length", "mm", expected, 50, 15000, "longest piece supplied"),
     text("standard", optional, "standard of the thread"),
-    number("stock_length",
-           "mm",
-           optional,
-           100,
-           20000,
-           "length that is sold: only whole bars of it, which pieces are cut from"),
-    number("cutting_loss", "mm", optional, 0, 50, "length that is lost, and paid, with every piece that is cut"),
-    money("cut_price", "", "price of cutting one piece to length"),
-    money("end_machining_price", "", "price of machining one end of a screw for its bearing"),
+    stock_length,
+    cutting_loss,
+    cut_price,
+    end_machining_price,
 };
 
 inline constexpr ColumnDeclaration lead_nuts[] = {
@@ -172,14 +163,9 @@ inline constexpr ColumnDeclaration belts[] = {
     number("pitch_line_offset", "mm", optional, 0.05, 5, "pitch line above the tooth root line of the belt"),
     number("minimum_pulley_teeth", "1", expected, 6, 60, "fewest teeth of a pulley"),
     number("maximum_speed", "m/s", optional, 1, 150, "maximum belt speed"),
-    number("stock_length",
-           "mm",
-           optional,
-           100,
-           20000,
-           "length that is sold: only whole reels of it, which pieces are cut from"),
-    number("cutting_loss", "mm", optional, 0, 50, "length that is lost, and paid, with every piece that is cut"),
-    money("cut_price", "", "price of cutting one piece to length"),
+    stock_length,
+    cutting_loss,
+    cut_price,
 };
 
 inline constexpr ColumnDeclaration pulleys[] = {

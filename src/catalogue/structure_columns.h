@@ -5,6 +5,7 @@
 // columns that every family has. number: name, unit, need, plausible range in that unit, meaning, basis column.
 
 #include "catalogue/column.h"
+#include "catalogue/cut_columns.h"
 
 namespace millwright::catalogue::columns {
 
@@ -101,14 +102,9 @@ inline constexpr ColumnDeclaration linear_guides[] = {
     number("rail_mass_per_length", "kg/m", expected, 0.05, 120, "mass of rail or shaft per length"),
     number("friction_coefficient", "1", expected, 0.0005, 0.05, "coefficient of friction"),
     number("maximum_rail_length", "mm", expected, 50, 10000, "longest rail in one piece"),
-    number("stock_length",
-           "mm",
-           optional,
-           100,
-           20000,
-           "length that is sold: only whole bars of it, which pieces are cut from"),
-    number("cutting_loss", "mm", optional, 0, 50, "length that is lost, and paid, with every piece that is cut"),
-    money("cut_price", "", "price of cutting one piece to length"),
+    stock_length,
+    cutting_loss,
+    cut_price,
 };
 
 inline constexpr ColumnDeclaration extrusions[] = {
@@ -125,14 +121,9 @@ inline constexpr ColumnDeclaration extrusions[] = {
     text("alloy", optional, "alloy and temper"),
     number("elastic_modulus", "MPa", required, 30000, 300000, "elastic modulus"),
     number("yield_strength", "MPa", required, 20, 1000, "yield strength"),
-    number("stock_length",
-           "mm",
-           optional,
-           100,
-           20000,
-           "length that is sold: only whole bars of it, which pieces are cut from"),
-    number("cutting_loss", "mm", optional, 0, 50, "length that is lost, and paid, with every piece that is cut"),
-    money("cut_price", "", "price of cutting one piece to length"),
+    stock_length,
+    cutting_loss,
+    cut_price,
 };
 
 inline constexpr ColumnDeclaration steel_sections[] = {
@@ -153,14 +144,9 @@ inline constexpr ColumnDeclaration steel_sections[] = {
     number("torsion_constant", "mm4", optional, 0.05, 1e11, "torsion constant"),
     text("material", required, "material, a part_number or alias of materials (alternatives divided by slashes)"),
     number("elastic_modulus", "MPa", required, 30000, 300000, "elastic modulus"),
-    number("stock_length",
-           "mm",
-           optional,
-           100,
-           20000,
-           "length that is sold: only whole bars of it, which pieces are cut from"),
-    number("cutting_loss", "mm", optional, 0, 50, "length that is lost, and paid, with every piece that is cut"),
-    money("cut_price", "", "price of cutting one piece to length"),
+    stock_length,
+    cutting_loss,
+    cut_price,
 };
 
 inline constexpr ColumnDeclaration materials[] = {

@@ -159,8 +159,6 @@ std::optional<solver::Build> cheapest_build(const MachineModel& model,
         }
     if (std::holds_alternative<std::unique_ptr<SupplyStage>>(model.entries()[i].stage))
       chosen.front() = least_bad_row(model, model.entries()[i], stage, held.stages[i], build.shared, state);
-    if (!std::all_of(chosen.begin(), chosen.end(), [](const auto& row) { return row.has_value(); }))
-      return std::nullopt;
     std::vector<Row> rows;
     for (const auto& row : chosen) rows.push_back(*row);
     const std::vector<double> free = least_bad_variables(stage, {build.shared, state, rows, {}});

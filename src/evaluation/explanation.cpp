@@ -8,6 +8,7 @@
 
 #include "evaluation/condition_prices.h"
 #include "evaluation/condition_trials.h"
+#include "evaluation/design_bill.h"
 #include "evaluation/machine_stages.h"
 #include "evaluation/rates.h"
 #include "evaluation/slot_choices.h"
@@ -28,31 +29,6 @@ ConditionSet without(const ConditionSet& set, const ConditionSet& others) {
 }
 
 std::string title_of(const Condition& condition) { return condition.axis + ": " + condition.name; }
-
-/// A build as somebody would write it down.
-machine::BillOfMaterials bill_of(const Design& design) {
-  machine::BillOfMaterials bill;
-  for (const PartLine& part : design.parts) {
-    // Made to measure, told by its dimensions; or a reduction without a name, of which there is only one.
-    if (part.family == "materials" || (part.family.empty() && part.manufacturer.empty())) continue;
-    machine::BomLine line;
-    line.axis = part.axis;
-    line.slot = part.slot;
-    line.manufacturer = part.manufacturer;
-    line.part_number = part.part_number;
-    line.quantity = part.quantity;
-    if (part.length > 0.0) line.length = part.length;
-    bill.lines.push_back(std::move(line));
-  }
-  for (const DimensionLine& dimension : design.dimensions) {
-    machine::BomLine line;
-    line.axis = dimension.axis;
-    line.slot = dimension.name;
-    line.value = dimension.value;
-    bill.lines.push_back(std::move(line));
-  }
-  return bill;
-}
 
 /// Nothing is compliant.
 class Contradictions {
@@ -177,7 +153,7 @@ class Contradictions {
   }
 
   /// What may be had instead of a condition's giving way: from the first of its stops that is enough as far back as it
-  /// is. Nothing where none is.
+  /// is, with all that was found not to be. Nothing where none is.
   std::optional<Relaxation> instead_of(const ConditionSet& imposed, std::size_t member, std::size_t index) {
     const Condition& condition = trials_.conditions()[member].instead[index];
     const std::string what = "a way out by " + title_of(condition);
@@ -186,20 +162,23 @@ class Contradictions {
       condition.set(asked, to);
     };
     const auto enough = [&](double to) { return trials_.possible(what, [&](Asked& asked) { eased(asked, to); }); };
-    double refused = condition.value;
+    std::vector<double> refused{condition.value};
     for (const double stop : condition.stops) {
       if (!enough(stop)) {
-        refused = stop;
+        refused.push_back(stop);
         continue;
       }
       double accepted = stop;
-      while (accepted - refused > (smallest_change - 1.0) * accepted) {
-        const double middle = 0.5 * (accepted + refused);
-        (enough(middle) ? accepted : refused) = middle;
+      while (accepted - refused.back() > (smallest_change - 1.0) * accepted) {
+        const double middle = 0.5 * (accepted + refused.back());
+        if (enough(middle))
+          accepted = middle;
+        else
+          refused.push_back(middle);
       }
       for (const double to : {rounded_looser(condition, accepted), accepted})
         if (auto design = trials_.best_by("cost", what, [&](Asked& asked) { eased(asked, to); }))
-          return Relaxation{member, true, to, std::move(design), index, {}};
+          return Relaxation{member, true, to, std::move(design), index, {}, std::move(refused)};
     }
     return std::nullopt;
   }

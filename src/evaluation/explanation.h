@@ -25,6 +25,9 @@ struct Relaxation {
   std::optional<Design> design;  ///< the cheapest build then
   std::optional<std::size_t> instead = std::nullopt;  ///< by that of what may be had instead of the condition
   std::vector<Check> broken{};  ///< checks that stand against the same build if the condition does not give way
+  /// Of what may be had instead, less than `to`: values with which nothing is compliant, ascending. Less of it may be
+  /// too little here and enough further down, so that nothing is known of what lies between them.
+  std::vector<double> refused{};
 
   /// What is changed.
   [[nodiscard]] const machine::Condition& changed(const std::vector<machine::Condition>& conditions) const {

@@ -143,6 +143,7 @@ std::vector<UnmetCheck> unmet_checks(const MachineModel& model) {
                           std::string(declarations[k].id),
                           std::string(declarations[k].title),
                           std::string(declarations[k].requirement),
+                          std::string(declarations[k].source),
                           least[i][k].utilisation,
                           {},
                           {}});

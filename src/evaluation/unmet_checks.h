@@ -14,6 +14,7 @@ namespace millwright::evaluation {
 struct UnmetCheck {
   std::string axis, element, id, title;
   std::string requirement;  ///< key of its factor or limit, empty if none
+  std::string source;       ///< of its formula
   /// No build comes below this; 1 is the limit. Not less than useless_utilisation: no part states what is needed.
   double least_utilisation = 0.0;
   std::string slot, nearest;  ///< the slot that says most, and its part that comes nearest; empty where none alone does

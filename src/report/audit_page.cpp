@@ -42,6 +42,10 @@ std::string computed_text(const AuditRow& row) {
   return number_text(row.computed) + (row.computed && !unit.empty() ? " " + unit : "");
 }
 
+std::string remark_cell(const std::string& text) {
+  return text.empty() ? std::string() : "<small>" + escaped(text) + "</small>";
+}
+
 std::string row_id(const AuditRow& row) { return "row-" + identifier(row.id); }
 
 std::string counts_html(const AuditReport& report, const Texts& t) {
@@ -113,7 +117,8 @@ std::string audit_page(const AuditReport& report, const std::string& file, const
                    t("audit.computed"),
                    t("audit.ratio"),
                    t("audit.verdict"),
-                   ""});
+                   ""},
+                  "stacked");
   for (const AuditRow& row : report.rows)
     table.add({escaped(row.axis),
                fmt::format("<a href=\"#{}\">{}</a>", row_id(row), escaped(row.id)),
@@ -122,7 +127,7 @@ std::string audit_page(const AuditReport& report, const std::string& file, const
                escaped(computed_text(row)),
                number_text(row.ratio),
                mark(row.verdict),
-               "<small>" + escaped(row.missing.empty() ? row.factor_name : row.missing) + "</small>"});
+               remark_cell(row.missing.empty() ? row.factor_name : row.missing)});
   body += section("summary",
                   t("summary"),
                   "<p>" + escaped(fmt::format(fmt::runtime(t("audit.count")), report.rows.size())) + "</p>\n" +

@@ -90,7 +90,7 @@ std::string budgets(const Design& design, const std::string& axis, const Texts& 
 std::string checks_table(const Design& design, const std::string& axis, const Texts& t) {
   HtmlTable table("<<>>><<",
                   {t("check.id"), t("check"), t("check.value"), t("check.limit"), t("check.unit"), t("check.used"), ""},
-                  "checks verdicts");
+                  "checks verdicts of-axis");
   for (const Check* check : checks_of(design, axis)) {
     std::string title = escaped(t.said(check->title));
     if (!worst_text(*check).empty()) title += "<small>" + escaped(t.worst(worst_text(*check))) + "</small>";

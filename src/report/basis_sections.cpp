@@ -62,18 +62,20 @@ std::string requirements_html(const MachineResult& result, const Texts& t) {
                    t("check.value"),
                    t("requirements.axes"),
                    t("requirements.meaning"),
-                   t("requirements.from")});
+                   t("requirements.from")},
+                  "stacked");
   for (const RequirementLine& line : result.requirements)
     table.add({"<code>" + escaped(line.key) + "</code>",
                escaped(shown_value(line)),
                escaped(fmt::format("{}", fmt::join(line.axes, " "))),
-               escaped(line.meaning),
+               escaped(t.said(line.meaning)),
                escaped(line.given ? t("requirements.given") : t("requirements.default") + ": " + line.source)});
   return section("requirements", t("requirements"), table.str());
 }
 
 std::string outside_html(const Design& design, const Texts& t) {
-  HtmlTable table("<<<<<", {t("axis"), t("outside.element"), t("check"), t("outside.formula"), t("outside.limit")});
+  HtmlTable table(
+      "<<<<<", {t("axis"), t("outside.element"), t("check"), t("outside.formula"), t("outside.limit")}, "stacked");
   for (const evaluation::OutsideValidity& line : design.outside_validity)
     table.add({escaped(line.axis),
                escaped(line.element),
@@ -102,10 +104,10 @@ std::string assumptions_html(const Design& design, const Texts& t) {
     if (!part.estimate) continue;
     std::vector<std::string> why;
     if (!part.price_basis.empty()) why.push_back(t("parts.price_basis") + ": " + part.price_basis);
-    if (!part.confidence.empty()) why.push_back(t("parts.confidence") + ": " + part.confidence);
+    if (!part.confidence.empty()) why.push_back(t("parts.confidence") + ": " + t.said(part.confidence));
     estimates += fmt::format("<li>{} {}: {} <small>{}</small></li>\n",
-                             escaped(part.axis),
-                             escaped(part.slot),
+                             escaped(t.axis(part.axis)),
+                             escaped(t.slot(part.slot)),
                              escaped(part_name(part)),
                              escaped(fmt::format("{}", fmt::join(why, " · "))));
   }
@@ -144,6 +146,12 @@ std::string bars_table(const Design& design, const Texts& t) {
   return table.empty() ? std::string() : "<h3>" + escaped(t("parts.bars")) + "</h3>\n" + table.str();
 }
 
+/// What it is called, and beside that the word for bills of materials and the command line.
+std::string slot_cell(const std::string& slot, const Texts& t) {
+  const std::string called = t.slot(slot);
+  return escaped(called) + (called == slot ? "" : "<small><code>" + escaped(slot) + "</code></small>");
+}
+
 }  // namespace
 
 std::string parts_table(const MachineResult& result, const Design& design, const Texts& t) {
@@ -174,8 +182,8 @@ std::string parts_table(const MachineResult& result, const Design& design, const
       cost -= part.price;
       mass -= part.mass;
       table.add(
-          {first ? "<b>" + escaped(axis == "machine" ? t("machine") : axis) + "</b>" : std::string(),
-           escaped(part.slot) + (part.origin.empty() ? "" : "<small>" + escaped(part.origin) + "</small>"),
+          {first ? "<b>" + escaped(t.axis(axis)) + "</b>" : std::string(),
+           slot_cell(part.slot, t) + (part.origin.empty() ? "" : "<small>" + escaped(part.origin) + "</small>"),
            escaped(part_name(part)) + (part.preferred ? "<small>" + escaped(t("parts.preferred")) + "</small>" : "") +
                (part.paper_only ? "<small class=\"note\">" + escaped(t("parts.paper_only")) + "</small>" : ""),
            scalar::format_number(part.quantity) + unit("x") +
@@ -190,7 +198,7 @@ std::string parts_table(const MachineResult& result, const Design& design, const
            part.mass > 0.0 ? fmt::format("{:.3f}", part.mass) + unit("kg") : "",
            label("parts.supplier") + (part.supplier.empty() ? "<small>" + escaped(t("parts.no_supplier")) + "</small>"
                                                             : escaped(part.supplier)),
-           part.confidence.empty() ? std::string() : label("parts.confidence") + escaped(part.confidence),
+           part.confidence.empty() ? std::string() : label("parts.confidence") + escaped(t.said(part.confidence)),
            notes.of(part)},
           first ? "first" : "");
       first = false;

@@ -23,7 +23,7 @@ std::string given_html(const ElementWorksheet& sheet, const MathPrinter& printer
     out += fmt::format("<div><math><mrow>{}<mo>=</mo>{}</mrow></math> <span>{}</span></div>\n",
                        symbol_mathml(figure.symbol),
                        quantity_mathml(figure.value, scalar::Unit::of(figure.unit), 5),
-                       escaped(figure.meaning));
+                       escaped(t.said(figure.meaning)));
   }
   return out.empty() ? out : "<h5>" + escaped(t("sheet.given")) + "</h5>\n<div class=\"given\">\n" + out + "</div>\n";
 }
@@ -73,7 +73,7 @@ std::string sheet_html(const ElementWorksheet& sheet, const std::vector<const Ch
   std::string out = fmt::format("<details class=\"sheet\" open id=\"sheet-{}-{}\">\n<summary>{}</summary>\n",
                                 identifier(sheet.axis),
                                 identifier(sheet.element),
-                                escaped(fmt::format(fmt::runtime(t("sheet.element")), sheet.element)));
+                                escaped(fmt::format(fmt::runtime(t("sheet.element")), t.slot(sheet.element))));
   out += given_html(sheet, printer, t) + shared_html(printer, t);
   out += "<h5>" + escaped(t("sheet.checks")) + "</h5>\n";
   for (std::size_t i = 0; i < checks.size(); ++i) out += check_html(*checks[i], printer, i, t);

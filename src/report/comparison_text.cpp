@@ -29,7 +29,6 @@ std::string percent_text(double a, double b) {
 }
 
 std::string difference_text(machine::Quantity quantity, double a, double b, const std::string& currency) {
-  if (std::isnan(a) || std::isnan(b)) return {};
   std::string text = quantity_text(quantity, std::abs(b - a), currency);
   const std::string number = text.substr(0, text.find(' '));
   if (number.find_first_of("123456789") == std::string::npos) return "=";
@@ -42,15 +41,13 @@ std::string failed_text(const Design& design, const Style& style) {
   return failed == 0 ? text : style.bad(text);
 }
 
-/// What one looks at first. Quantities that one of both did not count have a dash there.
+/// What one looks at first. What one of both did not count is no difference; its JSON has it.
 std::string headline(const ComparedBuild& a, const ComparedBuild& b, const Style& style) {
   TextTable table({{""}, {"A", Align::right}, {"B", Align::right}, {"B - A", Align::right}, {"", Align::right}});
   for (const machine::QuantityDeclaration& each : machine::quantities()) {
     const double in_a = a.design.total(each.quantity), in_b = b.design.total(each.quantity);
-    if (std::isnan(in_a) && std::isnan(in_b)) continue;
-    const auto shown = [&](double value) {
-      return std::isnan(value) ? std::string(nothing) : quantity_text(each.quantity, value, a.design.currency);
-    };
+    if (std::isnan(in_a) || std::isnan(in_b)) continue;
+    const auto shown = [&](double value) { return quantity_text(each.quantity, value, a.design.currency); };
     table.add({std::string(each.name),
                shown(in_a),
                shown(in_b),

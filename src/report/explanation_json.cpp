@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "report/design_json.h"
+#include "report/explanation_checks.h"
 #include "report/explanation_text.h"
 #include "report/json_value.h"
 #include "report/steering.h"
@@ -40,7 +41,11 @@ Json conflicts_of(const Explanation& explanation, const std::string& currency) {
     for (const evaluation::Relaxation& way : conflict.ways) {
       const Condition& condition = way.changed(explanation.conditions);
       Json json{{"axis", condition.axis}, {"name", condition.name}, {"enough", way.enough}, {"to", number(way.to)}};
-      if (way.instead) json["instead_of"] = explanation.conditions[way.condition].name;
+      if (way.instead) {
+        json["instead_of"] = explanation.conditions[way.condition].name;
+        json["not_enough"] = Json::array();
+        for (const double value : way.refused) json["not_enough"].push_back(number(value));
+      }
       if (!condition.setting.empty()) json["setting"] = condition.setting;
       json["breaks"] = Json::array();
       for (const evaluation::Check& check : way.broken)
@@ -133,6 +138,10 @@ std::string explanation_json(const MachineResult& result, const Explanation& exp
     add_feasible(result, explanation, json);
   else
     add_infeasible(result, explanation, json);
+  json["checks"] = Json::array();
+  for (const NamedCheck& check : named_checks(explanation))
+    json["checks"].push_back(
+        {{"id", check.id}, {"title", check.title}, {"requirement", check.requirement}, {"source", check.source}});
   json["solves"] = explanation.solves;
   json["timing_s"] = {{"total", explanation.seconds}};
   return text_of(json);

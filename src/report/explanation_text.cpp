@@ -7,19 +7,18 @@
 #include <cmath>
 
 #include "report/design_text.h"
+#include "report/explanation_checks.h"
+#include "report/explanation_conflicts.h"
 #include "report/machine_text.h"
 #include "report/tolerance_text.h"
 #include "scalar/unit.h"
 
 namespace millwright::report {
 
-using evaluation::Conflict;
 using evaluation::Design;
 using evaluation::Explanation;
 using evaluation::Price;
-using evaluation::Relaxation;
 using evaluation::SlotChoice;
-using evaluation::UnmetCheck;
 using machine::Condition;
 
 namespace {
@@ -46,163 +45,6 @@ double objective_value(const std::string& objective, double value) {
   const auto quantity = machine::objective_named(objective).single();
   if (!quantity || *quantity == machine::Quantity::cost) return value;
   return scalar::Unit::of(machine::declaration(*quantity).unit).from_si(value);
-}
-
-/// Where a build shows what a lifted choice was replaced by.
-std::string taken(const Condition& condition, const Design& design) {
-  if (condition.slot == "supply_voltage") return scalar::format(design.supply_voltage, scalar::Unit::of("V"));
-  for (const evaluation::PartLine& part : design.parts)
-    if (part.axis == condition.axis && part.slot == condition.slot) return part_name(part);
-  for (const evaluation::DimensionLine& line : design.dimensions)
-    if (line.axis == condition.axis && line.name == condition.slot)
-      return scalar::format(line.value, scalar::Unit::of(line.unit));
-  return {};
-}
-
-std::string way_words(const Explanation& explanation, const Relaxation& way, const std::string& currency) {
-  const Condition& condition = way.changed(explanation.conditions);
-  const std::string from = shown(condition, condition.value, currency);
-  std::string to = "any";
-  if (way.to) {
-    to = shown(condition, *way.to, currency);
-  } else if (condition.name == "--without") {
-    to = "may be used";
-  } else if (way.design) {
-    if (const std::string part = taken(condition, *way.design); !part.empty())
-      to = condition.slot == "supply_voltage" ? part : fmt::format("any; the build has {}", part);
-  }
-  return fmt::format("{}: {} {} -> {}", condition.axis, condition.name, from, to);
-}
-
-/// "; near its limit: z C-ST-TORQUE, Torque at speed, worst phase (99.6 %)": what stands behind the conflict.
-std::string tightest_text(const Design& design) {
-  const evaluation::Check* tightest = nullptr;
-  for (const evaluation::Check& check : design.checks) {
-    const bool counts = check.kind == machine::ConstraintKind::hard && std::isfinite(check.utilisation) &&
-                        check.utilisation < 1.0 && check.id != "C-SYS-COST" && check.id != "C-SYS-MASS";
-    if (counts && (tightest == nullptr || check.utilisation > tightest->utilisation)) tightest = &check;
-  }
-  if (tightest == nullptr || tightest->utilisation < 0.95) return {};
-  return fmt::format(
-      "; near its limit: {} {}, {} ({})", tightest->axis, tightest->id, tightest->title, utilisation_text(*tightest));
-}
-
-/// "as asked it fails z C-ST-BACK, Back-driving with power off (2145.1 %)": what the condition blocks by.
-std::string broken_text(const Relaxation& way) {
-  constexpr std::size_t named = 3;
-  std::vector<std::string> checks;
-  for (const evaluation::Check& check : way.broken)
-    if (checks.size() < named)
-      checks.push_back(fmt::format("{} {}, {} ({})", check.axis, check.id, check.title, utilisation_text(check)));
-  if (checks.empty()) return {};
-  const std::size_t more = way.broken.size() - checks.size();
-  return fmt::format(
-      "without that it fails {}{}", fmt::join(checks, "; "), more == 0 ? "" : fmt::format("; and {} more", more));
-}
-
-/// What is said of one way out below what is changed.
-std::string way_details(const Relaxation& way, const Condition& changed, const std::string& currency) {
-  std::vector<std::string> details;
-  if (way.design)
-    details.push_back(fmt::format("cheapest build then: {:.2f} {}, {:.3f} kg{}",
-                                  way.design->cost,
-                                  currency,
-                                  way.design->mass,
-                                  tightest_text(*way.design)));
-  if (changed.no_part) details.push_back("what it takes is none of the parts: not in this price and mass");
-  if (std::string broken = broken_text(way); !broken.empty()) details.push_back(std::move(broken));
-  std::string out;
-  for (const std::string& detail : details) out += "      " + wrapped(detail, width - 6, 8) + "\n";
-  return out;
-}
-
-std::string conflict_text(const Explanation& explanation,
-                          const Conflict& conflict,
-                          const std::string& currency,
-                          const Style& style) {
-  std::string out;
-  TextTable table({{"axis"}, {"what is asked", Align::left, 26}, {"", Align::right}, {"where", Align::left, 28}});
-  for (const std::size_t i : conflict.conditions) {
-    const Condition& condition = explanation.conditions[i];
-    table.add({condition.axis,
-               condition.name + (condition.meaning.empty() ? "" : ": " + condition.meaning),
-               shown(condition, condition.value, currency),
-               place_text(condition)});
-  }
-  out += table.str(2, style);
-  if (conflict.ways.empty()) return out + "\n";
-  out += conflict.ways.size() == 1 ? "\n  This is enough, proved by solving (numbers to 1 %):\n"
-                                   : "\n  Any one of these is enough, proved by solving (numbers to 1 %):\n";
-  std::string useless;
-  for (const Relaxation& way : conflict.ways) {
-    if (!way.enough) {
-      const Condition& condition = explanation.conditions[way.condition];
-      useless +=
-          "    " +
-          wrapped(fmt::format("not enough alone, another conflict is left: {}: {}", condition.axis, condition.name),
-                  width - 4,
-                  6) +
-          "\n";
-      continue;
-    }
-    out += "    " + wrapped(way_words(explanation, way, currency), width - 4, 6) + "\n";
-    out += way_details(way, way.changed(explanation.conditions), currency);
-  }
-  return out + useless + "\n";
-}
-
-std::string unmet_text(const Explanation& explanation, const Style& style) {
-  TextTable table(
-      {{"axis"}, {"check"}, {"", Align::left, 22}, {"at least", Align::right}, {"nearest", Align::left, 19}});
-  for (const UnmetCheck& check : explanation.unmet)
-    table.add({check.axis,
-               check.id,
-               check.title,
-               least_text(check),
-               check.nearest.empty() ? "" : check.slot + " " + check.nearest});
-  if (table.empty()) return {};
-  return style.heading("Checks that fail whatever is chosen, proved") + "\n" + table.str(2, style) + "\n";
-}
-
-std::string empty_text(const Explanation& explanation) {
-  std::string out;
-  for (const evaluation::EmptySlot& slot : explanation.empty_slots)
-    out += "  " + wrapped(fmt::format("{}.{}: {}", slot.axis, slot.slot, slot.reason), width - 2, 4) + "\n";
-  return out.empty() ? out : "Slots without any candidate\n" + out + "\n";
-}
-
-std::string infeasible_text(const MachineResult& result, const Explanation& explanation, const Style& style) {
-  std::string out = style.bad("No compliant build exists in these catalogues.") + "\n";
-  if (explanation.catalogue_lacks) {
-    out +=
-        wrapped(
-            "Not even with all that is asked and could be eased (limits, times, loads, kinds of parts) lifted: parts "
-            "are missing in the catalogues, or what they are to do is beyond all of them.",
-            width,
-            0) +
-        "\n\n";
-    return out + empty_text(explanation) + unmet_text(explanation, style);
-  }
-  const std::size_t count = explanation.conflicts.size();
-  if (count == 0)
-    return out + "Why was not found out before the limit.\n\n" + empty_text(explanation) +
-           unmet_text(explanation, style);
-  out += count == 1 ? "\n" : fmt::format("There are {} separate conflicts; each must be resolved.\n\n", count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const Conflict& conflict = explanation.conflicts[i];
-    const std::size_t members = conflict.conditions.size();
-    const std::string number = count == 1 ? "" : fmt::format("{}. ", i + 1);
-    out += style.heading(number + (members == 1 ? std::string("This cannot be met, proved")
-                                                : fmt::format("These {} contradict each other, and no fewer do, proved",
-                                                              members))) +
-           "\n" + conflict_text(explanation, conflict, result.currency, style);
-  }
-  if (explanation.all_resolved)
-    out += fmt::format("With the first way out of each: {:.2f} {}, {:.3f} kg, proved by solving.\n\n",
-                       explanation.all_resolved->cost,
-                       result.currency,
-                       explanation.all_resolved->mass);
-  return out + empty_text(explanation) + unmet_text(explanation, style);
 }
 
 /// "+4.25", "free" where another choice is as good, "forced".
@@ -264,7 +106,7 @@ std::string prices_text(const Explanation& explanation, const std::string& curre
   const std::string unit = heading_unit(explanation, currency);
   std::string out = style.heading("What each thing that is asked costs, all else as it is") + "\n";
   TextTable table({{"axis"},
-                   {"asked", Align::left, 18},
+                   {"asked", Align::left, 22},
                    {"at"},
                    {"now", Align::right, 10},
                    {"eased to", Align::right},
@@ -392,8 +234,9 @@ std::string explanation_text(const MachineResult& result, const Explanation& exp
     if (!limited || !explanation.prices.empty()) out += prices_text(explanation, result.currency, style);
   } else if (!limited || !explanation.conflicts.empty() || !explanation.unmet.empty() ||
              !explanation.empty_slots.empty()) {
-    out += infeasible_text(result, explanation, style);
+    out += conflicts_text(result, explanation, style);
   }
+  out += named_checks_text(explanation, style);
   return out + fmt::format("time: {:.2f} s, solved {} times\n", explanation.seconds, explanation.solves);
 }
 

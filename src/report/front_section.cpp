@@ -47,9 +47,9 @@ class Pool {
   Json records_ = Json::array();
 };
 
-Json part_record(const PartLine& part) {
-  return {part.axis,
-          part.slot,
+Json part_record(const PartLine& part, const Texts& t) {
+  return {t.axis(part.axis),
+          t.slot(part.slot),
           part_name(part),
           scalar::format_number(part.quantity),
           part.length > 0.0 ? shown_quantity(1e3 * part.length, "mm") : "",
@@ -58,7 +58,7 @@ Json part_record(const PartLine& part) {
 }
 
 Json check_record(const Check& check, const Texts& t) {
-  return {check.axis,
+  return {t.axis(check.axis),
           check.id,
           t.said(check.title),
           shown_quantity(check.value, check.unit),
@@ -118,7 +118,7 @@ Json front_chart(const MachineResult& result, const Texts& t) {
       build["values"].push_back(number(design.total(of)));
       build["shown"].push_back(objective_text(objective, design.total(of), design.currency));
     }
-    for (const PartLine& part : design.parts) build["parts"].push_back(parts.index(part_record(part)));
+    for (const PartLine& part : design.parts) build["parts"].push_back(parts.index(part_record(part, t)));
     for (const std::string& axis : checked_axes(result))
       for (const Check* check : checks_of(design, axis))
         build["checks"].push_back(checks.index(check_record(*check, t)));

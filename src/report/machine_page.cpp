@@ -69,7 +69,7 @@ std::string totals_html(const Design& design, const Texts& t) {
 
 /// Axis, check, value, limit and use: of a check in a table of the summary; its last cell is left to the caller.
 std::vector<std::string> check_cells(const std::string& axis, const Check& check, std::string last, const Texts& t) {
-  return {escaped(axis == "machine" ? t("machine") : axis),
+  return {escaped(t.axis(axis)),
           fmt::format("<a href=\"#{}\">{}</a>", calculation_id(check), escaped(check.id)),
           escaped(t.said(check.title)),
           value_cell(check.value, check.unit),
@@ -123,7 +123,7 @@ std::string tolerances_html(const MachineResult& result, const Design& design, c
 std::string settings_table(const Design& design, const Texts& t) {
   HtmlTable table("<<>", {t("axis"), t("settings.name"), t("check.value")});
   for (const evaluation::DimensionLine& line : design.dimensions)
-    table.add({escaped(line.axis),
+    table.add({escaped(t.axis(line.axis)),
                escaped(line.name),
                value_cell(scalar::Unit::of(line.unit == "m" ? "mm" : line.unit).from_si(line.value),
                           line.unit == "m" ? "mm" : line.unit)});
@@ -140,8 +140,7 @@ std::string navigation(const MachineResult& result, PageKind kind, const Texts& 
   if (kind != PageKind::pareto && !result.designs.empty()) {
     link("machine", t("drawing.title"));
     link("parts", t("parts"));
-    for (const std::string& axis : checked_axes(result))
-      link("axis-" + identifier(axis), axis == "machine" ? t("machine") : axis);
+    for (const std::string& axis : checked_axes(result)) link("axis-" + identifier(axis), t.axis(axis));
     link("requirements", t("requirements"));
   }
   if (kind != PageKind::check) link("certificate", t("certificate"));

@@ -201,9 +201,12 @@ std::string nothing_text(const MachineResult& result, const Style& style) {
                      as_asked(result)) +
          (result.has_budget ? "  The limit of cost or mass counts too: without it, 'solve' says what a build takes.\n"
                             : "") +
-         (result.unmet.empty() ? "  'explain' finds which of the things asked contradict each other.\n"
-                                 "  'check' with a bill of materials (and --complete) shows by how much.\n"
-                               : unmet_text(result, style) + ways_out_text(result));
+         (result.unmet.empty()
+              ? "  'explain' finds which of the things asked contradict each other.\n"
+                "  'check' with a bill of materials (and --complete) shows by how much.\n"
+              : unmet_text(result, style) + ways_out_text(result) +
+                    (result.ways_out.empty() ? "  'explain' finds by how much each of the things asked must give way.\n"
+                                             : ""));
 }
 
 std::string certificate_text(const MachineResult& result, const Style& style, const Texts& t) {

@@ -47,11 +47,11 @@ std::vector<std::pair<std::string, double>> charges(const SupplierTotal& total, 
 std::string order_csv(const OrderList& list) {
   std::string out =
       "line,quantity,unit,description,manufacturer,part_number,supplier,unit_price,currency,price_date,price_is,total,"
-      "used_for\n";
+      "used_for,verify\n";
   const std::string currency = text_cell(list.currency);
   std::size_t number = 0;
   for (const OrderLine& line : list.lines)
-    out += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
+    out += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
                        ++number,
                        plain_number(line.quantity),
                        line.unit,
@@ -64,9 +64,10 @@ std::string order_csv(const OrderList& list) {
                        line.price_date,
                        line.price_estimate ? "estimate" : "",
                        plain_number(line.total),
-                       text_cell(line.used_for));
+                       text_cell(line.used_for),
+                       line.paper_only ? paper_only_note : "");
   const auto sum = [&](const std::string& label, double total) {
-    out += fmt::format(",,,{},,,,,{},,,{},\n", text_cell(label), currency, plain_number(total));
+    out += fmt::format(",,,{},,,,,{},,,{},,\n", text_cell(label), currency, plain_number(total));
   };
   for (const SupplierTotal& each : list.supplier_totals) {
     for (const auto& [label, charge] : charges(each, list.currency)) sum(label, charge);

@@ -116,6 +116,7 @@ void add_part(OrderList& list, const PartLine& part) {
   line.supplier = part.supplier;
   line.price_date = price_date(part.price_basis);
   line.price_estimate = part.price_estimate;
+  line.paper_only = part.paper_only;
   line.used_for = part.axis + "." + part.slot;
   if (part.spares > 0.0) line.used_for += fmt::format(" and {} spare", scalar::format_number(part.spares));
   double metres = 0.0, pieces = 0.0;
@@ -156,6 +157,7 @@ void add_part(OrderList& list, const PartLine& part) {
   // What is there is listed, so that nobody looks for it in vain, and costs nothing.
   line.supplier = in_stock;
   line.price_estimate = false;
+  line.paper_only = false;
   if (part.owned > 0.0) add(false, "pcs", part.owned, 0.0);
 }
 

@@ -13,6 +13,9 @@ namespace millwright::report {
 /// In the place of a supplier.
 inline constexpr const char* in_stock = "(in stock)";
 
+/// What to verify of a part that only a publication names.
+inline constexpr const char* paper_only_note = "known only from a paper";
+
 struct OrderLine {
   double quantity = 0.0;
   std::string unit;  ///< "pcs", "m" or "kg"
@@ -23,6 +26,7 @@ struct OrderLine {
   std::string price_date;       ///< "2026-09-03", "2024-2026", "2026"; empty where the catalogue does not say
   bool price_estimate = false;  ///< nobody has quoted this price
   std::string used_for;         ///< "x.motor, y.motor"
+  bool paper_only = false;      ///< only a publication names the part: does any maker sell it?
   std::size_t family = 0;       ///< place of its kind in the order, as the catalogues'
 };
 

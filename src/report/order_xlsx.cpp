@@ -98,7 +98,8 @@ void write_order(const OrderList& list, lxw_workbook* book, const Formats& forma
                                                         {"price date", 11},
                                                         {"price is", 9},
                                                         {"total", 10},
-                                                        {"used for", 40}};
+                                                        {"used for", 40},
+                                                        {"verify", 24}};
   int at = 0;
   for (const auto& [title, width] : columns) sheet.column(at++, width, title, formats.bold);
   std::size_t row = 0;
@@ -117,6 +118,7 @@ void write_order(const OrderList& list, lxw_workbook* book, const Formats& forma
     sheet.text(row, 10, line.price_estimate ? "estimate" : "");
     sheet.formula(row, 11, fmt::format("=B{0}*H{0}", row + 1), line.total, formats.money);
     sheet.text(row, 12, line.used_for);
+    if (line.paper_only) sheet.text(row, 13, paper_only_note);
   }
   const auto sum = [&](std::size_t at_row, const std::string& label, const std::string& formula, double total) {
     sheet.text(at_row, 3, label, formats.bold);

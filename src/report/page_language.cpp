@@ -60,8 +60,20 @@ std::string filled(std::string_view text, const std::vector<std::string>& number
 
 }  // namespace
 
+std::string Texts::slot(std::string_view name) const {
+  if (language_ == Language::english) return std::string(name);
+  const std::string key = fmt::format("slot.{}", name);
+  for (const PageText& text : page_texts())
+    if (text.key == key) return std::string(text.indonesian);
+  return std::string(name);
+}
+
+std::string Texts::axis(const std::string& name) const { return name == "machine" ? (*this)("machine") : name; }
+
 std::string Texts::said(std::string_view english) const {
   if (language_ == Language::english) return std::string(english);
+  for (const Saying& meaning : meanings())
+    if (meaning.english == english) return std::string(meaning.indonesian);
   std::vector<std::string> numbers;
   const std::string form = with_gaps(english, numbers);
   for (const Saying& saying : sayings()) {

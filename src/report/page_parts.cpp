@@ -85,8 +85,25 @@ std::string section(std::string_view id, const std::string& heading, const std::
   return fmt::format("<section id=\"{}\">\n<h2>{}</h2>\n{}</section>\n", id, escaped(heading), content);
 }
 
+namespace {
+
+/// "Cost <small>USD</small>" as "Cost USD".
+std::string without_tags(std::string_view html) {
+  std::string text;
+  bool inside = false;
+  for (const char c : html) {
+    if (c == '<') inside = true;
+    if (!inside) text += c;
+    if (c == '>') inside = false;
+  }
+  return text;
+}
+
+}  // namespace
+
 HtmlTable::HtmlTable(std::string_view alignment, const std::vector<std::string>& headings, std::string_view css_class)
     : alignment_(alignment), css_class_(css_class) {
+  for (const std::string& heading : headings) labels_.push_back(without_tags(heading));
   for (std::size_t i = 0; i < headings.size(); ++i)
     head_ += fmt::format("<th{}>{}</th>", alignment_[i] == '>' ? " class=\"n\"" : "", headings[i]);
 }
@@ -96,8 +113,13 @@ void HtmlTable::add(const std::vector<std::string>& cells, std::string_view row_
   if (!row_class.empty()) rows_ += fmt::format(" class=\"{}\"", row_class);
   if (!id.empty()) rows_ += fmt::format(" id=\"{}\"", id);
   rows_ += ">";
+  // Stacked on a narrow screen, cells stand below each other and say what they are.
+  const bool stacked = css_class_.find("stacked") != std::string::npos;
   for (std::size_t i = 0; i < cells.size(); ++i)
-    rows_ += fmt::format("<td{}>{}</td>", alignment_[i] == '>' ? " class=\"n\"" : "", cells[i]);
+    rows_ += fmt::format("<td{}{}>{}</td>",
+                         alignment_[i] == '>' ? " class=\"n\"" : "",
+                         stacked && i > 0 && !labels_[i].empty() ? " data-label=\"" + labels_[i] + "\"" : "",
+                         cells[i]);
   rows_ += "</tr>\n";
 }
 

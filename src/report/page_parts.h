@@ -34,6 +34,7 @@ class HtmlTable {
 
  private:
   std::string alignment_, head_, css_class_, rows_;
+  std::vector<std::string> labels_;  ///< the headings without tags
 };
 
 /// "good", "near" the limit, "bad", "over" a soft limit, or "open": the class of what shows a check.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every word of the report page that is ours, in each language it is written in: one table, page_texts.cpp with
-// page_texts_engineering.cpp. What requirements and catalogues say of themselves stays in English.
+// page_texts_engineering.cpp and page_texts_meanings.cpp. What catalogues say of themselves stays in English.
 #pragma once
 
 #include <optional>
@@ -28,6 +28,8 @@ struct Saying {
   std::string_view english, indonesian;
 };
 const std::vector<Saying>& sayings();
+/// The same of what requirements and the figures that a calculation starts from mean.
+const std::vector<Saying>& meanings();
 
 /// The texts of one language.
 class Texts {
@@ -35,7 +37,11 @@ class Texts {
   explicit Texts(Language language) : language_(language) {}
   /// Throws std::logic_error for a key that is not in the table.
   [[nodiscard]] std::string operator()(std::string_view key) const;
-  /// A saying in this language; what is not in the table stays as it is.
+  /// What a slot or an element is called; a member's name is its user's word.
+  [[nodiscard]] std::string slot(std::string_view name) const;
+  /// An axis's name, or what stands for the whole machine.
+  [[nodiscard]] std::string axis(const std::string& name) const;
+  /// A saying or meaning in this language; what is not in the tables stays as it is.
   [[nodiscard]] std::string said(std::string_view english) const;
   /// Sayings with "; " between them.
   [[nodiscard]] std::string clauses(std::string_view english) const;

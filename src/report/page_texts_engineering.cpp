@@ -7,6 +7,9 @@ namespace millwright::report {
 
 const std::vector<Saying>& sayings() {
   static const std::vector<Saying> all{
+      {"high", "tinggi"},
+      {"medium", "sedang"},
+      {"low", "rendah"},
       {"accelerate", "percepatan"},
       {"accelerate at {} %", "percepatan pada {} %"},
       {"cruise", "laju tetap"},

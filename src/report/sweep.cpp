@@ -117,7 +117,9 @@ std::string sweep_text(const Sweep& sweep, const Style& style) {
   out += table.str(2, style);
   if (style.brief) return out;
   if (open) out += "  gap: a build may exist that is so much better; none is proved where it says open.\n";
-  out += "  cycle: every move of every axis with its dwell, one after the other.\n";
+  const bool built = std::any_of(
+      sweep.points.begin(), sweep.points.end(), [](const SweepPoint& point) { return point.design() != nullptr; });
+  if (built) out += "  cycle: every move of every axis with its dwell, one after the other.\n";
   return out + fmt::format("time: {:.2f} s reading, {:.2f} s solving\n", sweep.timing.read, sweep.timing.solve);
 }
 

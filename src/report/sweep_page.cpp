@@ -204,7 +204,7 @@ std::string table(const Sweep& sweep, const Texts& t) {
                                   escaped(t("sweep.proof")),
                                   escaped(t("front.changes"))})
     headings.push_back(each);
-  HtmlTable table(own_column ? ">>>>><<" : ">>>><<", headings, "sweep");
+  HtmlTable table(own_column ? ">>>>><<" : ">>>><<", headings, "sweep stacked");
   const std::vector<std::string> changes = sweep_changes(sweep);
   for (std::size_t i = 0; i < sweep.points.size(); ++i) {
     const SweepPoint& point = sweep.points[i];

@@ -9,11 +9,15 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <limits>
 #include <new>
+#include <string>
+#include <vector>
 
 #include "text/diagnostic.h"
 #include "text/large_pages.h"
+#include "text/nearest.h"
 #include "text/text_check.h"
 #include "text/utf8.h"
 
@@ -95,6 +99,27 @@ std::shared_ptr<const SourceText> SourceText::from_string(std::string path, std:
   return std::make_shared<const SourceText>(std::move(path), std::move(contents));
 }
 
+namespace {
+
+/// "did you mean 'problems/sander.toml'?": a file of the same folder with a similar name, or nothing.
+std::string similar_file(const std::string& path) {
+  namespace fs = std::filesystem;
+  constexpr std::size_t most = 10000;  // looked at
+  const fs::path wanted(path);
+  std::error_code failure;
+  std::vector<std::string> names;
+  const fs::path folder = wanted.has_parent_path() ? wanted.parent_path() : fs::path(".");
+  for (fs::directory_iterator each(folder, failure), end; !failure && each != end && names.size() < most;
+       each.increment(failure))
+    names.push_back(each->path().filename().string());
+  std::sort(names.begin(), names.end());
+  const auto found = nearest(wanted.filename().string(), names);
+  if (!found) return {};
+  return "did you mean '" + printable((wanted.parent_path() / *found).string()) + "'?";
+}
+
+}  // namespace
+
 std::shared_ptr<const SourceText> SourceText::load(const std::string& path,
                                                    Diagnostics& diagnostics,
                                                    std::uintmax_t size_limit) {
@@ -103,7 +128,11 @@ std::shared_ptr<const SourceText> SourceText::load(const std::string& path,
     return nullptr;
   };
   const File file(path.find('\0') == std::string::npos ? path : std::string{});
-  if (!file.is_open()) return refuse(fmt::format("cannot be opened: {}", std::strerror(errno)));
+  if (!file.is_open()) {
+    const int failure = errno;
+    return refuse(fmt::format("cannot be opened: {}", std::strerror(failure)),
+                  failure == ENOENT ? similar_file(path) : std::string());
+  }
   struct stat status {};
   if (::fstat(file.descriptor(), &status) != 0) return refuse(std::strerror(errno));
   if (!S_ISREG(status.st_mode)) return refuse("is " + kind_of(status.st_mode) + ", not a file");

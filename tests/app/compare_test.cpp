@@ -57,6 +57,9 @@ TEST_CASE("Results and bills of materials of the same builds compare alike") {
   const Outcome text = shop.run({"compare", "a.json", "b.csv"});
   CHECK(text.prints("a.json: as recorded by solve of m.toml"));
   CHECK(text.prints("b.csv: a bill of materials, evaluated now with m.toml"));
+  // The result did not count the cycle time, so that there is nothing to compare; of two bills there is.
+  CHECK_FALSE(text.prints("cycle_time"));
+  CHECK(shop.run({"compare", "a.csv", "b.csv", "--problem", "m.toml"}).prints("cycle_time"));
   CHECK(shop.run({"compare", "a.json", "a.json"}).prints("none"));
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // millwright explain as a user sees it.
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "app/program.h"
@@ -101,6 +102,21 @@ TEST_CASE("Parts left out and slots fixed are conditions too") {
       CHECK(way.at("totals").at("cost").at("value").get<double>() == Approx(cost));
     }
   CHECK(left_out);
+  // What fails without a way out, and what is asked as the limit of a check, is told with where its formula is from.
+  std::set<std::string> told;
+  for (const Json& check : json.at("checks")) {
+    CAPTURE(check.dump());
+    CHECK(told.insert(check.at("id").get<std::string>()).second);
+    CHECK_FALSE(check.at("title").get<std::string>().empty());
+    CHECK_FALSE(check.at("source").get<std::string>().empty());
+  }
+  std::size_t broken = 0;
+  for (const Json& way : json.at("conflicts")[0].at("ways_out"))
+    for (const Json& check : way.at("breaks")) {
+      ++broken;
+      CHECK(told.count(check.at("id").get<std::string>()) == 1);
+    }
+  CHECK(broken > 0);
 }
 
 TEST_CASE("A machine that can be built is explained by its choices and prices") {

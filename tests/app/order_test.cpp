@@ -43,7 +43,7 @@ TEST_CASE("The lines of an order add up to the cost of the build, of every shipp
     double sum = 0.0;
     INFO(name);
     for (std::size_t i = 1; i < rows.size(); ++i) {
-      REQUIRE(rows[i].size() == 13);
+      REQUIRE(rows[i].size() == 14);
       if (rows[i][0].empty()) continue;
       CHECK(std::stod(rows[i][1]) * std::stod(rows[i][7]) == Approx(std::stod(rows[i][11])).epsilon(1e-6));
       sum += std::stod(rows[i][11]);
@@ -68,6 +68,7 @@ TEST_CASE("An order of the sander's bill of materials: by hand from bill and cat
   const auto screws = find(rows, 5, "25x10 (paper)");
   REQUIRE(screws.size() == 2);
   CHECK(screws[0][3] == "ball screw nut");
+  for (const auto& screw : screws) CHECK(screw[13] == "known only from a paper");
   CHECK(std::stod(screws[0][11]) == Approx(58.0));
   CHECK(screws[1][2] == "m");
   CHECK(std::stod(screws[1][1]) == Approx(1.32));
@@ -75,6 +76,7 @@ TEST_CASE("An order of the sander's bill of materials: by hand from bill and cat
   // Three drivers at 9 USD, one an axis.
   CHECK(find(rows, 3, "stepper driver").front()[1] == "3");
   CHECK(find(rows, 3, "stepper driver").front()[12] == "x.driver, y.driver, z.driver");
+  CHECK(find(rows, 3, "stepper driver").front()[13].empty());
   const auto cuts = rows_of(shop.read("o-cutting.csv"));
   const auto shafts = find(cuts, 2, "25x10 (paper)");
   REQUIRE(shafts.size() == 3);

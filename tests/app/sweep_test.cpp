@@ -171,6 +171,7 @@ TEST_CASE("A range with points that have no build: the others are shown, and tho
   CHECK(outcome.exit_code == 0);
   CHECK(outcome.prints("0.7 s"));
   CHECK(outcome.prints("none"));
+  CHECK(outcome.prints("cycle:"));
   std::istringstream csv(shop.read("s.csv"));
   std::string line;
   std::getline(csv, line);
@@ -187,6 +188,7 @@ TEST_CASE("A range with points that have no build: the others are shown, and tho
   CHECK(Json::parse(shop.read("s.json"))["points"][0].contains("reason"));
   const Outcome none = shop.run({"solve", "m.toml", "--set", "axis.x.moves[0].time=0.6:0.7:2 s"});
   CHECK(none.exit_code == 1);
+  CHECK_FALSE(none.prints("cycle:"));
 }
 
 TEST_CASE("A range under a time limit says which points are not proved") {

@@ -6,21 +6,13 @@
 
 #include <cmath>
 
-#include "catalogue/read_table.h"
+#include "catalogue/table_of.h"
 #include "catch.h"
 
 using namespace millwright;
 using namespace millwright::catalogue;
 
 namespace {
-
-Table table_of(Family family, const std::string& text) {
-  text::Diagnostics diagnostics;
-  Table table = read_table(text::SourceText::from_string("x.csv", text), family, 0, diagnostics);
-  INFO(text::format(diagnostics));
-  REQUIRE_FALSE(diagnostics.has_errors());
-  return table;
-}
 
 bool nothing(std::string_view) { return false; }
 

@@ -8,21 +8,13 @@
 
 #include "catalogue/lint.h"
 #include "catalogue/plausibility.h"
-#include "catalogue/read_table.h"
+#include "catalogue/table_of.h"
 #include "catch.h"
 
 using namespace millwright;
 using namespace millwright::catalogue;
 
 namespace {
-
-Table table_of(Family family, const std::string& text) {
-  text::Diagnostics diagnostics;
-  Table table = read_table(text::SourceText::from_string("x.csv", text), family, 0, diagnostics);
-  INFO(text::format(diagnostics));
-  REQUIRE_FALSE(diagnostics.has_errors());
-  return table;
-}
 
 /// Carriages of 20 mm, of which only the ratings are given: part number and C each, C0 15 % apart so that none are
 /// twins.

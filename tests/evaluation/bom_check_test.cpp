@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "catch.h"
+#include "evaluation/design_bill.h"
 #include "evaluation/synthesis.h"
 #include "evaluation/tiny_catalogue.h"
 
@@ -57,18 +58,6 @@ BomLine setting(const std::string& axis, const std::string& slot, double value) 
   return line;
 }
 
-/// What a design is made of, as a bill of materials.
-BillOfMaterials bill_of(const Design& design) {
-  BillOfMaterials bom;
-  for (const auto& line : design.parts) {
-    bom.lines.push_back(part(line.axis, line.slot, line.part_number));
-    bom.lines.back().manufacturer = line.manufacturer;
-  }
-  for (const auto& dimension : design.dimensions)
-    bom.lines.push_back(setting(dimension.axis, dimension.name, dimension.value));
-  return bom;
-}
-
 BomCheck checked(const std::vector<BomLine>& lines, bool complete, const char* problem = one_axis) {
   BillOfMaterials bom;
   bom.lines = lines;
@@ -94,7 +83,8 @@ bool says(const BomCheck& result, const std::string& word) {
 }  // namespace
 
 TEST_CASE("The bill of a solved design is found compliant, at the same cost and mass") {
-  const BomCheck again = evaluation::check(problem_of_text(one_axis), parts(), bill_of(cheapest()), false, {});
+  const BomCheck again =
+      evaluation::check(problem_of_text(one_axis), parts(), evaluation::bill_of(cheapest()), false, {});
   for (const auto& p : again.problems) UNSCOPED_INFO(p.message);
   REQUIRE(again.problems.empty());
   CHECK(again.design.satisfied());
@@ -109,7 +99,7 @@ TEST_CASE("The bill of a solved design is found compliant, at the same cost and 
 // D2 bears 30 V, of which 90 % may be used: 27 V. The supply of the bill gives 36 V.
 TEST_CASE("A driver that does not bear the voltage of the bill fails its check, and nothing else happens") {
   BillOfMaterials bom;
-  for (const auto& line : bill_of(cheapest()).lines)
+  for (const auto& line : evaluation::bill_of(cheapest()).lines)
     if (!line.is_dimension() && line.slot != "supply" && line.slot != "driver") bom.lines.push_back(line);
   bom.lines.push_back(part("x", "driver", "D2"));
   bom.lines.push_back(setting("machine", "supply_voltage", 36.0));
@@ -160,7 +150,7 @@ TEST_CASE("A dear part that is held stays, and the rest is the cheapest around i
 TEST_CASE("A bill that cannot comply is evaluated all the same, and says by how much it fails") {
   std::string heavy = one_axis;
   heavy.replace(heavy.find("60 N"), 4, "2500 N");
-  BillOfMaterials bom = bill_of(cheapest());
+  BillOfMaterials bom = evaluation::bill_of(cheapest());
   const BomCheck result = evaluation::check(problem_of_text(heavy), parts(), bom, false, {});
   REQUIRE(result.problems.empty());
   CHECK_FALSE(result.design.satisfied());
@@ -176,7 +166,7 @@ TEST_CASE("Around a bill that fails, the supply is the cheapest that gives volta
   // Two checks of a supply, so it is one by one: 24 V and the power the drives take.
   for (const double volts : {24.0, 36.0}) {
     BillOfMaterials bom;
-    for (const auto& line : bill_of(cheapest()).lines)
+    for (const auto& line : evaluation::bill_of(cheapest()).lines)
       if (!line.is_dimension() && line.slot != "supply" && line.slot != "motor" && line.slot != "driver")
         bom.lines.push_back(line);
     bom.lines.push_back(part("x", "motor", "M34"));
@@ -213,7 +203,7 @@ TEST_CASE("Where a held part fails whatever the ramp, the ramp still keeps the r
     text.replace(text.find("[\"0.1 s\", \"0.5 s\"]"), 18, "[\"0.01 s\", \"0.39 s\"]");
     text += "[axis.require]\nposition_error = \"10 um\"\n";
     text.replace(text.find("structure_mass = \"10 kg\""), 24, "structure_mass = \"60 kg\"");
-    BillOfMaterials bom = bill_of(cheapest());
+    BillOfMaterials bom = evaluation::bill_of(cheapest());
     const auto is_ramp = [](const BomLine& line) { return line.slot == "acceleration_time"; };
     bom.lines.erase(std::remove_if(bom.lines.begin(), bom.lines.end(), is_ramp), bom.lines.end());
     int fewest = 1000, in_the_middle = 0;

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "catch.h"
+#include "evaluation/design_bill.h"
 #include "evaluation/exhaustive.h"
 #include "evaluation/synthesis.h"
 #include "evaluation/tiny_catalogue.h"
@@ -92,21 +93,8 @@ evaluation::Synthesis solved(const MachineModel& model, const std::string& objec
 
 /// The parts and, but for those left out, the settings of a design.
 machine::BillOfMaterials list_of(const Design& design, const std::set<std::string>& without = {}) {
-  machine::BillOfMaterials bom;
-  for (const auto& part : design.parts) {
-    machine::BomLine& line = bom.lines.emplace_back();
-    line.axis = part.axis;
-    line.slot = part.slot;
-    line.manufacturer = part.manufacturer;
-    line.part_number = part.part_number;
-  }
-  for (const auto& dimension : design.dimensions) {
-    if (without.count(dimension.name) > 0) continue;
-    machine::BomLine& line = bom.lines.emplace_back();
-    line.axis = dimension.axis;
-    line.slot = dimension.name;
-    line.value = dimension.value;
-  }
+  machine::BillOfMaterials bom = evaluation::bill_of(design);
+  std::erase_if(bom.lines, [&](const machine::BomLine& line) { return line.value && without.count(line.slot) > 0; });
   return bom;
 }
 

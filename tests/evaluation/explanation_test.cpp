@@ -270,6 +270,15 @@ TEST_CASE("Where a load turns the screw with the power off, a brake or a counter
     if (way.instead) {
       CHECK(changed.name == "counterbalance_force");
       CHECK(*way.to < 25.0 * 9.81);
+      // What is said not to be enough is not, and the last of it is close below.
+      REQUIRE_FALSE(way.refused.empty());
+      for (const double value : way.refused) {
+        CAPTURE(value);
+        CHECK(with(value).builds.empty());
+        CHECK(value < *way.to);
+      }
+      CHECK(std::is_sorted(way.refused.begin(), way.refused.end()));
+      CHECK(way.refused.back() > *way.to / 1.025);
       balanced = true;
     } else {
       // brake_factor is 1.5

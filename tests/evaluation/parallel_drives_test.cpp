@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "catch.h"
+#include "evaluation/design_bill.h"
 #include "evaluation/synthesis.h"
 #include "evaluation/tiny_catalogue.h"
 
@@ -57,21 +58,6 @@ Design cheapest(const std::string& problem) {
   return solved.designs.front();
 }
 
-machine::BillOfMaterials bill_of(const Design& design) {
-  machine::BillOfMaterials bom;
-  for (const auto& part : design.parts) {
-    machine::BomLine line;
-    line.axis = part.axis;
-    line.slot = part.slot;
-    line.manufacturer = part.manufacturer;
-    line.part_number = part.part_number;
-    line.quantity = part.quantity;
-    if (part.length > 0.0) line.length = part.length;
-    bom.lines.push_back(line);
-  }
-  return bom;
-}
-
 /// The bill of one machine on another; pieces as the other machine takes them.
 Design on(const std::string& problem, machine::BillOfMaterials bom) {
   for (auto& line : bom.lines) line.quantity.reset();
@@ -99,7 +85,7 @@ TEST_CASE("Each of several drives is a single drive with its share of the load")
           axis_with(fmt::format("{}, drives = {}, load_share = {:.17g}", mechanism, count, share), load, force);
       const std::string one = axis_with(mechanism, load * share, force * share);
       const Design a = cheapest(several);
-      const Design b = on(one, bill_of(a));
+      const Design b = on(one, evaluation::bill_of(a));
       REQUIRE(a.checks.size() == b.checks.size());
       std::size_t compared = 0;
       for (std::size_t i = 0; i < a.checks.size(); ++i) {
@@ -117,7 +103,7 @@ TEST_CASE("Each of several drives is a single drive with its share of the load")
 TEST_CASE("Several drives draw as much more power from the supply") {
   const std::string two = axis_with(fmt::format("{}, drives = 2", screw), 12.0, 60.0);
   const Design a = cheapest(two);
-  const Design b = on(axis_with(screw, 6.0, 30.0), bill_of(a));
+  const Design b = on(axis_with(screw, 6.0, 30.0), evaluation::bill_of(a));
   const auto value_of = [](const Design& design, std::string_view id) {
     for (const auto& check : design.checks)
       if (check.id == id) return check.value;
@@ -130,7 +116,7 @@ TEST_CASE("Several drives draw as much more power from the supply") {
 TEST_CASE("A bill with fewer or shorter pieces than the axis takes is refused") {
   const std::string two = axis_with(fmt::format("{}, drives = 2", screw), 12.0, 60.0);
   const auto problems_with = [&](const std::function<void(machine::BomLine&)>& change) {
-    machine::BillOfMaterials bom = bill_of(cheapest(two));
+    machine::BillOfMaterials bom = evaluation::bill_of(cheapest(two));
     for (auto& line : bom.lines) change(line);
     std::string said;
     for (const auto& p : evaluation::check(problem_of_text(two), parts(), bom, false, {}).problems)

@@ -21,6 +21,7 @@
 #include <cstdlib>
 
 #include "catch.h"
+#include "evaluation/design_bill.h"
 #include "evaluation/every_build.h"
 #include "evaluation/random_machine.h"
 #include "evaluation/synthesis.h"
@@ -266,23 +267,8 @@ class Trial {
   /// The bill of materials of a design, checked as a user checks one.
   void check_again(const Design& design) {
     INFO("its bill of materials");
-    machine::BillOfMaterials bom;
-    for (const auto& part : design.parts) {
-      machine::BomLine& line = bom.lines.emplace_back();
-      line.axis = part.axis;
-      line.slot = part.slot;
-      line.manufacturer = part.manufacturer;
-      line.part_number = part.part_number;
-      line.quantity = part.quantity;
-      if (part.length > 0.0) line.length = part.length;
-    }
-    for (const auto& dimension : design.dimensions) {
-      machine::BomLine& line = bom.lines.emplace_back();
-      line.axis = dimension.axis;
-      line.slot = dimension.name;
-      line.value = dimension.value;
-    }
-    const evaluation::BomCheck again = evaluation::check(*problem_, parts_.parts(), bom, false, {});
+    const evaluation::BomCheck again =
+        evaluation::check(*problem_, parts_.parts(), evaluation::bill_of(design), false, {});
     for (const auto& problem : again.problems) UNSCOPED_INFO(problem.message);
     REQUIRE(again.problems.empty());
     REQUIRE(again.empty_slots.empty());

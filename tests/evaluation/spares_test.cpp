@@ -7,6 +7,7 @@
 #include <random>
 
 #include "catch.h"
+#include "evaluation/best_of_all.h"
 #include "evaluation/exhaustive.h"
 #include "evaluation/two_axes.h"
 #include "sanitized.h"
@@ -119,16 +120,7 @@ TEST_CASE("With spare parts the cheapest build and the front equal those of all 
     REQUIRE(cost.designs.size() == (all.builds.empty() ? 0 : 1));
     if (all.builds.empty()) continue;
     ++compared;
-    CHECK(cost.designs[0].cost == Approx(all.least(&BuildValue::cost)).epsilon(2e-6));
-    CHECK(cost.lower_bound <= cost.designs[0].cost * (1.0 + 1e-9));
-    require_sound(cost.designs[0]);
-    const auto expected = all.front();
-    REQUIRE(front.designs.size() == expected.size());
-    for (std::size_t i = 0; i < expected.size(); ++i) {
-      CHECK(front.designs[i].cost == Approx(expected[i].cost).epsilon(1e-9));
-      CHECK(front.designs[i].mass == Approx(expected[i].mass).epsilon(1e-9));
-      require_sound(front.designs[i]);
-    }
+    require_best_of(all, cost, front, require_sound);
     const Synthesis without = solved(MachineModel(two_axes(load, lead_screws, ""), stocked), {"cost"});
     REQUIRE(without.designs.size() == 1);
     for (std::size_t i = 0; i < without.designs[0].parts.size() && i < cost.designs[0].parts.size(); ++i)

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "catch.h"
+#include "evaluation/best_of_all.h"
 #include "evaluation/every_packing.h"
 #include "evaluation/exhaustive.h"
 #include "evaluation/two_axes.h"
@@ -216,19 +217,10 @@ TEST_CASE("With pieces cut from whole bars the cheapest build and the front equa
     REQUIRE(cost.designs.size() == (all.builds.empty() ? 0 : 1));
     if (all.builds.empty()) continue;
     ++compared;
-    CHECK(cost.status == solver::Status::optimal);
-    CHECK(cost.designs[0].cost == Approx(all.least(&BuildValue::cost)).epsilon(2e-6));
-    CHECK(cost.lower_bound <= cost.designs[0].cost * (1.0 + 1e-9));
-    require_sound(cost.designs[0]);
+    require_cheapest_of(all, cost, require_sound);
     const Synthesis front = solved(model, {"cost", "mass"});
-    const auto expected = all.front();
-    REQUIRE(front.designs.size() == expected.size());
-    for (std::size_t i = 0; i < expected.size(); ++i) {
-      CHECK(front.designs[i].cost == Approx(expected[i].cost).epsilon(1e-9));
-      CHECK(front.designs[i].mass == Approx(expected[i].mass).epsilon(1e-9));
-      require_sound(front.designs[i]);
-    }
-    fronts += expected.size() > 1;
+    require_front_of(all, front, require_sound);
+    fronts += front.designs.size() > 1;
     for (const evaluation::BarPurchase& purchase : cost.designs[0].bars)
       for (const evaluation::CutBar& bar : purchase.bars)
         for (const evaluation::BarPiece& piece : bar.pieces) shared += piece.axis != bar.pieces.front().axis;
@@ -237,9 +229,7 @@ TEST_CASE("With pieces cut from whole bars the cheapest build and the front equa
     for (std::size_t i = 0; i < without.designs[0].parts.size(); ++i)
       changed += without.designs[0].parts[i].part_number != cost.designs[0].parts[i].part_number;
     if (sanitized) continue;
-    const Synthesis again = solved(model, {"cost", "mass"}, 2);
-    REQUIRE(again.designs.size() == front.designs.size());
-    for (std::size_t i = 0; i < again.designs.size(); ++i) CHECK(again.designs[i].cost == front.designs[i].cost);
+    require_same_costs(front, solved(model, {"cost", "mass"}, 2));
   }
   CHECK(compared >= 3);
   CHECK(changed > 0);
@@ -404,9 +394,7 @@ TEST_CASE("Where a shop offers bars on other terms the cheapest build and order 
     REQUIRE(cost.designs.size() == (all.builds.empty() ? 0 : 1));
     if (all.builds.empty()) continue;
     ++compared;
-    CHECK(cost.status == solver::Status::optimal);
-    CHECK(cost.designs[0].cost == Approx(all.least(&BuildValue::cost)).epsilon(2e-6));
-    require_sound(cost.designs[0]);
+    require_cheapest_of(all, cost, require_sound);
     bool here = false, there = false;
     for (const evaluation::BarPurchase& purchase : cost.designs[0].bars)
       (purchase.supplier.empty() ? here : there) = true;

@@ -216,8 +216,9 @@ TEST_CASE("Nothing compliant: the checks that always fail and the ways out are s
   result.status = Status::infeasible;
   CHECK(solve_text(result, {}).find("'check' with a bill of materials") != std::string::npos);
   CHECK(Json::parse(solve_json(result)).at("unmet") == Json::array());
-  result.unmet = {{"x", "drive", "C-ACC-TOTAL", "Position error budget", "position_error", 1.23456, "", ""},
-                  {"x", "drive", "C-NEVER", "Never", "", 1e9, "", ""}};
+  result.unmet = {{"x", "drive", "C-ACC-TOTAL", "Position error budget", "position_error", "", 1.23456, "", ""},
+                  {"x", "drive", "C-NEVER", "Never", "", "", 1e9, "", ""}};
+  CHECK(solve_text(result, {}).find("'explain' finds by how much") != std::string::npos);
   evaluation::WayOut way;
   way.mapped = true;
   way.least = false;

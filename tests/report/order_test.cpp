@@ -12,7 +12,6 @@
 namespace millwright::report {
 namespace {
 
-using evaluation::Cut;
 using evaluation::PartLine;
 
 PartLine part(const char* axis, const char* slot, const char* family, const char* maker, const char* number) {
@@ -61,6 +60,7 @@ evaluation::Design two_axes() {
   shaft.price = 1.2;
   PartLine nut = part("x", "nut", "lead_nuts", "-2+3", "=HYPERLINK(\"http://x\",\"y\")");
   nut.price = 4.0;
+  nut.paper_only = true;
   design.parts = {motor("x", 1.0), guide("x", 4.0, 2.0, 0.6), shaft, nut, motor("y", 2.0), guide("y", 2.0, 1.0, 0.35)};
   design.dimensions = {{"x", "spindle.diameter", 0.0125, "m"}, {"y", "spindle.diameter", 0.5, "m"}};
   // 3 motors 28.5, 6 carriages 48, rails 1.55 m 31, shaft 1.2, nut 4
@@ -99,6 +99,19 @@ TEST_CASE("Order list: equal parts of all axes are one line, carriages and rails
   CHECK(bar.unit == "kg");
   CHECK(bar.quantity == Approx(0.8));
   CHECK(bar.unit_price == Approx(1.5));
+}
+
+TEST_CASE(
+    "Order list: a part known only from a paper is to be verified before it is bought, not where it is in stock") {
+  evaluation::Design design = two_axes();
+  CHECK(line_of(order_list(design, ""), "lead screw nut").paper_only);
+  CHECK_FALSE(line_of(order_list(design, ""), "stepper motor").paper_only);
+  PartLine& nut = design.parts[3];
+  nut.owned = 1.0;
+  nut.price = 0.0;
+  const OrderLine line = line_of(order_list(design, ""), "lead screw nut");
+  CHECK(line.supplier == in_stock);
+  CHECK_FALSE(line.paper_only);
 }
 
 TEST_CASE("Order list: reductions that a problem states are told apart by their prices") {
@@ -151,10 +164,10 @@ TEST_CASE("Order list: shipping and what lacks of a minimum stand beside the lin
   CHECK(list.supplier_totals[1].total == Approx(28.5));
   CHECK(list.supplier_totals[1].charged() == Approx(45.0));
   const std::string csv = order_csv(list);
-  CHECK(csv.find(",,,\"Shipping, B shop\",,,,,USD,,,5,\n") != std::string::npos);
-  CHECK(csv.find(",,,\"To the minimum order of 40 USD, B shop\",,,,,USD,,,11.5,\n") != std::string::npos);
-  CHECK(csv.find(",,,\"Total, B shop\",,,,,USD,,,45,\n") != std::string::npos);
-  CHECK(csv.find(",,,Total,,,,,USD,,,129.2,\n") != std::string::npos);
+  CHECK(csv.find(",,,\"Shipping, B shop\",,,,,USD,,,5,,\n") != std::string::npos);
+  CHECK(csv.find(",,,\"To the minimum order of 40 USD, B shop\",,,,,USD,,,11.5,,\n") != std::string::npos);
+  CHECK(csv.find(",,,\"Total, B shop\",,,,,USD,,,45,,\n") != std::string::npos);
+  CHECK(csv.find(",,,Total,,,,,USD,,,129.2,,\n") != std::string::npos);
 }
 
 // One of a part with two spares from A shop, which sells packs of two at 18; one from B shop for 8.
@@ -222,8 +235,8 @@ TEST_CASE("Order and cutting list: whole bars, what is cut from each, and work o
         std::string::npos);
   CHECK(csv.find(",3,pcs,\"guide rail, cut to length\",Rails Ltd,R20,A shop,0.5,USD,2024-2026,estimate,1.5,") !=
         std::string::npos);
-  CHECK(csv.find(",0.502,m,lead screw,Maker,Tr10x2,,10,USD,,,5.02,x.screw\n") != std::string::npos);
-  CHECK(csv.find(",2,pcs,\"lead screw, end machined\",Maker,Tr10x2,,4,USD,,,8,x.screw\n") != std::string::npos);
+  CHECK(csv.find(",0.502,m,lead screw,Maker,Tr10x2,,10,USD,,,5.02,x.screw,\n") != std::string::npos);
+  CHECK(csv.find(",2,pcs,\"lead screw, end machined\",Maker,Tr10x2,,4,USD,,,8,x.screw,\n") != std::string::npos);
   CHECK(cutting_csv(list) ==
         "stock,manufacturer,part_number,axis,slot,section,count,length [mm],sum [mm],bar\n"
         "bar stock,generic,C45,x,spindle,diameter 12.5 mm,2,250,500,\n"
@@ -241,23 +254,24 @@ TEST_CASE("Order list as CSV: totals without a number, no text becomes a formula
   CHECK(
       csv ==
       "line,quantity,unit,description,manufacturer,part_number,supplier,unit_price,currency,price_date,price_is,total,"
-      "used_for\n"
-      "1,6,pcs,guide carriage,Rails Ltd,R20,A shop,8,USD,2024-2026,estimate,48,\"x.guide, y.guide\"\n"
-      "2,1.55,m,guide rail,Rails Ltd,R20,A shop,20,USD,2024-2026,estimate,31,\"x.guide, y.guide\"\n"
-      "3,3,pcs,stepper motor,Maker,M1,B shop,9.5,USD,2026-09-27,,28.5,\"x.motor, y.motor\"\n"
-      "4,1,pcs,lead screw nut,'-2+3,\"'=HYPERLINK(\"\"http://x\"\",\"\"y\"\")\",,4,USD,,,4,x.nut\n"
-      "5,0.8,kg,bar stock,generic,C45,,1.5,USD,,,1.2,x.spindle\n"
-      ",,,\"Total, A shop\",,,,,USD,,,79,\n"
-      ",,,\"Total, B shop\",,,,,USD,,,28.5,\n"
-      ",,,\"Total, supplier not stated\",,,,,USD,,,5.2,\n"
-      ",,,Total,,,,,USD,,,112.7,\n");
+      "used_for,verify\n"
+      "1,6,pcs,guide carriage,Rails Ltd,R20,A shop,8,USD,2024-2026,estimate,48,\"x.guide, y.guide\",\n"
+      "2,1.55,m,guide rail,Rails Ltd,R20,A shop,20,USD,2024-2026,estimate,31,\"x.guide, y.guide\",\n"
+      "3,3,pcs,stepper motor,Maker,M1,B shop,9.5,USD,2026-09-27,,28.5,\"x.motor, y.motor\",\n"
+      "4,1,pcs,lead screw nut,'-2+3,\"'=HYPERLINK(\"\"http://x\"\",\"\"y\"\")\",,4,USD,,,4,x.nut,known only from a "
+      "paper\n"
+      "5,0.8,kg,bar stock,generic,C45,,1.5,USD,,,1.2,x.spindle,\n"
+      ",,,\"Total, A shop\",,,,,USD,,,79,,\n"
+      ",,,\"Total, B shop\",,,,,USD,,,28.5,,\n"
+      ",,,\"Total, supplier not stated\",,,,,USD,,,5.2,,\n"
+      ",,,Total,,,,,USD,,,112.7,,\n");
 }
 
 TEST_CASE("Nothing to buy is an empty list, not an error") {
   evaluation::Design nothing;
   nothing.currency = "EUR";
   const OrderList list = order_list(nothing, "");
-  CHECK(order_csv(list).find(",,,Total,,,,,EUR,,,0,\n") != std::string::npos);
+  CHECK(order_csv(list).find(",,,Total,,,,,EUR,,,0,,\n") != std::string::npos);
   text::Diagnostics diagnostics;
   CHECK(order_xlsx(list, diagnostics).has_value());
 }
@@ -355,6 +369,10 @@ TEST_CASE("Order list as workbook: the same lines, with live totals") {
   CHECK(std::stod(value("L4")) == Approx(28.5));
   CHECK(cells.at("L4").formula == "B4*H4");
   // Lines 1 to 5 are rows 2 to 6, the totals stand below a blank row.
+  // The nut is known only from a paper, the motors are not.
+  CHECK(value("N1") == "verify");
+  CHECK(value("N5") == "known only from a paper");
+  CHECK(cells.count("N4") == 0);
   CHECK(value("D8") == "Total, A shop");
   CHECK(cells.at("L8").formula == "SUM(L2:L3)");
   CHECK(std::stod(value("L8")) == Approx(79.0));

@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // What pages are made of: escaping, units, mathematics, texts.
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
 #include <set>
 
 #include "catch.h"
 #include "evaluation/declared_constraints.h"
+#include "machine/bill_of_materials.h"
+#include "machine/requirement.h"
 #include "report/html.h"
 #include "report/mathml.h"
 #include "report/page_texts.h"
@@ -174,6 +180,57 @@ TEST_CASE("Every title of a constraint is there in Indonesian, and every saying 
     for (const machine::Declaration& declaration : element.constraints) {
       CAPTURE(element.name, declaration.id, declaration.title);
       CHECK(known.count(declaration.title) == 1);
+    }
+}
+
+TEST_CASE("What requirements and given figures mean is there in Indonesian, once") {
+  std::set<std::string> known;
+  for (const Saying& meaning : meanings()) {
+    INFO(meaning.english);
+    CHECK(known.insert(std::string(meaning.english)).second);
+    CHECK_FALSE(meaning.indonesian.empty());
+    CHECK(meaning.indonesian != meaning.english);
+  }
+  std::set<std::string> used;
+  for (const machine::RequirementDeclaration& requirement : machine::requirements())
+    used.insert(std::string(requirement.meaning));
+  // As they are written where figures get their names: {"d_3", "root diameter of the screw", "mm"}.
+  const std::regex name("\\{[^{},]*,\\s*\"([^\"]+)\",\\s*\"[^\"]*\"\\}");
+  std::size_t figures = 0;
+  for (const auto& file : std::filesystem::directory_iterator(MILLWRIGHT_SOURCE_DIR "/src/evaluation")) {
+    if (file.path().filename().string().rfind("traced_", 0) != 0) continue;
+    std::ifstream stream(file.path());
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    for (std::sregex_iterator each(text.begin(), text.end(), name), end; each != end; ++each, ++figures)
+      used.insert((*each)[1]);
+  }
+  CHECK(figures > 100);
+  for (const std::string& each : used) {
+    INFO(each);
+    CHECK(known.count(each) == 1);
+  }
+  for (const std::string& each : known) {
+    INFO(each << " is used nowhere");
+    CHECK(used.count(each) == 1);
+  }
+}
+
+TEST_CASE("Slots have a name in Indonesian, members keep theirs") {
+  const Texts id(Language::indonesian), en(Language::english);
+  CHECK(id.slot("support_fixed") == "tumpuan tetap");
+  CHECK(en.slot("support_fixed") == "support_fixed");
+  CHECK(id.slot("my portal") == "my portal");
+  CHECK(id.axis("machine") == "Mesin");
+  CHECK(id.axis("x") == "x");
+  machine::Axis screw, belt, rack;
+  belt.mechanism.kind = machine::MechanismKind::belt;
+  rack.mechanism.kind = machine::MechanismKind::rack;
+  std::set<std::string> keys;
+  for (const PageText& text : page_texts()) keys.insert(std::string(text.key));
+  for (const machine::Axis* axis : {&screw, &belt, &rack})
+    for (const std::string& slot : machine::slot_names(*axis)) {
+      INFO(slot);
+      CHECK(keys.count("slot." + slot) == 1);
     }
 }
 

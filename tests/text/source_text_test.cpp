@@ -192,6 +192,11 @@ TEST_CASE("what cannot be loaded gives one error that says why") {
     CHECK(only_message(diagnostics) == "cannot be opened: No such file or directory");
     CHECK(format(diagnostics.all()[0]) ==
           scratch.path("none.csv") + ": error: cannot be opened: No such file or directory\n");
+    (void)scratch.write("sander.toml", "");
+    CHECK_FALSE(SourceText::load(scratch.path("sandr.toml"), diagnostics));
+    CHECK(diagnostics.all()[1].hint == "did you mean '" + scratch.path("sander.toml") + "'?");
+    CHECK_FALSE(SourceText::load(scratch.path("no folder/sander.toml"), diagnostics));
+    CHECK(diagnostics.all()[2].hint.empty());
   }
   SECTION("directory") {
     CHECK_FALSE(SourceText::load(scratch.path(""), diagnostics));

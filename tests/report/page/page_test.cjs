@@ -63,6 +63,21 @@ async function printFaults(page) {
   return faults;
 }
 
+/// Cells that are out of sight on a telephone, all sheets open. Leaves the window as narrow.
+async function narrowFaults(page) {
+  await page.setViewportSize({ width: 420, height: 900 });
+  return page.evaluate(() => {
+    for (const sheet of document.querySelectorAll("details")) sheet.open = true;
+    const beyond = (each) => each.textContent && each.getBoundingClientRect().right > innerWidth;
+    const faults = [...document.querySelectorAll("td")].filter(beyond).map((cell) => cell.textContent);
+    for (const cell of document.querySelectorAll("td[data-label]"))
+      if (/[<>&]/.test(cell.dataset.label)) faults.push(`markup in a label: ${cell.dataset.label}`);
+    for (const section of document.querySelectorAll("section"))
+      if (section.scrollWidth > section.clientWidth + 1) faults.push(`section ${section.id} scrolls sideways`);
+    return faults;
+  });
+}
+
 const tests = {
   async "a design with its calculation"(browser) {
     const { page, complaints } = await open(browser, pageOf("solve", "solve", "problems/lifter.toml"));
@@ -88,6 +103,7 @@ const tests = {
 
     assert.deepEqual(await printFaults(page), []);
     assert.equal(await page.$$eval("details.sheet[open]", (open) => open.length), 1);
+    assert.deepEqual(await narrowFaults(page), []);
     return complaints;
   },
 
@@ -103,13 +119,7 @@ const tests = {
     assert.deepEqual(await printFaults(page), []);
 
     // On a telephone every part keeps its price in sight.
-    await page.setViewportSize({ width: 420, height: 900 });
-    const hidden = await page.evaluate(() =>
-      [...document.querySelectorAll("table.parts td, table.checks td")]
-        .filter((cell) => cell.textContent && cell.getBoundingClientRect().right > innerWidth)
-        .map((cell) => cell.textContent),
-    );
-    assert.deepEqual(hidden, []);
+    assert.deepEqual(await narrowFaults(page), []);
     const result = await resultOf(page);
     const shown = await page.$$eval("table.parts tbody tr", (rows) => rows.map((row) => row.innerText));
     for (const part of result.build.parts)
@@ -147,6 +157,7 @@ const tests = {
     await page.click("#build-1 a");
     assert.ok((await sheet()).startsWith("Build 1:"));
     assert.deepEqual(await printFaults(page), []);
+    assert.deepEqual(await narrowFaults(page), []);
     return complaints;
   },
 
@@ -157,6 +168,16 @@ const tests = {
     await page.click('a[href="#row-X07"]');
     assert.ok(await page.isVisible("#row-X07 math"));
     assert.deepEqual(await printFaults(page), []);
+    assert.deepEqual(await narrowFaults(page), []);
+    return complaints;
+  },
+
+  async "a range of a setting"(browser) {
+    const range = "axis.z.moves[0].time=1.6:2:3 s";
+    const { page, complaints } = await open(browser, pageOf("sweep", "solve", "problems/lifter.toml", "--set", range));
+    assert.equal(await page.$$eval("table.sweep tbody tr", (rows) => rows.length), 3);
+    assert.deepEqual(await printFaults(page), []);
+    assert.deepEqual(await narrowFaults(page), []);
     return complaints;
   },
 };

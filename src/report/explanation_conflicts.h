@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// Why nothing is compliant, in words: what contradicts itself, by how much each of it must give way, what is missing.
+#pragma once
+
+#include <string>
+
+#include "evaluation/explanation.h"
+#include "report/result.h"
+#include "report/text_table.h"
+
+namespace millwright::report {
+
+/// Of an explanation without a design.
+std::string conflicts_text(const MachineResult& result, const evaluation::Explanation& explanation, const Style& style);
+
+}  // namespace millwright::report
