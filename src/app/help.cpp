@@ -30,7 +30,7 @@ constexpr std::pair<std::string_view, std::string_view> texts[] = {
      "Examples:\n"
      "  millwright solve problems/sander.toml --bom sander.csv\n"
      "  millwright solve problems/sander.toml --order sander.xlsx\n"
-     "  millwright solve problems/sander.toml --catalogue my-shops --set spares.motor=1 --order sander.csv\n"
+     "  millwright solve problems/sander.toml --catalogue my-shops --set spares.motor=1 --order order.csv\n"
      "  millwright solve problems/sander.toml --set 'axis.x.moves[0].time=12:36:7 s' --csv sweep.csv --report "
      "sweep.html\n"
      "  millwright solve problems/sander.toml --report sander.html\n"

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/page_texts.h"
 
+#include "report/page_texts_sweep_audit.h"
+
 namespace millwright::report {
 
-const std::vector<PageText>& page_texts() {
-  static const std::vector<PageText> texts{
+namespace {
+
+std::vector<PageText> report_texts() {
+  std::vector<PageText> all{
       {"kind.solve", "Design and calculation", "Rancangan dan perhitungan"},
       {"kind.check", "Check of a bill of materials", "Pemeriksaan daftar komponen"},
       {"kind.pareto", "Front of builds", "Garis depan Pareto"},
@@ -12,8 +16,7 @@ const std::vector<PageText>& page_texts() {
       {"kind.audit", "Audit of a published calculation", "Audit perhitungan terbitan"},
       {"footer",
        "Made by Millwright {}. Values are computed in SI and shown with four significant digits; the complete result "
-       "for "
-       "programs is inside this page.",
+       "for programs is inside this page.",
        "Dibuat dengan Millwright {}. Nilai dihitung dalam SI dan ditampilkan dengan empat angka penting; hasil lengkap "
        "untuk program ada di dalam halaman ini."},
 
@@ -298,8 +301,7 @@ const std::vector<PageText>& page_texts() {
       {"catalogues", "Catalogues", "Katalog"},
       {"catalogues.about",
        "What this result rests on. Of a catalogue, the SHA-256 of the list that sha256sum prints of its files, "
-       "ascending "
-       "by name; then that of each file from which a part above comes.",
+       "ascending by name; then that of each file from which a part above comes.",
        "Dasar hasil ini. Untuk katalog: SHA-256 dari daftar yang dicetak sha256sum untuk berkas-berkasnya, urut nama; "
        "lalu SHA-256 tiap berkas asal komponen di atas."},
       {"catalogues.place", "Catalogue", "Katalog"},
@@ -378,34 +380,19 @@ const std::vector<PageText>& page_texts() {
        "Setiap angka di atas dihitung ulang dari awal untuk rancangan yang ditampilkan."},
       {"certificate.effort",
        "time: {} s reading, {} s solving, {} nodes, {} evaluations",
-       "waktu: {} s membaca, {} s mencari, {} simpul, {} evaluasi"},
+       "waktu: {} s membaca, {} s mencari, {} simpul, {} evaluasi"}};
+  return all;
+}
 
-      {"sweep", "The best build at each value", "Rancangan terbaik pada tiap nilai"},
-      {"sweep.speed", "Against the cycle time", "Terhadap waktu siklus"},
-      {"sweep.hint",
-       "Point at a mark for its figures. A cross: no compliant build exists there; an open circle: not proved. Between "
-       "the marks nothing was solved; the table says which parts change from one to the next.",
-       "Tunjuk sebuah tanda untuk angkanya. Silang: tidak ada rancangan yang memenuhi syarat; lingkaran kosong: belum "
-       "terbukti. Di antara tanda tidak ada yang dihitung; tabel menyebut komponen yang berubah dari satu ke "
-       "berikutnya."},
-      {"sweep.proof", "Proof", "Bukti"},
-      {"sweep.proved", "proved", "terbukti"},
-      {"sweep.open", "not proved", "belum terbukti"},
+}  // namespace
 
-      {"audit.count", "{} printed results were recomputed.", "{} hasil cetak dihitung ulang."},
-      {"audit.results", "Printed against recomputed", "Cetak dibandingkan hitung ulang"},
-      {"audit.quantity", "Quantity", "Besaran"},
-      {"audit.printed", "Printed", "Tercetak"},
-      {"audit.computed", "Computed", "Dihitung"},
-      {"audit.ratio", "Ratio", "Rasio"},
-      {"audit.verdict", "Verdict", "Putusan"},
-      {"audit.missing", "missing", "tidak ada"},
-      {"audit.factor", "factor", "faktor"},
-      {"audit.agrees", "within half a unit of the last printed digit", "dalam setengah satuan angka terakhir"},
-      {"audit.rounding", "within 1 %", "dalam 1 %"},
-      {"audit.unit", "a slip of units", "salah satuan"},
-      {"audit.differs", "something else", "hal lain"},
-      {"audit.missing-input", "an input is not printed", "masukan tidak tercetak"}};
+const std::vector<PageText>& page_texts() {
+  static const std::vector<PageText> texts = [] {
+    std::vector<PageText> all = report_texts();
+    const std::vector<PageText> more = sweep_and_audit_texts();
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }();
   return texts;
 }
 

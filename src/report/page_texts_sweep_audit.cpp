@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/page_texts_sweep_audit.h"
+
+namespace millwright::report {
+
+std::vector<PageText> sweep_and_audit_texts() {
+  return {
+      {"sweep", "The best build at each value", "Rancangan terbaik pada tiap nilai"},
+      {"sweep.speed", "Against the cycle time", "Terhadap waktu siklus"},
+      {"sweep.hint",
+       "Point at a mark for its figures. A cross: no compliant build exists there; an open circle: not proved. Between "
+       "the marks nothing was solved; the table says which parts change from one to the next.",
+       "Tunjuk sebuah tanda untuk angkanya. Silang: tidak ada rancangan yang memenuhi syarat; lingkaran kosong: belum "
+       "terbukti. Di antara tanda tidak ada yang dihitung; tabel menyebut komponen yang berubah dari satu ke "
+       "berikutnya."},
+      {"sweep.proof", "Proof", "Bukti"},
+      {"sweep.proved", "proved", "terbukti"},
+      {"sweep.open", "not proved", "belum terbukti"},
+
+      {"audit.count", "{} printed results were recomputed.", "{} hasil cetak dihitung ulang."},
+      {"audit.results", "Printed against recomputed", "Cetak dibandingkan hitung ulang"},
+      {"audit.quantity", "Quantity", "Besaran"},
+      {"audit.printed", "Printed", "Tercetak"},
+      {"audit.computed", "Computed", "Dihitung"},
+      {"audit.ratio", "Ratio", "Rasio"},
+      {"audit.verdict", "Verdict", "Putusan"},
+      {"audit.missing", "missing", "tidak ada"},
+      {"audit.factor", "factor", "faktor"},
+      {"audit.agrees", "within half a unit of the last printed digit", "dalam setengah satuan angka terakhir"},
+      {"audit.rounding", "within 1 %", "dalam 1 %"},
+      {"audit.unit", "a slip of units", "salah satuan"},
+      {"audit.differs", "something else", "hal lain"},
+      {"audit.missing-input", "an input is not printed", "masukan tidak tercetak"}};
+}
+
+}  // namespace millwright::report
