@@ -62,6 +62,10 @@ bool Frontier::run(bool shared_allowances) {
   undecided_ = false;
   if (settled_) return true;
   if (criteria_.objectives > 1 && used_prices_) return by_sections();
+  if (used_prices_) {
+    if (!control_.while_there_is_time([&] { settled_ = !find_vectors(); })) return false;
+    if (settled_) return true;
+  }
   if (criteria_.objectives == 1 && aim()) return !undecided_;
   undecided_ = false;
   return pass({}) && !undecided_;
