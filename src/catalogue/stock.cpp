@@ -62,11 +62,21 @@ class StockReader {
     if (diagnostics_.error_count() != errors) return;
     for (const Part& part : found.parts) {
       const Table& table = catalogue_.table(part.family);
+      keep_unsaid(row, table, part.row, mark);
       stock_.set(part.family, table.manufacturer(part.row), table.part_number(part.row), mark);
     }
   }
 
   /// The rows that a line names, of families that are for sale.
+  /// An empty cell leaves what an earlier line or the part's own row says.
+  void keep_unsaid(std::size_t row, const Table& table, int part, StockMark& mark) const {
+    using namespace stock_fields;
+    if (!reader_.says(row, owned)) mark.owned = owned_pieces(table, part, stock_);
+    if (reader_.says(row, available)) return;
+    const StockMark* earlier = stock_.find(table.family(), table.manufacturer(part), table.part_number(part));
+    mark.preferred = is_preferred(table, part, stock_);
+    mark.available = earlier == nullptr || earlier->available;
+  }
   FoundParts part_of(std::size_t row, bool some_owned) {
     using namespace stock_fields;
     FoundParts found = catalogue_.find(reader_.cell(row, part_number), reader_.cell(row, manufacturer));

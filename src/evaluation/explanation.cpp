@@ -101,10 +101,13 @@ class Contradictions {
     const auto eased = [&](Asked& asked, double to) {
       trials_.lift_others(imposed, asked);
       condition.set(asked, to);
+      asked.problem.preference.reset();  // the cheapest at real prices
     };
     if (condition.kind == ConditionKind::choice) {
-      way.design = trials_.best_by(
-          "cost", what, [&](Asked& asked) { trials_.lift_others(without(imposed, {way.condition}), asked); });
+      way.design = trials_.best_by("cost", what, [&](Asked& asked) {
+        trials_.lift_others(without(imposed, {way.condition}), asked);
+        asked.problem.preference.reset();
+      });
       return;
     }
     if (condition.kind == ConditionKind::budget) {  // exact: the least that any build takes
@@ -132,12 +135,15 @@ class Contradictions {
     const Condition& condition = trials_.conditions()[member];
     if (!condition.no_part) return std::nullopt;
     const std::string what = "a way out by " + title_of(condition);
-    const auto lifted =
-        trials_.best_by("cost", what, [&](Asked& asked) { trials_.lift_others(without(imposed, {member}), asked); });
+    const auto lifted = trials_.best_by("cost", what, [&](Asked& asked) {
+      trials_.lift_others(without(imposed, {member}), asked);
+      asked.problem.preference.reset();
+    });
     if (!lifted) return std::nullopt;
     const auto eased = [&](Asked& asked, double to) {
       trials_.lift_others(imposed, asked);
       condition.set(asked, to);
+      asked.problem.preference.reset();  // the cheapest at real prices
     };
     const double factor = least_factor(condition, [&](double to) {
       return trials_.possible(what, [&](Asked& asked) {
@@ -160,6 +166,7 @@ class Contradictions {
     const auto eased = [&](Asked& asked, double to) {
       trials_.lift_others(imposed, asked);
       condition.set(asked, to);
+      asked.problem.preference.reset();  // the cheapest at real prices
     };
     const auto enough = [&](double to) { return trials_.possible(what, [&](Asked& asked) { eased(asked, to); }); };
     std::vector<double> refused{condition.value};
@@ -227,6 +234,7 @@ class Contradictions {
         const Condition& condition = way->changed(trials_.conditions());
         way->to ? condition.set(asked, *way->to) : condition.lift(asked);
       }
+      asked.problem.preference.reset();
     });
   }
 

@@ -65,8 +65,12 @@ std::string alternatives_certificate(const MachineResult& result, const Texts& t
   const std::size_t found = result.designs.size();
   if (result.status == Status::limit)
     return fmt::format(fmt::runtime(t("certificate.some")), result.builds_asked, result.proved);
-  if (found >= result.builds_asked)
-    return fmt::format(fmt::runtime(t(fmt::format("certificate.{}", best_word(result)))), found);
+  if (found >= result.builds_asked) {
+    const std::string best = fmt::format(fmt::runtime(t(fmt::format("certificate.{}", best_word(result)))), found);
+    if (!preference_counts(result)) return best;
+    const double divisor = 1.0 + result.designs.front().preference->premium;
+    return best + " " + fmt::format(fmt::runtime(t("certificate.preferred")), fmt::format("{:.4g}", divisor));
+  }
   return found == 1 ? t("certificate.one_build") : fmt::format(fmt::runtime(t("certificate.few_builds")), found);
 }
 

@@ -154,10 +154,12 @@ std::string end_text(const MachineResult& result,
 /// less than what was compared of the best.
 std::string premium_text(const MachineResult& result, const std::string& divisor, const Texts& t) {
   const Design& design = result.designs.front();
-  if (!best_is_proved(result) || result.objectives.front() != "cost")
+  // What is proved is about builds that are compliant with every tolerance, not about the cheapest of all.
+  if (!best_is_proved(result) || result.robust || result.objectives.front() != "cost")
     return fmt::format(fmt::runtime(t("certificate.preferred")), divisor);
   const double more = design.cost - design.preference->compared_cost;
-  return more > 0.0
+  constexpr double shown = 0.005;  // less is printed as nothing
+  return more >= shown
              ? fmt::format(fmt::runtime(t("certificate.premium")), fmt::format("{:.2f} {}", more, design.currency))
              : t("certificate.no_premium");
 }

@@ -72,6 +72,16 @@ std::vector<std::string> sweep_changes(const Sweep& sweep) {
   return out;
 }
 
+/// How the builds were compared, where parts are preferred.
+std::string preference_note(const Sweep& sweep) {
+  for (const SweepPoint& point : sweep.points)
+    if (preference_counts(point.result))
+      return "  Compared with the prices of preferred parts divided by 1 + preference; the\n  prices shown are the "
+             "real "
+             "ones.\n";
+  return {};
+}
+
 std::string sweep_text(const Sweep& sweep, const Style& style) {
   const MachineResult& first = sweep.first();
   const std::string& objective = first.objectives.front();
@@ -84,7 +94,7 @@ std::string sweep_text(const Sweep& sweep, const Style& style) {
                                    sweep.points.front().text,
                                    sweep.points.back().text,
                                    objective)) +
-         "\n";
+         "\n" + preference_note(sweep);
   std::vector<TableColumn> columns{{last_key(sweep.path), Align::right}};
   if (has_own_column(objective)) columns.push_back({objective, Align::right});
   for (const std::string& title : {first.currency, std::string("kg"), std::string("cycle")})
@@ -165,6 +175,10 @@ std::string sweep_json(const Sweep& sweep) {
       line["objective"] = {{"value", number(objective_value(point, first.objectives.front()))},
                            {"lower_bound", number(point.result.lower_bound)},
                            {"gap", number(point.result.gap)}};
+      if (preference_counts(point.result)) {  // bound and gap are of what was compared
+        line["objective"]["compared_cost"] = number(design->preference->compared_cost);
+        line["objective"]["preference"] = number(design->preference->premium);
+      }
       line["totals"] = totals_of(*design);
       line["cycle_time_s"] = number(point.cycle_time);
       line["changes"] = changes[i];

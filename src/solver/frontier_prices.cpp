@@ -123,7 +123,11 @@ bool Frontier::restrict_stages() {
   if (!planes_->restrict_to(useful_.back())) return false;
   Desk& desk = control_.desk(0);
   look_again(problem_, plans_, desk);
-  for (std::size_t i = 0; i < plans_.size(); ++i) forms_[i] = find_state_form(plans_[i], desk);
+  for (std::size_t i = 0; i < plans_.size(); ++i) {
+    // A slope without bound may be bounded now, and yet no constant: what was said of more designs is true of fewer.
+    StateForm form = find_state_form(plans_[i], desk);
+    if (form.additive || !forms_[i].additive) forms_[i] = std::move(form);
+  }
   planes_->tighten_limits();
   return true;
 }

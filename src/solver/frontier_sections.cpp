@@ -33,6 +33,7 @@ bool Frontier::aim() {
 bool Frontier::by_sections() {
   constexpr std::size_t most_known = 16;  // builds of the front in a section that is tried as a whole
   // What is refined once for the whole front serves all sections.
+  settled_ = false;
   if (!control_.while_there_is_time([&] { settled_ = !find_vectors(); })) return false;
   if (settled_) return true;
   planes_->keep_regions();
@@ -119,19 +120,22 @@ bool Frontier::settle(const Section& section,
   if (last != corners.rend() && first->first < last->first)
     mixes_.push_back({(first->second - last->second) / (last->first - first->first), 1.0});
   const auto prepare = [&] {
+    settled_ = false;  // it is left so when time is up
     return control_.while_there_is_time([&] {
       settled_ = find_planes() && !(restrict_stages() && find_vectors() && restrict_stages() && find_vectors());
     });
   };
   planes_ = std::make_unique<RestPlanes>(problem_, plans_, forms_, control_.desk(0));
-  if (!prepare() || settled_) return settled_;
+  if (!prepare()) return false;
+  if (settled_) return true;
   const bool narrow = is_narrow(section);
   for (const Haste& haste : {Haste{.nodes = 1000}, {.nodes = 2000, .labels = 100, .digits = 14}}) {
     if (!control_.options().look_first) break;
     Haste here = haste;
     here.mix = mixes_.back();
     if (!pass({.haste = here})) return false;
-    if (!prepare() || settled_) return settled_;
+    if (!prepare()) return false;
+    if (settled_) return true;
   }
   undecided_ = false;
   return pass({.patience = narrow ? endless : section_patience()}) && !undecided_;

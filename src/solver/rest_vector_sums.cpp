@@ -106,8 +106,8 @@ std::vector<double> RestPlanes::Prices::limits() const {
   std::vector<double> limits;
   for (const Shared& shared : shared_) {
     double left = shared.end->limit * (1.0 + slack);
-    for (std::size_t c = 0; c < state_.size(); ++c)
-      if (shared.use[0][c] != 0.0) left -= shared.use[0][c] * state_[c];
+    for (std::size_t c = 0; c < problem_.first_state.size(); ++c)
+      if (shared.use[0][c] != 0.0) left -= shared.use[0][c] * problem_.first_state[c];
     limits.push_back(left);
   }
   return limits;
