@@ -206,7 +206,12 @@ std::optional<Quantity> parse_quantity(std::string_view text, const Unit& expect
       reason = fmt::format("a unit is missing: write for example '{} {}'", number, expected.name());
     return std::nullopt;
   }
-  return Quantity{unit->to_si(*value), *unit};
+  const double si = unit->to_si(*value);
+  if (!std::isfinite(si)) {
+    reason = fmt::format("'{}' is too large for a number", text);
+    return std::nullopt;
+  }
+  return Quantity{si, *unit};
 }
 
 }  // namespace millwright::scalar

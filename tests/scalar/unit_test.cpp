@@ -437,3 +437,8 @@ TEST_CASE("units from several threads") {
 TEST_CASE("a unit written in the program that does not exist is our own error") {
   CHECK_THROWS_AS(Unit::of("blorgh"), std::logic_error);
 }
+
+TEST_CASE("What leaves the range of numbers in its unit is refused") {
+  CHECK(quantity_refusal("9e307 km", "mm").find("is too large") != std::string::npos);
+  CHECK(quantity_refusal("9e307 m", "mm").empty());
+}
