@@ -53,6 +53,18 @@ TEST_CASE("A stock file marks parts of any maker, and later overlays have the la
   CHECK(loaded.mark("Acme", "M2")->available);
 }
 
+TEST_CASE("An empty cell of a later stock file leaves what an earlier one says") {
+  const Loaded loaded({"part_number,manufacturer,owned,available\nM1,Acme,2,\nM2,Acme,,no\n",
+                       "part_number,manufacturer,owned,available\nM1,Acme,,preferred\nM2,Acme,1,\n"});
+  INFO(text::format(loaded.diagnostics));
+  REQUIRE(loaded.mark("Acme", "M1") != nullptr);
+  CHECK(loaded.mark("Acme", "M1")->owned == 2.0);
+  CHECK(loaded.mark("Acme", "M1")->preferred);
+  REQUIRE(loaded.mark("Acme", "M2") != nullptr);
+  CHECK(loaded.mark("Acme", "M2")->owned == 1.0);
+  CHECK_FALSE(loaded.mark("Acme", "M2")->available);
+}
+
 TEST_CASE("Everything wrong in a stock file is reported at its place") {
   const Loaded loaded(
       {"manufacturer,part_number,owned,available\n"

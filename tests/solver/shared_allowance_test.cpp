@@ -3,7 +3,6 @@
 // Allowances that bind, which all stages share: a compliance that must stay below a limit at the tool and a power that
 // a supply of one of several sizes gives, while what is chosen first is a load for what comes later. Staircases and
 // planes of what is left (rest_plane.h) against every chain, the solver against every build.
-#include <atomic>
 #include <memory>
 #include <random>
 
@@ -25,10 +24,6 @@ constexpr double power_step = 4.0;
 /// Not at all; in steps; in steps and between them, for each motor differently.
 enum class Rising { no, stepped, growing };
 Rising rising_of(unsigned seed) { return static_cast<Rising>(seed % 3); }
-
-/// Questions that axes were asked, and the one with which the search is stopped.
-std::atomic<long> asked = 0, stop_at = -1;
-std::atomic<bool> stop = false;
 
 enum State : std::size_t { carried_mass, compliance, power, state_size };
 enum Spring : std::size_t { spring_price, spring_mass, spring_compliance };
@@ -103,7 +98,6 @@ class Machine {
 
   void add_axis(const Columns& springs, const Columns& motors) {
     add(model_stage("axis", {&springs, &motors}, {}, 1, [rising = rising_](const auto& in, auto& out) {
-      if (++asked == stop_at) stop = true;
       const auto load = in.state(carried_mass) + in.row(0, spring_mass);
       out.utilisation.push_back(load / in.row(1, motor_strength));
       out.resources.push_back(in.row(0, spring_price) + in.row(1, motor_price));
@@ -363,35 +357,4 @@ TEST_CASE("A front of many parts is complete where allowances bind, cut in secti
   }
   CHECK(points > (millwright::sanitized ? 20 : 500));
   CHECK(quick < 60);
-}
-
-TEST_CASE("A front that is cut in sections is called complete only where it is, whenever the search is stopped") {
-  std::size_t stopped = 0, ended = 0;
-  for (const unsigned seed : {3U, 12U, 14U}) {
-    const Machine machine(seed, 14, rising_of(seed));
-    Options options;
-    options.objectives = {0, 1};
-    options.stage_patience = 20;
-    options.threads = 1;
-    options.look_first = false;
-    options.stop = &stop;
-    const auto run = [&](long at) {
-      asked = 0;
-      stop_at = at;
-      stop = false;
-      return solve(machine.problem, options);
-    };
-    const std::size_t points = run(-1).builds.size();
-    const long all = asked;
-    const long tries = millwright::sanitized ? 10 : 100;
-    for (long i = 1; i < tries; ++i) {
-      const Summary summary = run(i * all / tries);
-      INFO("seed " << seed << ", stopped at " << stop_at << " of " << all);
-      (summary.status == Status::limit ? stopped : ended) += 1;
-      if (summary.status != Status::limit) REQUIRE(summary.builds.size() == points);
-    }
-  }
-  stop_at = -1;
-  stop = false;
-  CHECK(stopped > ended);
 }
