@@ -73,7 +73,7 @@ BeltDrive<T> BeltDriveStage::design(const Selection<T>& s) const {
 template <class T>
 void BeltDriveStage::answer(const Selection<T>& s, solver::Answer<T>& out) const {
   const BeltDrive<T> d = design(s);
-  machine::belt_drive_constraints(UtilisationVisitor<T, BeltDrive<T>>(d, out.utilisation));
+  machine::belt_drive_constraints(UtilisationVisitor<T, BeltDrive<T>>(d, s.kept, out.utilisation));
   out.resources[cost_resource] = total<T>(s, Total::price);
   out.resources[mass_resource] = total<T>(s, Total::mass);
   count_cycle(place_, d, drives_, out);

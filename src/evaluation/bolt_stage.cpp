@@ -97,7 +97,7 @@ BoltedJoint<T> BoltStage::design(const Selection<T>& s) const {
 template <class T>
 void BoltStage::answer(const Selection<T>& s, solver::Answer<T>& out) const {
   const BoltedJoint<T> d = design(s);
-  machine::bolted_joint_constraints(UtilisationVisitor<T, BoltedJoint<T>>(d, out.utilisation));
+  machine::bolted_joint_constraints(UtilisationVisitor<T, BoltedJoint<T>>(d, s.kept, out.utilisation));
   const T mass = total<T>(s, Total::mass);
   out.resources[cost_resource] = total<T>(s, Total::price);
   out.resources[mass_resource] = mass;

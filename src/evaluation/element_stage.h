@@ -28,6 +28,7 @@ struct Selection {
   Alive rows;
   std::vector<T> inherited;
   std::vector<T> variables;
+  std::uint64_t kept = 0;  ///< as solver::Box::kept
 };
 
 /// Indices of the resources that every stage has; behind them stands what objectives count beside (CountedResources),
@@ -66,10 +67,16 @@ inline scalar::Dual<scalar::Interval, 1> utilisation(const scalar::Dual<scalar::
 template <class T, class Element>
 class UtilisationVisitor {
  public:
-  UtilisationVisitor(const Element& element, std::vector<T>& out) : element_(element), out_(out) {}
+  /// `kept`: as solver::Box::kept.
+  UtilisationVisitor(const Element& element, std::uint64_t kept, std::vector<T>& out)
+      : element_(element), kept_(kept), out_(out) {}
   template <class When, class Demand, class Capacity>
   void operator()(const machine::Declaration& declaration, When when, Demand demand, Capacity capacity) {
     if (!machine::is_searched(declaration, element_.data->require)) return;
+    if (((kept_ >> (out_.size() % 64)) & 1U) != 0) {
+      out_.push_back(T(0.0));
+      return;
+    }
     switch (when(element_)) {
       case machine::Applies::no:
         out_.push_back(T(0.0));
@@ -94,6 +101,7 @@ class UtilisationVisitor {
     }
   }
   const Element& element_;
+  std::uint64_t kept_;
   std::vector<T>& out_;
 };
 
@@ -182,7 +190,9 @@ class ElementStage : public solver::Stage {
   }
 
   void bound(const solver::Box& box, solver::Answer<scalar::Interval>& answer) const final {
-    ask(box_selection<scalar::Interval>(box), answer);
+    Selection<scalar::Interval> selection = box_selection<scalar::Interval>(box);
+    selection.kept = box.kept;
+    ask(selection, answer);
   }
 
   void slopes(const solver::Box& box, solver::Input input, solver::Answer<scalar::Interval>& answer) const final {

@@ -115,7 +115,7 @@ GuideSystem<T> GuideStage::design(const Selection<T>& s) const {
 template <class T>
 void GuideStage::answer(const Selection<T>& s, solver::Answer<T>& out) const {
   const GuideSystem<T> d = design(s);
-  machine::guide_constraints(UtilisationVisitor<T, GuideSystem<T>>(d, out.utilisation));
+  machine::guide_constraints(UtilisationVisitor<T, GuideSystem<T>>(d, s.kept, out.utilisation));
   out.resources[cost_resource] = total<T>(s, Total::price);
   out.resources[mass_resource] = total<T>(s, Total::mass);
   add_compliance(place_, d, out);

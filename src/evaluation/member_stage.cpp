@@ -178,7 +178,7 @@ StructureMember<T> MemberStage::design(const Selection<T>& s) const {
 template <class T>
 void MemberStage::answer(const Selection<T>& s, solver::Answer<T>& out) const {
   const StructureMember<T> d = design(s);
-  machine::member_constraints(UtilisationVisitor<T, StructureMember<T>>(d, out.utilisation));
+  machine::member_constraints(UtilisationVisitor<T, StructureMember<T>>(d, s.kept, out.utilisation));
   T mass = d.mass;
   if (!tables_.empty()) {
     out.resources[cost_resource] = total<T>(s, Total::price);

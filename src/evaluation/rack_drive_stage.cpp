@@ -83,7 +83,7 @@ RackDrive<T> RackDriveStage::design(const Selection<T>& s) const {
 template <class T>
 void RackDriveStage::answer(const Selection<T>& s, solver::Answer<T>& out) const {
   const RackDrive<T> d = design(s);
-  machine::rack_drive_constraints(UtilisationVisitor<T, RackDrive<T>>(d, out.utilisation));
+  machine::rack_drive_constraints(UtilisationVisitor<T, RackDrive<T>>(d, s.kept, out.utilisation));
   out.resources[cost_resource] = total<T>(s, Total::price);
   out.resources[mass_resource] = total<T>(s, Total::mass);
   count_cycle(place_, d, drives_, out);

@@ -47,7 +47,7 @@ RotaryDrive<T> RotaryDriveStage::design(const Selection<T>& s) const {
 template <class T>
 void RotaryDriveStage::answer(const Selection<T>& s, solver::Answer<T>& out) const {
   const RotaryDrive<T> d = design(s);
-  machine::rotary_drive_constraints(UtilisationVisitor<T, RotaryDrive<T>>(d, out.utilisation));
+  machine::rotary_drive_constraints(UtilisationVisitor<T, RotaryDrive<T>>(d, s.kept, out.utilisation));
   out.resources[cost_resource] = total<T>(s, Total::price);
   out.resources[mass_resource] = total<T>(s, Total::mass);
   count_cycle(place_, d, 1.0, out);

@@ -194,7 +194,7 @@ ScrewDrive<T> ScrewDriveStage::design(const Selection<T>& s) const {
 template <class T>
 void ScrewDriveStage::answer(const Selection<T>& s, solver::Answer<T>& out) const {
   const ScrewDrive<T> d = design(s);
-  machine::screw_drive_constraints(UtilisationVisitor<T, ScrewDrive<T>>(d, out.utilisation));
+  machine::screw_drive_constraints(UtilisationVisitor<T, ScrewDrive<T>>(d, s.kept, out.utilisation));
   out.resources[cost_resource] = total<T>(s, Total::price);
   out.resources[mass_resource] = total<T>(s, Total::mass);
   count_cycle(place_, d, drives_, out);

@@ -59,7 +59,7 @@ Supply<T> SupplyStage::design(const Selection<T>& s) const {
 template <class T>
 void SupplyStage::answer(const Selection<T>& s, solver::Answer<T>& out) const {
   const Supply<T> d = design(s);
-  supply_constraints(UtilisationVisitor<T, Supply<T>>(d, out.utilisation));
+  supply_constraints(UtilisationVisitor<T, Supply<T>>(d, s.kept, out.utilisation));
   out.resources[cost_resource] = total<T>(s, Total::price);
   out.resources[mass_resource] = total<T>(s, Total::mass);
 }

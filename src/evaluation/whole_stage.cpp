@@ -79,7 +79,7 @@ void WholeStage::charge_orders(const Selection<T>& s, solver::Answer<T>& out) co
 template <class T>
 void WholeStage::answer(const Selection<T>& s, solver::Answer<T>& out) const {
   const WholeMachine<T> d = design(s);
-  whole_constraints(UtilisationVisitor<T, WholeMachine<T>>(d, out.utilisation));
+  whole_constraints(UtilisationVisitor<T, WholeMachine<T>>(d, s.kept, out.utilisation));
   for (const LateCharge& late : charges_) pay(charge(late, s.inherited[late.state]), late.preference, out);
   charge_orders(s, out);
   if (!error_resource_) return;

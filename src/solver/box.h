@@ -59,6 +59,10 @@ struct Region {
   std::vector<RowSet> rows;
   std::vector<Interval> variables;
 
+  /// Constraints (modulo 64) that every design in it keeps at all states that the search it belongs to asks about: they
+  /// need not be worked out again. A region that is handed to another search has to forget them.
+  std::uint64_t kept = 0;
+
   /// For each end of each variable (modulo the size): so many divisions of the region are waited before slices are
   /// cut off there again.
   std::array<std::uint8_t, 8> patience{};
@@ -181,7 +185,7 @@ class Desk {
           std::span<const Interval> variables) {
     spans_.clear();
     for (const RowSet& set : region.rows) spans_.push_back(set->alive());
-    return Box{shared, inherited, spans_, variables};
+    return Box{shared, inherited, spans_, variables, region.kept};
   }
 
   void count_question() {

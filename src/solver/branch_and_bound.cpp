@@ -106,6 +106,7 @@ bool BranchAndBound::bound_node(Node& node, Desk& desk) const {
   const StagePlan& plan = plans_[label.stage];
   thread_local Bounds bounds;
   if (!assess(plan, label.enclosure, node.region, bounds, desk)) return false;
+  note_kept(bounds, node.region);
   node.score.resize(criteria_.size());
   node.reached.resize(criteria_.size());
   for (std::size_t k = 0; k < node.score.size(); ++k) {
@@ -113,7 +114,7 @@ bool BranchAndBound::bound_node(Node& node, Desk& desk) const {
     node.score[k] = below(node.reached[k], rest_after(plan, k, bounds.handed_on));
   }
   node.handed_on = bounds.handed_on;
-  node.utilisation = std::max(label.utilisation, bounds.utilisation);
+  node.utilisation = std::max({node.utilisation, label.utilisation, bounds.utilisation});
   node.open = bounds.open;
   return true;
 }
@@ -150,6 +151,7 @@ void BranchAndBound::branch(const Node& node, Outcome& outcome, Desk& desk) cons
     child.label = node.label;
     child.region = node.region;
     child.region.rows[split.slot] = half;
+    child.utilisation = node.utilisation;  // constraints that are kept are not looked at any more
     child.depth = node.depth + 1;
     if (plan.fits.filter(child.region, split.slot) && bound_node(child, desk)) {
       outcome.nodes.push_back(std::move(child));

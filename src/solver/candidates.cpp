@@ -39,18 +39,13 @@ class Heap {
     weight_[0] = mix.first / unit;
     weight_[1] = mix.second / unit;
   }
-  void push(Node node, double weighed_state = 0.0) {
+  /// Sets the node's value to the sum.
+  void weigh(Node& node, double weighed_state = 0.0) const {
     constexpr double state_weight = 1e-4;  // decides between equal scores
     node.value = weighed_state;
     for (std::size_t i = 0; i < node.key.size(); ++i) {
       node.value += node.key[i] * (i < weight_.size() ? weight_[i] : state_weight);
     }
-    insert(std::move(node));
-  }
-  /// At a value that is not the sum.
-  void push_at(double value, Node node) {
-    node.value = value;
-    insert(std::move(node));
   }
   void insert(Node node) {
     node.order = ++order_;
@@ -132,49 +127,106 @@ class Search {
   CandidateSet run() {
     offer(plan_.region);
     while (!heap_.empty() && set_.nodes < question_.node_limit) {
-      Node node = heap_.pop();
-      const bool stopped = ++set_.nodes % 64 == 0 && question_.stop && question_.stop();
-      if (stopped || set_.nodes > question_.patience) {
-        set_.complete = false;
-        break;
-      }
-      if (known_.dominates(node.key)) continue;
-      if (node.region.one_design_per_slot()) {
-        settle(node);
-      } else {
-        branch(plan_, node, [&](Region region) { offer(std::move(region)); });
-      }
+      const Node node = heap_.pop();
+      if (!count()) break;
+      look_at(node);
     }
+    if (set_.complete && !question_.mix && set_.candidates.empty() && set_.nodes >= question_.node_limit)
+      look_for_feasible();
     drop_dominated();
     return std::move(set_);
   }
 
  private:
+  /// False: stopped, or it takes too long.
+  bool count() {
+    const bool stopped = ++set_.nodes % 64 == 0 && question_.stop && question_.stop();
+    set_.complete = set_.complete && !stopped && set_.nodes <= question_.patience;
+    return set_.complete;
+  }
+
+  void look_at(const Node& node) {
+    if (known_.dominates(node.key)) return;
+    if (node.region.one_design_per_slot())
+      settle(node);
+    else
+      branch(plan_, node, [&](Region region) { offer(std::move(region)); });
+  }
+
+  /// Where there are many nearly equal rows the cheapest regions are all infeasible or still large when the limit is
+  /// reached. So they are taken in the order of value and strain together; the more strain weighs, the surer and the
+  /// dearer is what is found.
+  void look_for_feasible() {
+    for (const double weight : {0.5, 2.0, 8.0, 32.0}) {
+      if (!set_.complete || !set_.candidates.empty()) return;
+      look_with(weight);
+    }
+  }
+  void look_with(double strain_weight) {
+    constexpr std::size_t enough = 4, fewest_nodes = 400;
+    Heap heap(plan_);
+    const auto offer_here = [&](Region region) {
+      std::optional<Node> node = assess_region(std::move(region));
+      if (!node) return;
+      node->value += strain_weight * strain(node->region);
+      heap.insert(std::move(*node));
+    };
+    offer_here(plan_.region);
+    for (std::size_t nodes = 0; nodes < std::max(question_.node_limit, fewest_nodes) && !heap.empty() && count();
+         ++nodes) {
+      const Node node = heap.pop();
+      if (!node.region.one_design_per_slot())
+        branch(plan_, node, offer_here);
+      else
+        settle(node);
+      if (set_.candidates.size() >= enough) return;
+    }
+  }
+
+  /// How far a typical design of a region is from keeping its constraints: the largest utilisation, as a logarithm.
+  double strain(const Region& region) {
+    std::vector<Interval> variables;
+    for (const Interval& side : region.variables) variables.emplace_back(middle(side));
+    const auto& answer = desk_.bound(*plan_.stage, plan_.shared, question_.states, region, variables);
+    double sum = 0.0;
+    for (const Interval& u : answer.utilisation) {
+      const double square = std::max(u.lower, 1e-3) * std::min(u.upper, 1e3);
+      if (square > 1.0) sum += 0.5 * std::log(square);
+    }
+    return sum;
+  }
+
   void offer(Region region) {
+    if (std::optional<Node> node = assess_region(std::move(region))) heap_.insert(std::move(*node));
+  }
+
+  /// The region with its bounds and its value; nothing when it can be left out.
+  std::optional<Node> assess_region(Region region) {
     Node node;
     node.region = std::move(region);
     read_bounds(plan_, desk_.bound(*plan_.stage, plan_.shared, question_.states, node.region), node.bounds);
-    if (node.bounds.utilisation > 1.0) return;
-    if (!below_staircase(question_.useful, node.bounds.score[0], plan_.criteria->second(node.bounds.score))) return;
-    if (!may_lead_on(node.bounds)) return;
+    if (node.bounds.utilisation > 1.0) return std::nullopt;
+    if (!below_staircase(question_.useful, node.bounds.score[0], plan_.criteria->second(node.bounds.score)))
+      return std::nullopt;
+    if (!may_lead_on(node.bounds)) return std::nullopt;
     const bool guided = question_.mix && !total_vectors_.add.empty();
-    const double value = guided ? least_total(node.bounds) : 0.0;
+    if (guided) node.value = least_total(node.bounds);
     for (std::size_t h = 0; h < to_reference_.size(); ++h) {
       node.bounds.handed_on[h].lower += to_reference_[h].first;
       node.bounds.handed_on[h].upper += to_reference_[h].second;
     }
     node.key.resize(comparison_.dimensions());
     comparison_.best_key(node.bounds.score, node.bounds.handed_on, node.key.data());
-    if (known_.dominates(node.key)) return;
-    if (!cut_variables(plan_, question_.states, node.region, node.bounds, desk_)) return;
-    if (guided) {
-      heap_.push_at(value, std::move(node));
-      return;
-    }
+    if (known_.dominates(node.key)) return std::nullopt;
+    note_kept(node.bounds, node.region);
+    if (!cut_variables(plan_, question_.states, node.region, node.bounds, desk_)) return std::nullopt;
+    note_kept(node.bounds, node.region);
+    if (guided) return node;
     double weighed_state = 0.0;
     for (std::size_t h = 0; h < question_.state_weight.size(); ++h)
       weighed_state += question_.state_weight[h] * node.bounds.handed_on[h].lower;
-    heap_.push(std::move(node), weighed_state);
+    heap_.weigh(node, weighed_state);
+    return node;
   }
 
   /// Of the mix, with some label and what must follow.
@@ -302,7 +354,12 @@ std::vector<Pair> least_front(const StagePlan& plan, std::size_t node_limit, Des
     if (node.bounds.utilisation > 1.0) return;
     node.key = {node.bounds.score[0], plan.criteria->second(node.bounds.score)};
     if (known.dominates(node.key)) return;
-    if (cut_variables(plan, plan.best_inherited, node.region, node.bounds, desk)) heap.push(std::move(node));
+    note_kept(node.bounds, node.region);
+    if (cut_variables(plan, plan.best_inherited, node.region, node.bounds, desk)) {
+      note_kept(node.bounds, node.region);
+      heap.weigh(node);
+      heap.insert(std::move(node));
+    }
   };
   offer(plan.region);
   for (std::size_t nodes = 0; !heap.empty() && nodes < node_limit; ++nodes) {

@@ -46,15 +46,11 @@ Frontier::Frontier(const Problem& problem,
 
 bool Frontier::run(bool shared_allowances) {
   find_rest();
-  if (!pass({.with_states = false})) return false;
+  if (!pass({.with_states = false, .patience = quick_patience()}) && control_.time_is_up()) return false;
   // Where what is cheap first leaves too little of a shared allowance to what comes later, nothing is found that way.
   const bool nothing_yet = criteria_.objectives == 1 && incumbents_.builds().empty();
   if ((shared_allowances || nothing_yet) && !find_better_first(shared_allowances)) return false;
-  for (const double share : {0.03, 0.1, 0.3, 1.0}) {
-    if (!incumbents_.builds().empty() || !control_.options().look_first) break;
-    for (const std::size_t nodes : {std::size_t{100}, std::size_t{1000}})
-      if (!pass({.haste = Haste{.share = share, .nodes = nodes}})) return false;
-  }
+  if (!look_for_any({few_nodes, many_nodes})) return false;
   if (!used_prices_) {
     if (pass({.patience = control_.options().stage_patience})) return !undecided_;
     if (control_.time_is_up() || !find_better_first(false)) return false;

@@ -31,6 +31,7 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <limits>
 #include <map>
 #include <memory>
@@ -59,9 +60,14 @@ class Frontier {
   /// True when the incumbents are the front. False: time limit, or something undecided (then `undecided()`).
   /// `shared_allowances`: prices for them have been of use elsewhere in the problem.
   bool run(bool shared_allowances);
+  /// For any build, where there is none and to prove things takes long; so many nodes are looked at for the designs of
+  /// a chunk. False when time is up, or when it is easy enough for `run`.
+  bool look(std::size_t nodes);
   [[nodiscard]] bool undecided() const { return undecided_; }
   /// Whether shared allowances were given prices (rest_plane.h).
   [[nodiscard]] bool used_prices() const { return used_prices_; }
+
+  static constexpr std::size_t few_nodes = 100, many_nodes = 1000;  ///< for `look`
 
  private:
   static constexpr std::size_t staircase_points = 600;
@@ -81,6 +87,13 @@ class Frontier {
   };
   std::vector<double> state_weights(std::size_t stage, double unit) const;
   bool look_for_builds(const Haste& haste);
+  bool look_for_any(std::initializer_list<std::size_t> each_nodes);
+  void improve();
+  /// For the first pass. Long where there are many nearly equal parts; then others that are quicker must find
+  /// something.
+  [[nodiscard]] std::size_t quick_patience() const {
+    return criteria_.objectives > 1 ? control_.options().stage_patience : control_.options().stage_patience / 6;
+  }
   std::optional<Mix> next_mix() const;
   void keep_best(std::size_t stage);
   /// A part of the front: first scores above `from` and up to `to`.
@@ -108,6 +121,7 @@ class Frontier {
   std::vector<double> known_inside(const Section& section) const;
   std::size_t section_patience() const;
   double middle_of(const Section& section) const;
+  double central(double score, const Section& section) const;
   bool is_wide(const Section& section) const;
   bool is_narrow(const Section& section) const;
   std::vector<Pair> corners() const;
@@ -169,10 +183,11 @@ class Frontier {
   bool applicable_ = true;
   bool undecided_ = false;
   bool used_prices_ = false;
-  std::optional<Haste> haste_;      ///< of the pass under way
-  std::size_t patience_ = endless;  ///< of the pass under way
-  Section section_;                 ///< of the front that is looked for
-  bool settled_ = false;            ///< nothing is left that could change the known front
+  double improved_ = std::numeric_limits<double>::infinity();  ///< the best first score that `improve` has led to
+  std::optional<Haste> haste_;                                 ///< of the pass under way
+  std::size_t patience_ = endless;                             ///< of the pass under way
+  Section section_;                                            ///< of the front that is looked for
+  bool settled_ = false;                                       ///< nothing is left that could change the known front
 };
 
 }  // namespace millwright::solver

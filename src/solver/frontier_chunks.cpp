@@ -33,18 +33,20 @@ std::vector<Frontier::Chunk> Frontier::make_chunks(std::size_t stage, const Comp
       component = c;
     }
   }
+  const auto state_of = [&](std::uint32_t label) {  // a problem may have none
+    return component < labels[label].state.size() ? labels[label].state[component] : 0.0;
+  };
   std::vector<std::uint32_t> order(labels.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return labels[a].state[component] < labels[b].state[component];
-  });
-  const double low = labels[order.front()].state[component];
-  const double high = labels[order.back()].state[component];
+  std::stable_sort(
+      order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return state_of(a) < state_of(b); });
+  const double low = state_of(order.front());
+  const double high = state_of(order.back());
   const double parts = std::clamp(std::ceil(widest / narrow), 1.0, static_cast<double>(most_chunks));
   const double step = (high - low) / parts;
   double end = -infinity;
   for (const std::uint32_t index : order) {
-    const double value = labels[index].state[component];
+    const double value = state_of(index);
     if (chunks.empty() || value > end) {
       chunks.emplace_back();
       end = value + step;

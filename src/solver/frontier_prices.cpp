@@ -8,6 +8,7 @@
 
 #include "solver/frontier.h"
 #include "solver/frontier_sums.h"
+#include "solver/neighbours.h"
 #include "solver/rest_curve.h"
 
 namespace millwright::solver {
@@ -17,9 +18,52 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
+bool Frontier::look(std::size_t nodes) {
+  find_rest();
+  const bool easy = pass({.with_states = false, .patience = quick_patience()});
+  return !easy && !control_.time_is_up() && look_for_any({nodes});
+}
+
+/// While there is no build: passes that save more and more for later stages. False when time is up.
+bool Frontier::look_for_any(std::initializer_list<std::size_t> each_nodes) {
+  for (const double share : {0.03, 0.1, 0.3, 1.0}) {
+    if (!incumbents_.builds().empty() || !control_.options().look_first) return true;
+    for (const std::size_t nodes : each_nodes)
+      if (!pass({.haste = Haste{.share = share, .nodes = nodes}})) return false;
+  }
+  return true;
+}
+
+/// Changes single parts of the best build for better ones, if it is of these shared choices and has not been changed
+/// yet.
+void Frontier::improve() {
+  if (criteria_.objectives > 1 || incumbents_.builds().empty() || !control_.options().look_first) return;
+  const RankedBuild& best = incumbents_.builds().front();
+  const std::span<const Row> shared = plans_.front().shared;
+  if (!(best.score[0] < improved_) || !std::equal(shared.begin(), shared.end(), best.build.shared.begin())) return;
+  RankedBuild ranked;
+  ranked.score.resize(criteria_.size());
+  const auto value = [&](std::span<const double> resources) {
+    criteria_.scores<double>(resources, ranked.score);
+    return ranked.score[0];
+  };
+  ranked.build = Neighbours(problem_).improved(best.build, value, [this] { return control_.time_is_up(); });
+  improved_ = value(ranked.build.resources);
+  ranked.build.worst_utilisation = 0.0;
+  for (std::size_t stage = 0; stage < plans_.size(); ++stage) {
+    StageChoice& choice = ranked.build.stages[stage];
+    Label before = first_label(problem_, criteria_);
+    before.state = choice.inherited;
+    before.enclosure.assign(before.state.begin(), before.state.end());
+    relieve(stage, before, choice, ranked.build.worst_utilisation);
+  }
+  incumbents_.offer(std::move(ranked));
+}
+
 /// Before a long pass: prices for shared allowances, good builds by them, and less to choose from. False: time is up.
 /// `shared_allowances`: prices have been of use with other shared choices.
 bool Frontier::find_better_first(bool shared_allowances) {
+  improve();
   for (std::size_t score = 0; score < criteria_.objectives; ++score) mixes_.push_back(Mix::only(score));
   bool priced = false;
   const bool prepared = control_.while_there_is_time([&] {
@@ -37,6 +81,7 @@ bool Frontier::find_better_first(bool shared_allowances) {
     if (settled_) return true;
     if (front) planes_->keep_regions();
     if (look && !look_for_builds(haste)) return false;
+    improve();
     const auto restrict_again = [&] {
       settled_ = find_planes() && !incumbents_.builds().empty() && !restrict_stages();
     };

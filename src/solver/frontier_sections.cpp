@@ -56,7 +56,7 @@ bool Frontier::by_sections() {
     const std::vector<double> now = known_inside(section);
     const double middle = now.empty()                  ? middle_of(section)
                           : !std::isfinite(section.to) ? now.back()
-                                                       : now[now.size() / 2];
+                                                       : central(now[now.size() / 2], section);
     open.push_back({middle, section.to});
     open.push_back({section.from, middle});
   }
@@ -66,7 +66,7 @@ bool Frontier::by_sections() {
 }
 
 /// Little: what is too much is cut.
-std::size_t Frontier::section_patience() const { return control_.options().stage_patience / 3; }
+std::size_t Frontier::section_patience() const { return control_.options().stage_patience; }
 
 /// First scores of known builds in it.
 std::vector<double> Frontier::known_inside(const Section& section) const {
@@ -80,6 +80,16 @@ double Frontier::middle_of(const Section& section) const {
   constexpr double more = 1.25;
   const double from = std::max(section.from, least_total_);
   return std::isfinite(section.to) ? 0.5 * (from + section.to) : more * from;
+}
+
+/// Away from the ends of a wide section: builds that crowd at one end say little about the rest of it. A narrow one is
+/// cut at builds, so that in the end there is none inside.
+double Frontier::central(double score, const Section& section) const {
+  constexpr double least_share = 0.25, narrow = 0.05;
+  const double from = std::max(section.from, least_total_);
+  const double width = section.to - from;
+  if (!(width > narrow * std::fabs(section.to))) return score;
+  return std::clamp(score, from + least_share * width, section.to - least_share * width);
 }
 
 /// Whether its scores are too different for bounds that fit all of it.

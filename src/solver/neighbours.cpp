@@ -76,4 +76,45 @@ void Neighbours::visit(const Build& build, std::size_t objective, const Visitor&
   }
 }
 
+bool Neighbours::improve_slot(
+    Build& build, std::size_t stage, std::size_t slot, const std::vector<double>& before, const Value& value) const {
+  const Row rows = problem_.stages[stage]->slots()[slot].rows;
+  const Row step = (rows + most_rows - 1) / most_rows;
+  double best = value(build.resources);
+  bool improved = false;
+  Answer<double> answer;
+  Build next = build;
+  for (Row row = 0; row < rows; row += step) {
+    StageChoice& choice = next.stages[stage];
+    choice.rows[slot] = row;
+    if (!fits(next, stage)) continue;
+    problem_.stages[stage]->evaluate({next.shared, choice.inherited, choice.rows, choice.variables}, answer);
+    if (!std::all_of(answer.utilisation.begin(), answer.utilisation.end(), [](double u) { return u <= 1.0; })) continue;
+    Build whole = next;
+    if (!complete(whole, stage, before) || !(value(whole.resources) < best)) continue;
+    best = value(whole.resources);
+    build = std::move(whole);
+    improved = true;
+  }
+  return improved;
+}
+
+Build Neighbours::improved(Build build, const Value& value, const std::function<bool()>& stop) const {
+  for (bool again = true; again;) {
+    again = false;
+    std::vector<double> before(problem_.resources.size(), 0.0);
+    Answer<double> answer;
+    for (std::size_t i = 0; i < build.stages.size(); ++i) {
+      for (std::size_t slot = 0; slot < build.stages[i].rows.size(); ++slot) {
+        if (stop()) return build;
+        again = improve_slot(build, i, slot, before, value) || again;
+      }
+      const StageChoice& own = build.stages[i];
+      problem_.stages[i]->evaluate({build.shared, own.inherited, own.rows, own.variables}, answer);
+      for (std::size_t r = 0; r < before.size(); ++r) before[r] += answer.resources[r];
+    }
+  }
+  return build;
+}
+
 }  // namespace millwright::solver

@@ -17,7 +17,16 @@ class Neighbours {
   using Visitor = std::function<double(const Build&)>;
   void visit(const Build& build, std::size_t objective, const Visitor& visitor) const;
 
+  /// What is to be small, of the totals of a build.
+  using Value = std::function<double(std::span<const double> resources)>;
+  /// A feasible build that no change of a single row looked at makes better: from `build`, which must be feasible, slot
+  /// by slot to the best row there. Its worst utilisation is not worked out. `stop` is asked now and then.
+  [[nodiscard]] Build improved(Build build, const Value& value, const std::function<bool()>& stop) const;
+
  private:
+  /// The best row of one slot, if it is better than the build's own. `before`: what the stages before add.
+  [[nodiscard]] bool improve_slot(
+      Build& build, std::size_t stage, std::size_t slot, const std::vector<double>& before, const Value& value) const;
   [[nodiscard]] bool fits(const Build& build, std::size_t stage) const;
   /// Evaluates `build` from `stage` on, whose inherited state is known; false if it is not feasible.
   bool complete(Build& build, std::size_t stage, std::vector<double> resources) const;

@@ -30,8 +30,11 @@ bool RegionPool::bound(Part& part, const Useful& useful, Desk& desk) const {
   Bounds& bounds = part.open.bounds;
   read_bounds(*plan_, desk.bound(*plan_->stage, plan_->shared, inherited_, region), bounds);
   // Cutting variables takes far longer than this, so it comes last.
-  part.alive = bounds.utilisation <= 1.0 && (!useful || useful(bounds)) &&
-               cut_variables(*plan_, inherited_, region, bounds, desk);
+  part.alive = bounds.utilisation <= 1.0 && (!useful || useful(bounds));
+  if (!part.alive) return false;
+  note_kept(bounds, region);
+  part.alive = cut_variables(*plan_, inherited_, region, bounds, desk);
+  note_kept(bounds, region);
   return part.alive;
 }
 
@@ -121,7 +124,10 @@ bool RegionPool::refine_front(
 std::vector<OpenRegion> RegionPool::regions() const {
   std::vector<OpenRegion> regions;
   for (const Part& part : parts_)
-    if (part.alive) regions.push_back(part.open);
+    if (part.alive) {
+      regions.push_back(part.open);
+      regions.back().region.kept = 0;
+    }
   std::stable_sort(regions.begin(), regions.end(), [](const OpenRegion& a, const OpenRegion& b) {
     return a.bounds.score[0] < b.bounds.score[0];
   });

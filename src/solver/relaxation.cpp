@@ -58,6 +58,7 @@ class Search {
     Node node;
     node.part.region = std::move(region);
     if (!assess(plan_, plan_.best_inherited, node.part.region, node.part.bounds, desk_)) return;
+    note_kept(node.part.bounds, node.part.region);
     node.value = value_of(plan_, target_, node.part.bounds);
     node.order = ++order_;
     push(std::move(node));
@@ -74,7 +75,10 @@ class Search {
     Relaxation relaxation;
     relaxation.least = heap_.empty() ? std::numeric_limits<double>::infinity() : heap_.front().value;
     relaxation.open.reserve(heap_.size());
-    for (Node& node : heap_) relaxation.open.push_back(std::move(node.part));
+    for (Node& node : heap_) {
+      node.part.region.kept = 0;
+      relaxation.open.push_back(std::move(node.part));
+    }
     return relaxation;
   }
 

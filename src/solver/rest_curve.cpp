@@ -75,13 +75,17 @@ class LeastFrom {
     Node node;
     node.part.region = std::move(region);
     if (!assess(plan_, inherited_, node.part.region, node.part.bounds, desk_)) return;
+    note_kept(node.part.bounds, node.part.region);
     node.value = std::max(at_least, value_of(node.part.bounds));
     node.step = step_;
     if (node.value < infinity) push(std::move(node));
   }
   void look_at(Node node) {
     if (node.known != nullptr) return offer(node.known->region, node.value);
-    if (node.step != step_) return offer(std::move(node.part.region), node.value);
+    if (node.step != step_) {
+      node.part.region.kept = 0;
+      return offer(std::move(node.part.region), node.value);
+    }
     if (node.part.region.one_design_per_slot()) {
       if (proves_infeasible(plan_, inherited_, node.part.region, proof_boxes, desk_)) return;
       node.settled = true;

@@ -94,7 +94,7 @@ struct RestrictedStage::InnerBox {
     std::size_t next = 0;
     for (const auto& held : stage.restriction_.held)
       variables.push_back(held ? Interval(*held) : box.variables[next++]);
-    inner = {shared, box.inherited, alive, variables};
+    inner = {shared, box.inherited, alive, variables, box.kept};
   }
   std::vector<Row> shared;
   std::vector<std::vector<Row>> rows;

@@ -148,6 +148,7 @@ class Solve {
       if (auto started = start(combination)) open.push_back(std::move(*started));
     }
     std::stable_sort(open.begin(), open.end(), [](const auto& a, const auto& b) { return a.score[0] < b.score[0]; });
+    look_around(open);
     for (std::size_t i = 0; i < open.size(); ++i) {
       control_.enter(open[i].score[0], std::min(least(open, i + 1), open_bound_));
       if (!incumbents_.hopeless(open[i].score, 0.0)) finish(open[i]);
@@ -169,6 +170,26 @@ class Solve {
     std::vector<double> score;    ///< lower bounds
     std::uint64_t questions = 0;  ///< asked to prepare it
   };
+
+  /// For any build, in each combination: to prove that there is none in the first may take far longer than to find one
+  /// in the second, and with one it is easier. Then the combination in which the best build is comes first.
+  void look_around(std::vector<OpenSearch>& open) {
+    if (criteria_.objectives > 1 || open.size() < 2 || !incumbents_.builds().empty()) return;
+    if (!control_.options().stagewise || !control_.options().look_first) return;
+    for (const std::size_t nodes : {Frontier::few_nodes, Frontier::many_nodes}) {
+      for (OpenSearch& each : open) {
+        if (!incumbents_.builds().empty()) break;
+        Frontier frontier(problem_, criteria_, *each.plans, incumbents_, control_);
+        if (!frontier.applicable() || !frontier.look(nodes)) return;
+      }
+    }
+    if (incumbents_.builds().empty()) return;
+    const std::vector<Row>& shared = incumbents_.builds().front().build.shared;
+    std::stable_partition(open.begin(), open.end(), [&](const OpenSearch& each) {
+      const auto of_search = each.plans->front().shared;
+      return std::equal(shared.begin(), shared.end(), of_search.begin(), of_search.end());
+    });
+  }
 
   /// A point that stands for designs a little better than itself may be too heavy for a later stage where they are not.
   /// What stays undecided for that reason is decided with points that stand for less.

@@ -78,6 +78,9 @@ struct Box {
   std::span<const Interval> inherited;
   std::span<const RowsAlive> rows;  ///< of each slot
   std::span<const Interval> variables;
+  /// Bit c % 64: constraint c is known to be kept by every design in it. `bound` may say [0, 0] of its utilisation
+  /// instead of working it out.
+  std::uint64_t kept = 0;
 };
 
 /// What a stage answers. T is double for a design and Interval for a set of designs or for slopes.

@@ -36,6 +36,9 @@ struct Bounds {
   std::uint64_t open = 0;           ///< constraints (modulo 64) neither certainly satisfied nor violated
 };
 
+/// What has been found of a region at the states of a search holds for its parts.
+inline void note_kept(const Bounds& bounds, Region& region) { region.kept = ~bounds.open; }
+
 struct OpenRegion {
   Region region;
   Bounds bounds;

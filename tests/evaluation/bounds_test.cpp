@@ -471,6 +471,63 @@ TEST_CASE("Bounds of random sets contain their members") {
   }
 }
 
+namespace {
+
+/// Some of a set: half of the rows of each slot, and part of each interval.
+SampledBox part_of(const SampledBox& whole, BoxSampler& sampler) {
+  SampledBox part = whole;
+  for (std::vector<Row>& rows : part.rows) rows.resize((rows.size() + 1) / 2);
+  for (auto* sides : {&part.inherited, &part.variables})
+    for (Interval& side : *sides) side = Interval::between(sampler.within(side), sampler.within(side));
+  return part;
+}
+
+/// The constraints (modulo 64) that all members of a set keep.
+std::uint64_t kept_in(const Answer<Interval>& bounds) {
+  std::uint64_t kept = ~std::uint64_t{0};
+  for (std::size_t c = 0; c < bounds.utilisation.size(); ++c)
+    if (!(bounds.utilisation[c].upper <= 1.0)) kept &= ~(std::uint64_t{1} << (c % 64));
+  return kept;
+}
+
+}  // namespace
+
+// The search does not ask again about constraints that a set has been proved to keep.
+TEST_CASE("A constraint that a set keeps is kept by its parts, and leaving it out changes nothing else") {
+  for (const StageEntry* entry : all_stages()) {
+    const solver::Stage& stage = entry->as_stage();
+    BoxSampler sampler = sampler_of(*entry, 14);
+    Findings findings;
+    std::size_t left_out = 0;
+    for (int n = 0; n < 1000; ++n) {
+      SampledBox whole = sampler.box();
+      SampledBox part = part_of(whole, sampler);
+      Answer<Interval> bounds, all, some;
+      stage.bound(whole.box(), bounds);
+      const std::uint64_t kept = kept_in(bounds);
+      solver::Box box = part.box();
+      stage.bound(box, all);
+      box.kept = kept;
+      stage.bound(box, some);
+      const auto expected = flat(all), found = flat(some);
+      REQUIRE(expected.size() == found.size());
+      for (std::size_t i = 0; i < expected.size(); ++i) {
+        const Interval& x = found[i].second;
+        const bool is_kept = i < all.utilisation.size() && ((kept >> (i % 64)) & 1U) != 0;
+        if (is_kept && !(expected[i].second.upper <= 1.0)) findings.add(found[i].first + " is not kept by a part");
+        if (is_kept && x.lower == 0.0 && x.upper == 0.0) {
+          left_out += expected[i].second.upper > 0.0;
+        } else if (x.lower != expected[i].second.lower || x.upper != expected[i].second.upper) {
+          findings.add(found[i].first + " is another one");
+        }
+      }
+    }
+    INFO(entry->axis << "." << entry->element << ": " << findings.count() << "\n" << findings.text());
+    CHECK(findings.count() == 0);
+    CHECK((stage.constraints() < 3 || left_out > 500));
+  }
+}
+
 TEST_CASE("The answer for one design is never NaN") {
   for (const StageEntry* entry : all_stages()) {
     BoxSampler sampler = sampler_of(*entry, 12);

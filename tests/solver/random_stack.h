@@ -164,6 +164,8 @@ class AxisStage final : public Stage {
     const Interval diameter = box.variables.size() > 1 ? box.variables[1] : Interval(0.0);
     answer_of(
         axis_, voltage(box.shared), hull_of(box), box.variables[0], diameter, box.inherited[0], box.inherited[1], out);
+    for (std::size_t c = 0; c < out.utilisation.size(); ++c)
+      if (((box.kept >> (c % 64)) & 1U) != 0) out.utilisation[c] = Interval(0.0);
   }
   void slopes(const Box& box, Input input, Answer<Interval>& out) const override {
     const auto parts = axis_.only_shaft ? Parts<Dual<Interval>>{} : lift<Dual<Interval>>(hull_of(box));

@@ -64,7 +64,7 @@ class CountedStage final : public Stage {
 
  private:
   static std::span<const Row> own(std::span<const Row> shared) { return shared.first(shared.size() - 1); }
-  static Box own(const Box& box) { return {own(box.shared), box.inherited, box.rows, box.variables}; }
+  static Box own(const Box& box) { return {own(box.shared), box.inherited, box.rows, box.variables, box.kept}; }
   [[nodiscard]] double charge(std::span<const Row> shared) const {
     return charges_ && shared.back() == 1 ? surcharge : 0.0;
   }
