@@ -20,10 +20,14 @@ struct Word {
   std::string_view text;
   CompanionKind kind;
 };
-constexpr std::array<Word, 10> words_of_companions = {{{"source", CompanionKind::source},
+constexpr std::array<Word, 14> words_of_companions = {{{"source", CompanionKind::source},
                                                        {"quelle", CompanionKind::source},
                                                        {"sumber", CompanionKind::source},
                                                        {"confidence", CompanionKind::confidence},
+                                                       {"konfidenz", CompanionKind::confidence},
+                                                       {"vertrauen", CompanionKind::confidence},
+                                                       {"vertrauensw\xC3\xBCrdigkeit", CompanionKind::confidence},
+                                                       {"keyakinan", CompanionKind::confidence},
                                                        {"tolerance", CompanionKind::tolerance},
                                                        {"tol", CompanionKind::tolerance},
                                                        {"toleranz", CompanionKind::tolerance},

@@ -218,6 +218,25 @@ TEST_CASE("a flag is yes or no") {
   CHECK_FALSE(outcome.table.flag(free, 2).has_value());
 }
 
+TEST_CASE("a confidence is high, medium or low, in whatever case, and nothing else") {
+  const Outcome outcome = read(Family::steppers,
+                               header +
+                                   "Acme,M1,1.8,100,2,10,USD,s,HIGH\nAcme,M2,1.8,100,2,10,USD,s,Low\n"
+                                   "Acme,M3,1.8,100,2,10,USD,s,mediun\nAcme,M4,1.8,100,2,10,USD,s,\n"
+                                   "Acme,M5,1.8,100,2,10,USD,s,so so\n");
+  REQUIRE(outcome.diagnostics.size() == 2);
+  CHECK(outcome.diagnostics[0].where.line == 4);
+  CHECK(outcome.diagnostics[0].where.column == 28);
+  CHECK(outcome.diagnostics[0].message == "confidence: 'mediun' is no confidence");
+  CHECK(outcome.diagnostics[0].hint.find("did you mean 'medium'?") == 0);
+  CHECK(outcome.diagnostics[1].where.line == 6);
+  CHECK(outcome.diagnostics[1].hint.find("write high, medium or low") == 0);
+  REQUIRE(outcome.table.rows() == 3);
+  CHECK(outcome.table.confidence(0) == "high");
+  CHECK(outcome.table.confidence(1) == "low");
+  CHECK(outcome.table.confidence(2).empty());
+}
+
 TEST_CASE("nothing at all, a header alone and noise are errors") {
   CHECK(read(Family::steppers, "").has_errors);
   CHECK(read(Family::steppers, "# only a comment\n").has_errors);
