@@ -414,6 +414,23 @@ TEST_CASE("Companions in German, with decimal commas, and by a mapping file that
   CHECK(missing.says("the table has no column 'T'"));
 }
 
+TEST_CASE("A tolerance of what takes none is kept, and is no other column") {
+  for (const std::string price : {"Price (EUR)", "price_eur"})
+    for (const std::string name : {"price_tolerance", "Preis Toleranz", "Tolerance of price (%)", "frame_tolerance"}) {
+      const Imported result = import_csv("Brand,Part No,Step angle (deg),Torque (N.cm),Current (A)," + price + "," +
+                                             name + "\nA,1,1.8,126,2.8,20,5\nA,2,1.8,126,2.8,21,10\n",
+                                         asking({{"currency", "EUR"}}));
+      INFO(name << " " << result.meaning(name) << result.complaints);
+      REQUIRE(result.good);
+      CHECK(result.meaning(price) == "price");
+      CHECK(result.meaning(name).starts_with("x_"));
+      CHECK(result.table(Family::steppers).price(1).piece == 21.0);
+    }
+  // Alone it is no price either.
+  CHECK(import_csv("Brand,Part No,Step angle (deg),Torque (N.cm),Current (A),price_tolerance\nA,1,1.8,126,2.8,5\n")
+            .says("nothing in the table gives price"));
+}
+
 TEST_CASE("Confidences in three languages become ours, and what is none is an error at its cell") {
   const std::string head = "Brand,Part No,Step angle (deg),Torque (N.cm),Current (A),Price (EUR),";
   for (const std::string name : {"Konfidenz", "Vertrauen", "Vertrauensw\xC3\xBCrdigkeit", "Keyakinan", "Confidence"}) {
