@@ -170,13 +170,26 @@ TEST_CASE("the letter O is pointed at") {
 TEST_CASE("rows that do not fit the header") {
   CHECK(errors("a,b,c\n1,2\n1,2,3,4\n1,2,3\n") ==
         Words{"2:4 row of 2 cells, but the header has 3", "3:7 row of 4 cells, but the header has 3"});
-  CHECK(errors("a,b,c\n1,2\r\n# later\n") ==
-        Words{"2:4 row of 2 cells, but the header has 3", "3:1 row of 1 cells, but the header has 3"});
+  CHECK(errors("a,b,c\n1,2\r\n# later\n") == Words{"2:4 row of 2 cells, but the header has 3"});
   Diagnostics diagnostics;
   const CsvTable table = read("a,b\n1\n2,3\n", diagnostics);
   CHECK(table.row_count() == 1);
   CHECK(table.cell(0, 1) == "3");
   CHECK(diagnostics.all()[0].hint == "the cell of 'b' and what follows is missing");
+}
+
+TEST_CASE("comments stand between the rows and behind them too") {
+  const CsvTable table = read_clean(
+      "# top\na,b\n1,2\n# a 3\" screw, and more, cells\n  # indented\n\t#x,y\n3,4\n#taken,out\n# 5 pieces, in all\n");
+  REQUIRE(table.row_count() == 2);
+  CHECK(row(table, 1) == Words{"3", "4"});
+  CHECK(table.cell_span(1, 0).line == 7);
+  CHECK(table.comments().size() == 1);  // what the file says of itself
+  CHECK(read_clean("a,b\n1,2\n#").row_count() == 1);
+  CHECK(read_clean("a,b\r\n1,2\r\n# end\r\n").row_count() == 1);
+  CHECK(read_clean("a,b\n\"#1\",2\n\"x\n# in a cell\",3\n").row_count() == 2);
+  // A row that may be meant as one is not lost.
+  CHECK(errors("a,b\n#10-24,2\n#8 alone\n1,2\n") == Words{"2:1 comment or row? '#10-24' with 2 cells"});
 }
 
 TEST_CASE("empty rows and empty surplus cells of spreadsheets are ignored") {
