@@ -54,6 +54,8 @@ class TableFileReader {
     columns_.file.layer = layer;
     columns_.file.separator = csv_.separator();
     columns_.file.field_of_column = header_.field_of_column;
+    for (const Companion& each : header_.companions)
+      columns_.file.companions.push_back({each.figure.index, each.kind, static_cast<int>(each.field)});
     columns_.file.unescaped = unescaped_;
     columns_.offsets = record_offsets();
     Table table(family_, std::move(columns_));
@@ -198,7 +200,8 @@ class TableFileReader {
       const std::string_view code = text_of(currency, row);
       if (code.empty()) {
         refuse(row, currency, "currency is missing", "for example USD");
-      } else if (code.size() != 3 || !std::all_of(code.begin(), code.end(), is_capital)) {
+      } else if (code.size() != 3 ||
+                 !std::all_of(code.begin(), code.end(), [](char c) { return c >= 'A' && c <= 'Z'; })) {
         refuse(row,
                currency,
                fmt::format("{} is not a currency", text::quoted(code)),
@@ -313,8 +316,6 @@ class TableFileReader {
                          fmt::format("{} is not known, so this part cannot be chosen", declaration(price).name),
                          "write a price, 0 if you own it");
   }
-
-  static bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
 
   std::string_view text_of(Column column, std::size_t row) const { return text_of(columns_.texts[column.index][row]); }
 

@@ -193,9 +193,12 @@ PiecePrice Table::piece_price(int row) const {
 text::SourceSpan Table::where(int row) const { return where(row, Column{family_, part_number_index}); }
 
 text::SourceSpan Table::where(int row, Column column) const {
+  return place_of_field(row, files_[file_of_[static_cast<std::size_t>(row)]].field_of_column[column.index]);
+}
+
+text::SourceSpan Table::place_of_field(int row, int field) const {
   const auto at = static_cast<std::size_t>(row);
   const SourceFile& file = files_[file_of_[at]];
-  const int field = file.field_of_column[column.index];
   const auto [begin, bytes] = field_range(file.text->contents(), offsets_[at], field < 0 ? 0 : field, file.separator);
   return text::span_at(file.text, begin, bytes);
 }
