@@ -131,6 +131,26 @@ TEST_CASE("A stock file that names an unknown part stops the run at its place") 
   CHECK(outcome.says("17HS19-2004S1"));
 }
 
+TEST_CASE("catalogue list says what a folder without parts holds") {
+  const Workshop shop;
+  shop.write("mine/stock.csv", "part_number,owned\n17HS19-2004S1,1\n# and no other\n");
+  shop.write("mine/suppliers.csv", "supplier,shipping_fee,currency\n,5,USD\n");
+  const Outcome plain = shop.run({"catalogue", "list"});
+  CHECK_FALSE(plain.prints("stock.csv"));
+  const Outcome text = shop.run({"catalogue", "list", "--catalogue", "mine"});
+  CHECK(text.exit_code == 0);
+  CHECK(text.prints("mine: no parts of its own, stock.csv with 1 line, suppliers.csv with 1 line"));
+  const Json json = Json::parse(shop.run({"catalogue", "list", "--catalogue", "mine", "--json", "-"}).out);
+  CHECK_FALSE(json.at("catalogues").at(0).contains("remarks"));
+  const Json& mine = json.at("catalogues").at(1);
+  CHECK(mine.at("files") == 0);
+  CHECK(mine.at("remarks").at(0).at("file") == "stock.csv");
+  CHECK(mine.at("remarks").at(1).at("lines") == 1);
+  const Outcome page = shop.run({"solve", lifter, "--catalogue", "mine", "--report", "r.html"});
+  CHECK(page.exit_code == 0);
+  CHECK(shop.read("r.html").find("0 + stock.csv + suppliers.csv") != std::string::npos);
+}
+
 TEST_CASE("A lock notices that the stock changed, came or went") {
   const Workshop shop;
   const std::string stock = "part_number,owned\n17HS19-2004S1,1\n";
