@@ -11,6 +11,7 @@
 #include "text/csv_header.h"
 #include "text/csv_scanner.h"
 #include "text/large_pages.h"
+#include "text/table_size.h"
 #include "text/text_check.h"
 
 namespace millwright::text {
@@ -140,6 +141,10 @@ class CsvReader {
     reserve(scanner.position());
     while (!scanner.at_end()) {
       const std::size_t before = starts.size();
+      if (before > table_cell_limit)
+        return error(span_at(table_.text_, scanner.position(), 1),
+                     fmt::format("more than {} cells: the rows from here on are not read", table_cell_limit),
+                     "is this a table of parts? cut it into several files");
       const char lead = contents[scanner.position()];
       if (lead == '#' || lead == ' ' || lead == '\t') {
         const std::size_t mark = contents.find_first_not_of(" \t", scanner.position());
@@ -184,7 +189,8 @@ class CsvReader {
     const auto lines = static_cast<std::size_t>(std::count(head.begin(), head.end(), '\n')) + 1;
     const double records =
         static_cast<double>(lines) * static_cast<double>(rest.size()) / static_cast<double>(head.size() + 1);
-    reserve_large(table_.starts_, static_cast<std::size_t>(1.1 * records + 1.0) * (table_.columns_.size() + 1));
+    const double cells = (1.1 * records + 1.0) * static_cast<double>(table_.columns_.size() + 1);
+    reserve_large(table_.starts_, static_cast<std::size_t>(std::min(cells, static_cast<double>(table_cell_limit))));
   }
 
   /// Judges a record with a first cell that may be empty or of another length than the header; cuts empty surplus cells
@@ -231,7 +237,7 @@ CsvTable read_csv(std::shared_ptr<const SourceText> text, Diagnostics& diagnosti
 }
 
 std::optional<CsvTable> read_csv_file(const std::string& path, Diagnostics& diagnostics) {
-  std::shared_ptr<const SourceText> text = SourceText::load(path, diagnostics);
+  std::shared_ptr<const SourceText> text = SourceText::load(path, diagnostics, table_size_limit);
   if (!text) return std::nullopt;
   return read_csv(std::move(text), diagnostics);
 }

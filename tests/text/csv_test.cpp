@@ -7,6 +7,8 @@
 #include <random>
 
 #include "catch.h"
+#include "sanitized.h"
+#include "text/table_size.h"
 
 using namespace millwright::text;
 
@@ -253,6 +255,27 @@ TEST_CASE("hostile tables end quickly in one clear error") {
   CHECK(errors("a,b\n" + std::string(10000000, ',') + "x\n") ==
         Words{"2:3 " + std::string("row of 10000001 cells, but the header has 2")});
   CHECK(errors("a,b\n" + std::string(3000000, '"')).size() == 1);
+}
+
+TEST_CASE("a table of nothing but separators costs no more memory than its cells are allowed") {
+  if (millwright::sanitized) return;  // half a gigabyte, and several times that there
+  // 1024 columns, of which each row has the first: a byte a cell, a row more than there may be.
+  std::string header;
+  for (int i = 0; i < 1024; ++i) header += (i == 0 ? "c" : ",c") + std::to_string(i);
+  const std::string line = "1" + std::string(1023, ',') + "\n";
+  const std::size_t most = table_cell_limit / 1025 + 1;
+  std::string contents = header + "\n";
+  contents.reserve(contents.size() + (most + 1) * line.size());
+  for (std::size_t i = 0; i < most; ++i) contents += line;
+  Diagnostics diagnostics;
+  CHECK(read(contents, diagnostics).row_count() == most);
+  CHECK(diagnostics.count() == 0);
+  contents += line;
+  const CsvTable table = read(contents, diagnostics);
+  CHECK(table.row_count() == most);
+  REQUIRE(diagnostics.count() == 1);
+  CHECK(diagnostics.all()[0].where.line == static_cast<int>(most) + 2);
+  CHECK(diagnostics.all()[0].message.find("134217728 cells") != std::string::npos);
 }
 
 TEST_CASE("a million wrong cells are counted, not printed") {
