@@ -13,6 +13,10 @@ std::vector<PageText> sweep_and_audit_texts() {
        "Tunjuk sebuah tanda untuk angkanya. Silang: tidak ada rancangan yang memenuhi syarat; lingkaran kosong: belum "
        "terbukti. Di antara tanda tidak ada yang dihitung; tabel menyebut komponen yang berubah dari satu ke "
        "berikutnya."},
+      {"sweep.preferred",
+       "Compared with the prices of preferred parts divided by 1 + preference; the prices shown are the real ones.",
+       "Dibandingkan dengan harga komponen pilihan dibagi 1 + preference; harga yang ditampilkan adalah harga "
+       "sebenarnya."},
       {"sweep.proof", "Proof", "Bukti"},
       {"sweep.proved", "proved", "terbukti"},
       {"sweep.open", "not proved", "belum terbukti"},

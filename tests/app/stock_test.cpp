@@ -165,6 +165,8 @@ TEST_CASE("Fronts, next best builds and ranges say how builds with preferred par
                                   "objective.preference=0.05:0.25:2",
                                   "--csv",
                                   "r.csv",
+                                  "--report",
+                                  "r.html",
                                   "--json",
                                   "r.json"});
   INFO(range.err);
@@ -172,6 +174,8 @@ TEST_CASE("Fronts, next best builds and ranges say how builds with preferred par
   CHECK(wrapped_has(range.out,
                     "Compared with the prices of preferred parts divided by 1 + preference; the prices shown are the "
                     "real ones."));
+  CHECK(shop.read("r.html").find("Compared with the prices of preferred parts divided by 1 + preference") !=
+        std::string::npos);
   const std::string csv = shop.read("r.csv");
   CHECK(csv.find(",cycle_time [s],compared_value,compared_lower_bound,changes,reason\n") != std::string::npos);
   const Json points = Json::parse(shop.read("r.json")).at("points");
@@ -182,8 +186,9 @@ TEST_CASE("Fronts, next best builds and ranges say how builds with preferred par
     REQUIRE(chosen.at("part_number") == name);
     const double expected = cost(point) - chosen.at("price").get<double>() * (1.0 - 1.0 / (1.0 + premium));
     CHECK(point.at("objective").at("compared_value").get<double>() == Approx(expected).epsilon(1e-6));
-    CHECK(csv.find(fmt::format(",{:.12g},", point.at("objective").at("compared_value").get<double>())) !=
-          std::string::npos);
+    CHECK(csv.find(fmt::format(",{:.12g},{:.12g},",
+                               point.at("objective").at("compared_value").get<double>(),
+                               point.at("objective").at("lower_bound").get<double>())) != std::string::npos);
   }
 }
 
