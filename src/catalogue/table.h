@@ -195,7 +195,9 @@ class Table {
 
  private:
   void check(Column column, bool wants_text) const;
-  void fill_absent_columns();
+  void note_absent_columns();
+  /// Gives a column that no file has its own numbers, none of them known: some will be set.
+  void make_column(std::size_t index);
   std::vector<int> rows_of(std::string_view part_number) const;
   std::vector<int> rows_by_alias(std::string_view name) const;
   std::string_view content(const std::vector<TextCell>& cells, int row) const;
@@ -207,7 +209,8 @@ class Table {
     scalar::Interval values;
   };
   Family family_;
-  std::vector<std::vector<double>> numbers_;
+  std::vector<std::vector<double>> numbers_;  // empty: no file has the column
+  std::vector<double> absent_;                // what such a column answers
   std::vector<std::vector<TextCell>> texts_;
   void repeat_companions(std::size_t row);
   void set_cutting_terms(const CuttingTerms& terms);

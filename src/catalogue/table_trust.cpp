@@ -56,6 +56,7 @@ double Table::half_width(int row, Column column) const {
 
 void Table::set_number(int row, Column column, double value) {
   check(column, false);
+  make_column(column.index);
   numbers_[column.index][static_cast<std::size_t>(row)] = value;
 }
 

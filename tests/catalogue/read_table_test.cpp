@@ -298,6 +298,27 @@ TEST_CASE("a gigabyte of binary noise as a catalogue is refused") {
   CHECK(catalogue.rows() == 0);
 }
 
+TEST_CASE("columns that no file has cost memory once, and one of them that is set stays the only one") {
+  Outcome outcome = read(Family::steppers, header + "Acme,M1,1.8,100,2,10,USD,x,high\nAcme,M2,1.8,90,2,9,USD,x,high\n");
+  REQUIRE(outcome.diagnostics.empty());
+  Table& table = outcome.table;
+  constexpr Column mass = column(Family::steppers, "mass"), inertia = column(Family::steppers, "rotor_inertia");
+  CHECK(table.numbers(mass).data() == table.numbers(inertia).data());
+  REQUIRE(table.numbers(mass).size() == 2);
+  CHECK(std::isnan(table.number(mass, 1)));
+  table.set_number(1, mass, 0.5);
+  CHECK(table.number(mass, 1) == 0.5);
+  CHECK(std::isnan(table.number(mass, 0)));
+  CHECK(std::isnan(table.number(inertia, 1)));
+  table.keep_only({false, true});
+  CHECK(table.number(mass, 0) == 0.5);
+  REQUIRE(table.numbers(inertia).size() == 1);
+  table.append(read(Family::steppers, header + "Acme,M3,1.8,80,2,8,USD,x,high\n").table);
+  REQUIRE(table.numbers(mass).size() == 2);
+  CHECK(std::isnan(table.number(mass, 1)));
+  REQUIRE(table.numbers(inertia).size() == 2);
+}
+
 TEST_CASE("a table asked for a column it does not have says so") {
   const Table table(Family::steppers);
   CHECK_THROWS_AS(table.numbers(column(Family::belts, "pitch")), std::logic_error);
