@@ -7,6 +7,7 @@
 #include "app/machine_input.h"
 #include "app/output.h"
 #include "catalogue/gaps.h"
+#include "catalogue/inventory.h"
 #include "catalogue/lint.h"
 #include "report/catalogue_difference.h"
 #include "report/catalogue_gaps.h"
@@ -56,8 +57,11 @@ int list(const Options& options) {
         options, report::parts_list_text(parts, output_style(options)), report::parts_json(options.subject, parts));
   } else {
     const auto families = catalogue::summarise(*loaded);
-    delivered =
-        deliver(options, report::families_text(families, output_style(options)), report::families_json(families));
+    catalogue::Inventory inventory = catalogue::inventory(*loaded);
+    if (!inventory.layers.empty()) inventory.layers.front().place = "catalogues";
+    delivered = deliver(options,
+                        report::families_text(families, inventory, output_style(options)),
+                        report::families_json(families, inventory));
   }
   return delivered ? exit_done : exit_bad_input;
 }

@@ -147,8 +147,14 @@ void compare_companions(
     const Table& a, int a_row, const Table& b, int b_row, Column column, std::vector<CellChange>& cells) {
   const auto add = [&](CompanionKind kind, std::string before, std::string after) {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
-    cells.push_back(
-        {column, {}, std::move(before), std::move(after), none, a.where(a_row, column), b.where(b_row, column), kind});
+    cells.push_back({column,
+                     {},
+                     std::move(before),
+                     std::move(after),
+                     none,
+                     a.where(a_row, column, kind),
+                     b.where(b_row, column, kind),
+                     kind});
   };
   const auto text = [&](CompanionKind kind, std::string_view before, std::string_view after) {
     if (before != after) add(kind, std::string(before), std::string(after));

@@ -23,7 +23,8 @@ struct CellChange {
   std::string point;      ///< of a curve: "300 rpm"; empty for a plain part, and for what changed at every point alike
   std::string a, b;       ///< as cell_text() has it; empty where a side does not give it
   double relative = 0.0;  ///< (b - a) / |a|; NaN where that means nothing: texts, other currencies, nothing before
-  text::SourceSpan a_where, b_where;  ///< of the row where a side has no such column; without text: no such row
+  /// Of the cell; of the row, or of a companion the figure, where a side has no such column; without text: no such row.
+  text::SourceSpan a_where, b_where;
   /// What changed is what is said of the figure (companions.h), not the figure.
   std::optional<CompanionKind> companion = std::nullopt;
 };

@@ -10,6 +10,7 @@
 #include "catalogue/suppliers.h"
 #include "text/csv.h"
 #include "text/nearest.h"
+#include "text/table_size.h"
 
 namespace millwright::catalogue {
 namespace {
@@ -94,7 +95,7 @@ void add_family_folder(const fs::path& folder,
 std::optional<CatalogueFile> catalogue_file(const fs::path& file,
                                             std::optional<Family> family,
                                             text::Diagnostics& diagnostics) {
-  auto text = text::SourceText::load(file.string(), diagnostics);
+  auto text = text::SourceText::load(file.string(), diagnostics, text::table_size_limit);
   if (!text) return std::nullopt;
   if (!family) family = family_by_path(file);
   if (!family) family = family_by_header(text);

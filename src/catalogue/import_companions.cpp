@@ -20,10 +20,14 @@ struct Word {
   std::string_view text;
   CompanionKind kind;
 };
-constexpr std::array<Word, 10> words_of_companions = {{{"source", CompanionKind::source},
+constexpr std::array<Word, 14> words_of_companions = {{{"source", CompanionKind::source},
                                                        {"quelle", CompanionKind::source},
                                                        {"sumber", CompanionKind::source},
                                                        {"confidence", CompanionKind::confidence},
+                                                       {"konfidenz", CompanionKind::confidence},
+                                                       {"vertrauen", CompanionKind::confidence},
+                                                       {"vertrauensw\xC3\xBCrdigkeit", CompanionKind::confidence},
+                                                       {"keyakinan", CompanionKind::confidence},
                                                        {"tolerance", CompanionKind::tolerance},
                                                        {"tol", CompanionKind::tolerance},
                                                        {"toleranz", CompanionKind::tolerance},
@@ -64,18 +68,11 @@ bool may_have(Column figure, CompanionKind kind) {
   return is_number_column(figure) && (kind != CompanionKind::tolerance || takes_tolerance(figure));
 }
 
-std::optional<Column> figure_named(const Reading& reading, Family family) {
-  std::optional<Column> best;
-  double match = least_match;
-  for (std::size_t index = 0; index < column_count(family); ++index) {
-    const Column each{family, static_cast<std::uint8_t>(index)};
-    if (!may_have(each, reading.kind)) continue;
-    const double here = name_match(reading.figure, each);
-    if (here < match || (best && here == match)) continue;
-    match = here;
-    best = each;
-  }
-  return best;
+/// Whether the words name a column of the family, one that can have such a companion or not.
+bool names_column(const Reading& reading, Family family) {
+  for (std::size_t index = 0; index < column_count(family); ++index)
+    if (name_match(reading.figure, Column{family, static_cast<std::uint8_t>(index)}) >= least_match) return true;
+  return false;
 }
 
 class Companions {
@@ -181,8 +178,7 @@ class Companions {
 
 bool names_companion(std::string_view header, Family family) {
   const std::vector<Reading> readings = readings_of(header);
-  return std::any_of(
-      readings.begin(), readings.end(), [&](const Reading& each) { return figure_named(each, family).has_value(); });
+  return std::any_of(readings.begin(), readings.end(), [&](const Reading& each) { return names_column(each, family); });
 }
 
 std::optional<ImportCompanion> companion_named(std::string_view name, Family family) {

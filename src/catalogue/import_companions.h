@@ -11,8 +11,9 @@
 
 namespace millwright::catalogue {
 
-/// Whether a header speaks of a figure of the family instead of naming one: "Holding torque tolerance (%)", "Quelle
-/// Haltemoment", "rotor_inertia_confidence". Where its table has that figure it becomes a companion, else it is kept.
+/// Whether a header speaks of a column of the family instead of naming one: "Holding torque tolerance (%)", "Quelle
+/// Haltemoment", "rotor_inertia_confidence". Where its table has that figure, and the figure can have that said of it,
+/// it becomes a companion, else it is kept: "price_tolerance" is neither a price nor its breaks.
 bool names_companion(std::string_view header, Family family);
 
 /// The companion that a name of ours stands for ("rotor_inertia_tolerance"); none if it is not one of the family.

@@ -9,6 +9,7 @@
 
 #include "catalogue/column_unit.h"
 #include "catalogue/import_companions.h"
+#include "catalogue/standing.h"
 #include "text/number.h"
 
 namespace millwright::catalogue {
@@ -26,6 +27,12 @@ bool is_plain(std::string_view cell) {
     point = true;
   }
   return !cell.empty() && cell.size() < 40;
+}
+
+std::string lower_case(std::string_view text) {
+  std::string word(text);
+  for (char& c : word) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return word;
 }
 
 /// Signs of a diameter before a number.
@@ -58,8 +65,10 @@ ImportFields::ImportFields(const ImportMapping& mapping, text::Diagnostics& diag
   for (std::size_t i = 0; i < mapping.columns.size(); ++i) {
     const SourceColumn& column = mapping.columns[i];
     if (column.target) continue;
-    const bool tolerance = column.companion && column.companion->kind == CompanionKind::tolerance;
-    fields_.push_back({tolerance ? ImportField::Kind::tolerance : ImportField::Kind::kept,
+    const auto is = [&](CompanionKind kind) { return column.companion && column.companion->kind == kind; };
+    fields_.push_back({is(CompanionKind::tolerance)    ? ImportField::Kind::tolerance
+                       : is(CompanionKind::confidence) ? ImportField::Kind::confidence
+                                                       : ImportField::Kind::kept,
                        column.unit.empty() ? column.kept_name : fmt::format("{} [{}]", column.kept_name, column.unit),
                        i,
                        {},
@@ -77,11 +86,12 @@ void ImportFields::add(Column target) {
   field.header = std::string(declared.name);
   if (source != mapping_.columns.end()) {
     field.source = static_cast<std::size_t>(source - mapping_.columns.begin());
-    field.kind = declared.kind == Kind::number  ? ImportField::Kind::number
-                 : declared.kind == Kind::money ? ImportField::Kind::money
-                 : declared.kind == Kind::flag  ? ImportField::Kind::flag
-                 : declared.name == "frame"     ? ImportField::Kind::frame
-                                                : ImportField::Kind::text;
+    field.kind = declared.kind == Kind::number   ? ImportField::Kind::number
+                 : declared.kind == Kind::money  ? ImportField::Kind::money
+                 : declared.kind == Kind::flag   ? ImportField::Kind::flag
+                 : declared.name == "frame"      ? ImportField::Kind::frame
+                 : declared.name == "confidence" ? ImportField::Kind::confidence
+                                                 : ImportField::Kind::text;
     field.out_unit = source->converts || source->unit.empty() ? std::string(declared.unit) : source->unit;
   } else if (constant != mapping_.constants.end()) {
     field.kind = ImportField::Kind::constant;
@@ -156,6 +166,9 @@ bool ImportFields::append(const SheetRows& row, std::string& lines) {
         break;
       case ImportField::Kind::flag:
         append_flag(row, field, lines);
+        break;
+      case ImportField::Kind::confidence:
+        append_confidence(row, field, lines);
         break;
       case ImportField::Kind::currency:
         append_csv_cell(lines, currency_of_row(row, field));
@@ -294,8 +307,7 @@ void ImportFields::append_tolerance(const SheetRows& row, const ImportField& fie
 void ImportFields::append_flag(const SheetRows& row, const ImportField& field, std::string& line) {
   const std::string_view cell = row.cell(*field.source);
   if (cell.empty() || says_unknown(cell)) return;
-  std::string word(cell.substr(0, 8));
-  for (char& c : word) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  const std::string word = lower_case(cell.substr(0, 8));
   constexpr std::array<std::string_view, 7> yes = {"yes", "true", "1", "y", "x", "ja", "ya"};
   constexpr std::array<std::string_view, 6> no = {"no", "false", "0", "n", "nein", "tidak"};
   if (std::find(yes.begin(), yes.end(), word) != yes.end())
@@ -304,6 +316,34 @@ void ImportFields::append_flag(const SheetRows& row, const ImportField& field, s
     line += "no";
   else
     refuse(row, *field.source, fmt::format("{} is neither yes nor no", text::quoted(cell)));
+}
+
+/// Words of the closed list, also in German and Indonesian.
+void ImportFields::append_confidence(const SheetRows& row, const ImportField& field, std::string& line) {
+  const std::string_view cell = row.cell(*field.source);
+  if (cell.empty() || says_unknown(cell)) return;
+  if (const auto word = confidence_word(cell)) {
+    line += *word;
+    return;
+  }
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 8> others = {{{"hoch", "high"},
+                                                                                    {"mittel", "medium"},
+                                                                                    {"niedrig", "low"},
+                                                                                    {"gering", "low"},
+                                                                                    {"tinggi", "high"},
+                                                                                    {"sedang", "medium"},
+                                                                                    {"menengah", "medium"},
+                                                                                    {"rendah", "low"}}};
+  const std::string said = lower_case(cell.substr(0, 16));
+  for (const auto& [word, ours] : others)
+    if (said == word && cell.size() == word.size()) {
+      line += ours;
+      return;
+    }
+  refuse(row,
+         *field.source,
+         fmt::format("{} is no confidence", text::quoted(cell)),
+         confidence_hint(cell) + "; without its column in a mapping file it is kept");
 }
 
 /// "NEMA 23" and "Nema-23" are NEMA23; everything else stays.

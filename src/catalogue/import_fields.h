@@ -17,7 +17,18 @@ void append_csv_cell(std::string& line, std::string_view text);
 
 /// A column of the file that is written.
 struct ImportField {
-  enum class Kind { constant, text, frame, number, money, flag, currency, tolerance, kept } kind = Kind::text;
+  enum class Kind {
+    constant,
+    text,
+    frame,
+    number,
+    money,
+    flag,
+    confidence,
+    currency,
+    tolerance,
+    kept
+  } kind = Kind::text;
   std::string header;                 ///< "holding_torque [N.cm]"
   std::optional<std::size_t> source;  ///< column of the table
   std::string constant;
@@ -43,6 +54,7 @@ class ImportFields {
   void append_number(const SheetRows& row, const ImportField& field, std::string& line);
   void append_tolerance(const SheetRows& row, const ImportField& field, std::string& line);
   void append_flag(const SheetRows& row, const ImportField& field, std::string& line);
+  void append_confidence(const SheetRows& row, const ImportField& field, std::string& line);
   void append_frame(std::string_view cell, std::string& line);
   std::string read_plain(const SheetRows& row, std::size_t source, std::string_view number, DecimalMark mark);
   bool take_own_unit(const SheetRows& row, std::size_t source, scalar::Unit& meaning);

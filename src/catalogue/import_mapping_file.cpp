@@ -9,6 +9,7 @@
 #include "catalogue/header.h"
 #include "catalogue/import_companions.h"
 #include "catalogue/import_unit.h"
+#include "catalogue/standing.h"
 #include "text/document.h"
 #include "text/nearest.h"
 #include "text/number.h"
@@ -51,6 +52,12 @@ std::optional<std::string> constant_of(Column column,
                                        const text::SourceSpan& where,
                                        text::Diagnostics& diagnostics) {
   const ColumnDeclaration& declared = declaration(column);
+  if (declared.name == "confidence" && !value.empty()) {
+    if (const auto word = confidence_word(value)) return std::string(*word);
+    diagnostics.error(
+        where, fmt::format("{}: {} is no confidence", declared.name, text::quoted(value)), confidence_hint(value));
+    return std::nullopt;
+  }
   if (value.empty() || !is_number_column(column)) return std::string(value);
   if (declared.kind == Kind::money || declared.unit == "1") {
     if (text::parse_number(value)) return std::string(value);

@@ -33,6 +33,7 @@ constexpr Synonyms synonyms[] = {
     {"price_per_mass", "price|preis|harga|price per kg|kilopreis|preis pro kg|harga per kg"},
     {"currency", "curr|w\xC3\xA4hrung|mata uang"},
     {"source", "url|link|datasheet|data sheet|datenblatt|web page|sumber"},
+    {"confidence", "konfidenz|vertrauen|vertrauensw\xC3\xBCrdigkeit|keyakinan"},
     {"supplier", "shop|seller|distributor|dealer|lieferant|h\xC3\xA4ndler|toko|pemasok"},
     {"note", "notes|remark|remarks|comment|comments|description|bemerkung|beschreibung|catatan|keterangan"},
     {"pack_size", "pack quantity|package quantity|pack qty|qty per pack|vpe"},

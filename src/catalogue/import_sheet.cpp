@@ -9,6 +9,7 @@
 
 #include "catalogue/import_workbook.h"
 #include "text/file_bytes.h"
+#include "text/table_size.h"
 #include "text/text_check.h"
 #include "text/utf8.h"
 
@@ -145,7 +146,7 @@ std::shared_ptr<const text::SourceText> load_text(const std::string& path,
     sheet.remarks.emplace_back("encoding UTF-16, as its byte order mark says");
   }
   if (encoding.empty() || encoding == "utf-8") {
-    auto text = text::SourceText::load(path, diagnostics);
+    auto text = text::SourceText::load(path, diagnostics, text::table_size_limit);
     if (text && !text::check_text(text, diagnostics)) text = nullptr;
     if (!text && head.size() == 2 && diagnostics.has_errors() && encoding.empty() &&
         text::first_bytes(path, std::size_t{64} << 10U).find('\0') == std::string::npos)

@@ -5,6 +5,9 @@
 #include <filesystem>
 #include <tuple>
 
+#include "catalogue/stock.h"
+#include "catalogue/suppliers.h"
+#include "text/csv.h"
 #include "text/sha256.h"
 
 namespace millwright::catalogue {
@@ -15,9 +18,25 @@ std::string name_in_place(const std::string& file, const std::string& place) {
   return name.empty() || name == "." ? path.filename().string() : name;
 }
 
+namespace {
+
+std::vector<RemarkFile> remark_files(const std::filesystem::path& place) {
+  std::vector<std::filesystem::path> files = supplier_files(place);
+  if (const auto stock = stock_file(place)) files.insert(files.begin(), *stock);
+  std::vector<RemarkFile> found;
+  text::Diagnostics unused;  // they have been read already
+  for (const std::filesystem::path& file : files)
+    if (const auto csv = text::read_csv_file(file.string(), unused))
+      found.push_back({file.filename().string(), csv->row_count(), text::sha256(csv->text()->bytes())});
+  return found;
+}
+
+}  // namespace
+
 Inventory inventory(const Catalogue& catalogue) {
   Inventory all;
-  for (const std::filesystem::path& place : catalogue.layers()) all.layers.push_back({place.string(), 0, 0, {}});
+  for (const std::filesystem::path& place : catalogue.layers())
+    all.layers.push_back({place.string(), 0, 0, {}, remark_files(place)});
   for (const FamilyDeclaration& each : families) {
     const Table& table = catalogue.table(each.family);
     std::vector<int> rows(table.files().size(), 0);

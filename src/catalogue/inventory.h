@@ -17,12 +17,20 @@ struct FileRecord {
   std::string sha256;  ///< of its bytes
 };
 
+/// A file that holds no parts but says something of them: stock.csv, suppliers.csv, offers.csv.
+struct RemarkFile {
+  std::string name;  ///< within its place
+  std::size_t lines = 0;
+  std::string sha256;  ///< of its bytes
+};
+
 /// One place: a folder, or a single file.
 struct LayerRecord {
   std::string place;
-  int files = 0;
-  int rows = 0;
-  std::string sha256;  ///< of the list "<sha256>  <name>\n" of its files, ascending by name
+  int files = 0;       ///< with parts
+  int rows = 0;        ///< of those
+  std::string sha256;  ///< of the list "<sha256>  <name>\n" of its files with parts, ascending by name
+  std::vector<RemarkFile> remarks = {};
 };
 
 struct Inventory {

@@ -43,7 +43,8 @@ constexpr KnownColumn columns[] = {{"manufacturer"},
 
 class OfferReader {
  public:
-  OfferReader(const text::CsvTable& csv, const Catalogue& catalogue, Suppliers& result, text::Diagnostics& diagnostics)
+  /// Without a catalogue the lines are checked, but not for the parts that they name.
+  OfferReader(const text::CsvTable& csv, const Catalogue* catalogue, Suppliers& result, text::Diagnostics& diagnostics)
       : csv_(csv),
         catalogue_(catalogue),
         result_(result),
@@ -81,7 +82,13 @@ class OfferReader {
       diagnostics_.error(reader_.span(row, price_breaks),
                          fmt::format("{} are no price breaks", text::quoted(offer.price_breaks)),
                          "pieces and the price of one from there on, rising: 10: 4.50; 100: 3.90");
-    FoundParts found = catalogue_.find(reader_.cell(row, part_number), reader_.cell(row, manufacturer));
+    if (catalogue_ == nullptr) {
+      check_terms(row, offer.cutting);
+      check_once(
+          row, {}, std::string(reader_.cell(row, manufacturer)), std::string(reader_.cell(row, part_number)), offer);
+      return;
+    }
+    FoundParts found = catalogue_->find(reader_.cell(row, part_number), reader_.cell(row, manufacturer));
     std::erase_if(found.parts, [](const Part& part) { return !declaration(part.family).priced(); });
     if (found.parts.empty())
       diagnostics_.error(offer.where, found.error.empty() ? "this is not for sale" : found.error, found.hint);
@@ -94,7 +101,7 @@ class OfferReader {
   void take(std::size_t row, const Part& part, const Offer& offer) {
     using namespace offer_fields;
     const FamilyDeclaration& family = declaration(part.family);
-    const Table& table = catalogue_.table(part.family);
+    const Table& table = catalogue_->table(part.family);
     if (family.priced_per_mass) {
       diagnostics_.error(offer.where,
                          fmt::format("{} are sold by mass: offers of them are not compared", family.title));
@@ -121,14 +128,20 @@ class OfferReader {
       diagnostics_.error(reader_.span(row, supplier),
                          fmt::format("the catalogue says itself what it costs from {}", text::quoted(offer.supplier)),
                          "change the price in an overlay's row");
-    const auto [earlier, is_new] = seen_.try_emplace(std::tuple(part.family,
-                                                                std::string(table.manufacturer(part.row)),
-                                                                std::string(table.part_number(part.row)),
-                                                                offer.supplier),
-                                                     row);
+    check_once(
+        row, part.family, std::string(table.manufacturer(part.row)), std::string(table.part_number(part.row)), offer);
+  }
+
+  /// `family`: of a part that is known.
+  void check_once(std::size_t row,
+                  std::optional<Family> family,
+                  const std::string& maker,
+                  const std::string& number,
+                  const Offer& offer) {
+    const auto [earlier, is_new] = seen_.try_emplace(std::tuple(family, maker, number, offer.supplier), row);
     if (!is_new && earlier->second != row)
       diagnostics_.error(offer.where,
-                         fmt::format("{} offers {} twice", text::quoted(offer.supplier), table.part_number(part.row)),
+                         fmt::format("{} offers {} twice", text::quoted(offer.supplier), number),
                          fmt::format("first in line {}", csv_.row_span(earlier->second).line));
   }
 
@@ -145,6 +158,11 @@ class OfferReader {
     check(terms.cutting_loss, cutting_loss);
     check(terms.cut_price, cut_price);
     check(terms.end_machining_price, end_machining_price);
+    check_terms(row, terms);
+  }
+
+  void check_terms(std::size_t row, const CuttingTerms& terms) {
+    using namespace offer_fields;
     if (terms.cutting_loss >= terms.stock_length)
       diagnostics_.error(reader_.span(row, cutting_loss), "the saw takes the whole bar", "check the unit");
     if (terms.stock_length >= 0.0 && terms.stock_length < 0.1)
@@ -152,7 +170,7 @@ class OfferReader {
   }
 
   void put(const Part& part, Offer offer) {
-    const Table& table = catalogue_.table(part.family);
+    const Table& table = catalogue_->table(part.family);
     offer.family = part.family;
     offer.manufacturer = table.manufacturer(part.row);
     offer.part_number = table.part_number(part.row);
@@ -164,11 +182,11 @@ class OfferReader {
   }
 
   const text::CsvTable& csv_;
-  const Catalogue& catalogue_;
+  const Catalogue* catalogue_;
   Suppliers& result_;
   text::Diagnostics& diagnostics_;
   KnownColumns reader_;
-  std::map<std::tuple<Family, std::string, std::string, std::string>, std::size_t> seen_;
+  std::map<std::tuple<std::optional<Family>, std::string, std::string, std::string>, std::size_t> seen_;
 };
 
 }  // namespace
@@ -177,7 +195,12 @@ void read_offers(const text::CsvTable& csv,
                  const Catalogue& catalogue,
                  Suppliers& suppliers,
                  text::Diagnostics& diagnostics) {
-  OfferReader(csv, catalogue, suppliers, diagnostics).read();
+  OfferReader(csv, &catalogue, suppliers, diagnostics).read();
+}
+
+void check_offer_lines(const text::CsvTable& csv, text::Diagnostics& diagnostics) {
+  Suppliers unused;
+  OfferReader(csv, nullptr, unused, diagnostics).read();
 }
 
 }  // namespace millwright::catalogue

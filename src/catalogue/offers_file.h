@@ -16,5 +16,7 @@ void read_offers(const text::CsvTable& csv,
                  const Catalogue& catalogue,
                  Suppliers& suppliers,
                  text::Diagnostics& diagnostics);
+/// Reports what is wrong with the lines, whatever parts they name.
+void check_offer_lines(const text::CsvTable& csv, text::Diagnostics& diagnostics);
 
 }  // namespace millwright::catalogue

@@ -52,24 +52,17 @@ std::string title_of(const FileKind& kind, const Key& key) {
 void read_lines(const std::filesystem::path& file, const FileKind& kind, Lines& lines, text::Diagnostics& diagnostics) {
   const auto csv = text::read_csv_file(file.string(), diagnostics);
   if (!csv || csv->columns().empty()) return;
-  for (const std::string_view needed : kind.key)
-    if (needed != "manufacturer" && !csv->find_column(needed)) {
-      diagnostics.error(csv->header_span(), fmt::format("{} has no column {}", kind.name, needed));
-      return;
-    }
-  std::map<Key, std::size_t> seen;
+  const std::size_t errors = diagnostics.error_count();
+  if (is_stock_file(file))
+    check_stock_lines(*csv, diagnostics);
+  else
+    check_supplier_lines(*csv, kind.name, diagnostics);
+  if (diagnostics.error_count() != errors) return;
   for (std::size_t row = 0; row < csv->row_count(); ++row) {
     Key key;
     for (const std::string_view name : kind.key) {
       const auto column = csv->find_column(name);
       key.emplace_back(column ? csv->cell(row, *column) : std::string_view());
-    }
-    const auto [earlier, is_new] = seen.try_emplace(key, row);
-    if (!is_new) {
-      diagnostics.error(csv->row_span(row),
-                        fmt::format("{} stands in this file twice", title_of(kind, key)),
-                        fmt::format("first in line {}", csv->row_span(earlier->second).line));
-      continue;
     }
     Line& line = lines[key];
     line = Line();

@@ -7,9 +7,11 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <map>
 
 #include "catalogue/column_unit.h"
 #include "catalogue/header.h"
+#include "catalogue/standing.h"
 #include "catalogue/stock.h"
 #include "text/csv.h"
 #include "text/large_pages.h"
@@ -45,11 +47,15 @@ class TableFileReader {
       if (declaration(each).need == Need::required) check_required(each);
     }
     check_prices();
+    const Column confidence = column(family_, "confidence");
+    if (field(confidence) >= 0) check_confidences(columns_.texts[confidence.index], cell_column(confidence));
     read_companions();
     columns_.file.text = csv_.text();
     columns_.file.layer = layer;
     columns_.file.separator = csv_.separator();
     columns_.file.field_of_column = header_.field_of_column;
+    for (const Companion& each : header_.companions)
+      columns_.file.companions.push_back({each.figure.index, each.kind, static_cast<int>(each.field)});
     columns_.file.unescaped = unescaped_;
     columns_.offsets = record_offsets();
     Table table(family_, std::move(columns_));
@@ -63,11 +69,15 @@ class TableFileReader {
   std::size_t cell_column(Column column) const { return static_cast<std::size_t>(field(column)); }
 
   void refuse(std::size_t row, Column column, const std::string& message, const std::string& hint) {
+    refuse_cell(row, cell_column(column), message, hint);
+  }
+
+  void refuse_cell(std::size_t row, std::size_t field, const std::string& message, const std::string& hint) {
     keep_[row] = false;
     if (diagnostics_.is_full(csv_.text().get())) {
       diagnostics_.error(text::whole(csv_.text()), message);  // counted, not kept: no place has to be worked out
     } else {
-      diagnostics_.error(csv_.cell_span(row, cell_column(column)), message, hint);
+      diagnostics_.error(csv_.cell_span(row, field), message, hint);
     }
   }
 
@@ -190,7 +200,8 @@ class TableFileReader {
       const std::string_view code = text_of(currency, row);
       if (code.empty()) {
         refuse(row, currency, "currency is missing", "for example USD");
-      } else if (code.size() != 3 || !std::all_of(code.begin(), code.end(), is_capital)) {
+      } else if (code.size() != 3 ||
+                 !std::all_of(code.begin(), code.end(), [](char c) { return c >= 'A' && c <= 'Z'; })) {
         refuse(row,
                currency,
                fmt::format("{} is not a currency", text::quoted(code)),
@@ -254,6 +265,27 @@ class TableFileReader {
       std::vector<TextCell>& cells = all[companion.figure.index];
       cells.resize(csv_.row_count());
       for (std::size_t row = 0; row < cells.size(); ++row) cells[row] = text_cell(csv_.cell(row, companion.field));
+      if (companion.kind == CompanionKind::confidence) check_confidences(cells, companion.field);
+    }
+  }
+
+  /// Brings "High" to the word that is compared, high, and refuses what is none of them: it would count as sure.
+  void check_confidences(std::vector<TextCell>& cells, std::size_t field) {
+    std::map<std::string_view, TextCell> kept;  // one copy of each for all rows
+    for (std::size_t row = 0; row < cells.size(); ++row) {
+      const std::string_view said = text_of(cells[row]);
+      if (said.empty()) continue;
+      const std::optional<std::string_view> word = confidence_word(said);
+      if (!word) {
+        refuse_cell(row,
+                    field,
+                    fmt::format("{}: {} is no confidence", csv_.columns()[field].name, text::quoted(said)),
+                    confidence_hint(said));
+      } else if (*word != said) {
+        TextCell& cell = kept[*word];
+        if (cell.length == 0) cell = text_cell(*word);
+        cells[row] = cell;
+      }
     }
   }
 
@@ -269,16 +301,11 @@ class TableFileReader {
         widths[row] = *width;
         continue;
       }
-      keep_[row] = false;
-      if (diagnostics_.is_full(csv_.text().get())) {
-        diagnostics_.error(text::whole(csv_.text()), reason);
-      } else {
-        diagnostics_.error(
-            csv_.cell_span(row, companion.field),
-            fmt::format("tolerance {} of {}: {}", text::quoted(cell), declaration(companion.figure).name, reason),
-            companion.unit ? "a plain number, in the unit of the column"
-                           : "a share such as 25 %, or a width with its unit");
-      }
+      refuse_cell(row,
+                  companion.field,
+                  fmt::format("tolerance {} of {}: {}", text::quoted(cell), declaration(companion.figure).name, reason),
+                  companion.unit ? "a plain number, in the unit of the column"
+                                 : "a share such as 25 %, or a width with its unit");
     }
   }
 
@@ -290,10 +317,9 @@ class TableFileReader {
                          "write a price, 0 if you own it");
   }
 
-  static bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
+  std::string_view text_of(Column column, std::size_t row) const { return text_of(columns_.texts[column.index][row]); }
 
-  std::string_view text_of(Column column, std::size_t row) const {
-    const TextCell cell = columns_.texts[column.index][row];
+  std::string_view text_of(TextCell cell) const {
     if (cell.length == 0) return {};
     if (cell.length == TextCell::unescaped) return (*unescaped_)[cell.begin];
     return csv_.text()->contents().substr(cell.begin, cell.length);

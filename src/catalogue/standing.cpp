@@ -2,13 +2,18 @@
 #include "catalogue/standing.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <initializer_list>
 #include <limits>
 #include <string>
 
+#include "text/nearest.h"
+
 namespace millwright::catalogue {
 namespace {
+
+constexpr std::array<std::string_view, 3> confidence_words = {"high", "medium", "low"};
 
 bool contains_any(const std::string& text, std::initializer_list<std::string_view> words) {
   return std::any_of(words.begin(), words.end(), [&](std::string_view word) { return text.find(word) != text.npos; });
@@ -35,6 +40,19 @@ Standing standing_of(std::string_view basis) {
   if (contains_any(text, {"general knowledge", "memory", "remembered"})) return Standing::remembered;
   if (contains_any(text, {"not published", "unknown"})) return Standing::unstated;
   return Standing::published;
+}
+
+std::optional<std::string_view> confidence_word(std::string_view cell) {
+  const auto alike = [](char a, char b) { return a == b || (a >= 'A' && a <= 'Z' && a - 'A' + 'a' == b); };
+  for (const std::string_view word : confidence_words)
+    if (std::equal(cell.begin(), cell.end(), word.begin(), word.end(), alike)) return word;
+  return std::nullopt;
+}
+
+std::string confidence_hint(std::string_view cell) {
+  constexpr std::string_view all = "write high, medium or low, or leave the cell empty";
+  const auto near = text::nearest(cell.substr(0, 16), confidence_words);
+  return near ? "did you mean '" + *near + "'? " + std::string(all) : std::string(all);
 }
 
 bool counts_as_estimate(Standing standing, std::string_view confidence) {

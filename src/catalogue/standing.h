@@ -2,6 +2,8 @@
 // How far a figure can be trusted, read from what the catalogue says about where it comes from.
 #pragma once
 
+#include <optional>
+#include <string>
 #include <string_view>
 
 namespace millwright::catalogue {
@@ -14,6 +16,13 @@ enum class Standing { unstated, published, remembered, computed, estimated };
 /// The standing that a basis text ("datasheet", "family_estimate +-25 %", "computed: d - 0.83*ball diameter")
 /// expresses.
 Standing standing_of(std::string_view basis);
+
+/// The word of the closed list (high, medium, low) that a confidence cell says, upper and lower case alike; none if it
+/// says another one.
+std::optional<std::string_view> confidence_word(std::string_view cell);
+
+/// The word that is allowed and near what a cell says, or all that are: for the hint of a diagnostic.
+std::string confidence_hint(std::string_view cell);
 
 /// Whether a figure has to be shown as an estimate: estimated or computed ones, and those that nothing better is said
 /// about than that the row's confidence is low.

@@ -8,7 +8,6 @@
 
 #include "catalogue/catalogue.h"
 #include "catalogue/known_columns.h"
-#include "text/csv.h"
 
 namespace millwright::catalogue {
 namespace {
@@ -21,7 +20,8 @@ constexpr KnownColumn columns[] = {{"manufacturer"}, {"part_number", "", true}, 
 
 class StockReader {
  public:
-  StockReader(const text::CsvTable& csv, const Catalogue& catalogue, Stock& stock, text::Diagnostics& diagnostics)
+  /// Without a catalogue the lines are checked, but not for the parts that they name.
+  StockReader(const text::CsvTable& csv, const Catalogue* catalogue, Stock& stock, text::Diagnostics& diagnostics)
       : csv_(csv),
         catalogue_(catalogue),
         stock_(stock),
@@ -58,16 +58,27 @@ class StockReader {
       diagnostics_.error(reader_.span(row, available),
                          "a part that is not available is not chosen at all, and this one is owned",
                          "leave 'available' empty to use what you own");
+    if (catalogue_ == nullptr) {
+      check_once(row, std::string(reader_.cell(row, manufacturer)), std::string(reader_.cell(row, part_number)));
+      return;
+    }
     const FoundParts found = part_of(row, mark.owned > 0.0);
     if (diagnostics_.error_count() != errors) return;
     for (const Part& part : found.parts) {
-      const Table& table = catalogue_.table(part.family);
+      const Table& table = catalogue_->table(part.family);
       keep_unsaid(row, table, part.row, mark);
       stock_.set(part.family, table.manufacturer(part.row), table.part_number(part.row), mark);
     }
   }
 
-  /// The rows that a line names, of families that are for sale.
+  void check_once(std::size_t row, const std::string& maker, const std::string& number) {
+    const auto [earlier, is_new] = seen_.try_emplace(std::pair(maker, number), row);
+    if (is_new || earlier->second == row) return;
+    diagnostics_.error(reader_.span(row, stock_fields::part_number),
+                       fmt::format("{}{}{} stands in this file twice", maker, maker.empty() ? "" : " ", number),
+                       fmt::format("first in line {}", csv_.row_span(earlier->second).line));
+  }
+
   /// An empty cell leaves what an earlier line or the part's own row says.
   void keep_unsaid(std::size_t row, const Table& table, int part, StockMark& mark) const {
     using namespace stock_fields;
@@ -77,9 +88,11 @@ class StockReader {
     mark.preferred = is_preferred(table, part, stock_);
     mark.available = earlier == nullptr || earlier->available;
   }
+
+  /// The rows that a line names, of families that are for sale.
   FoundParts part_of(std::size_t row, bool some_owned) {
     using namespace stock_fields;
-    FoundParts found = catalogue_.find(reader_.cell(row, part_number), reader_.cell(row, manufacturer));
+    FoundParts found = catalogue_->find(reader_.cell(row, part_number), reader_.cell(row, manufacturer));
     std::erase_if(found.parts, [](const Part& part) { return !declaration(part.family).priced(); });
     if (found.parts.empty()) {
       diagnostics_.error(
@@ -87,13 +100,9 @@ class StockReader {
       return found;
     }
     for (const Part& part : found.parts) {
-      const Table& table = catalogue_.table(part.family);
+      const Table& table = catalogue_->table(part.family);
       const auto name = std::pair(std::string(table.manufacturer(part.row)), std::string(table.part_number(part.row)));
-      const auto [earlier, is_new] = seen_.try_emplace(name, row);
-      if (!is_new && earlier->second != row)
-        diagnostics_.error(reader_.span(row, part_number),
-                           fmt::format("{} {} stands in this file twice", name.first, name.second),
-                           fmt::format("first in line {}", csv_.row_span(earlier->second).line));
+      check_once(row, name.first, name.second);
       if (part.family == Family::materials)
         diagnostics_.error(reader_.span(row, part_number),
                            fmt::format("{} is a material, and those are chosen by the problem", name.second),
@@ -112,7 +121,7 @@ class StockReader {
   }
 
   const text::CsvTable& csv_;
-  const Catalogue& catalogue_;
+  const Catalogue* catalogue_;
   Stock& stock_;
   text::Diagnostics& diagnostics_;
   KnownColumns reader_;
@@ -160,7 +169,12 @@ void read_stock(const std::filesystem::path& file,
                 Stock& stock,
                 text::Diagnostics& diagnostics) {
   if (const auto csv = text::read_csv_file(file.string(), diagnostics))
-    StockReader(*csv, catalogue, stock, diagnostics).read();
+    StockReader(*csv, &catalogue, stock, diagnostics).read();
+}
+
+void check_stock_lines(const text::CsvTable& csv, text::Diagnostics& diagnostics) {
+  Stock unused;
+  StockReader(csv, nullptr, unused, diagnostics).read();
 }
 
 }  // namespace millwright::catalogue

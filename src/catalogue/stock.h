@@ -22,6 +22,7 @@
 #include <utility>
 
 #include "catalogue/family.h"
+#include "text/csv.h"
 #include "text/diagnostic.h"
 
 namespace millwright::catalogue {
@@ -78,5 +79,7 @@ void read_stock(const std::filesystem::path& file,
                 const Catalogue& catalogue,
                 Stock& stock,
                 text::Diagnostics& diagnostics);
+/// Reports what is wrong with its lines, whatever parts they name: all of that but the parts.
+void check_stock_lines(const text::CsvTable& csv, text::Diagnostics& diagnostics);
 
 }  // namespace millwright::catalogue

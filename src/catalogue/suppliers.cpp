@@ -85,6 +85,14 @@ void read_suppliers(const std::filesystem::path& file,
     read_supplier_lines(*csv, suppliers, diagnostics);
 }
 
+void check_supplier_lines(const text::CsvTable& csv, std::string_view file_name, text::Diagnostics& diagnostics) {
+  Suppliers unused;
+  if (file_name == offers_name)
+    check_offer_lines(csv, diagnostics);
+  else
+    read_supplier_lines(csv, unused, diagnostics);
+}
+
 void check_suppliers(const Catalogue& catalogue, const Suppliers& suppliers, text::Diagnostics& diagnostics) {
   if (suppliers.empty()) return;
   std::set<std::string, std::less<>> selling = {""};

@@ -27,6 +27,7 @@
 #include <vector>
 
 #include "catalogue/table.h"
+#include "text/csv.h"
 #include "text/diagnostic.h"
 
 namespace millwright::catalogue {
@@ -82,6 +83,8 @@ void read_suppliers(const std::filesystem::path& file,
                     const Catalogue& catalogue,
                     Suppliers& suppliers,
                     text::Diagnostics& diagnostics);
+/// Reports what is wrong with the lines of the file of that name, whatever parts they are about.
+void check_supplier_lines(const text::CsvTable& csv, std::string_view file_name, text::Diagnostics& diagnostics);
 /// After all files: offers by suppliers that suppliers.csv does not know, and suppliers that sell nothing, are
 /// warnings.
 void check_suppliers(const Catalogue& catalogue, const Suppliers& suppliers, text::Diagnostics& diagnostics);

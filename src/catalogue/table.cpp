@@ -125,7 +125,7 @@ Table::Table(Family family, TableColumns columns)
   figure_sources_.resize(column_count(family));
   figure_confidences_.resize(column_count(family));
   files_.push_back(std::move(columns.file));
-  fill_absent_columns();
+  note_absent_columns();
 }
 
 void Table::check(Column column, bool wants_text) const {
@@ -138,7 +138,8 @@ void Table::check(Column column, bool wants_text) const {
 
 std::span<const double> Table::numbers(Column column) const {
   check(column, false);
-  return numbers_[column.index];
+  const std::vector<double>& given = numbers_[column.index];
+  return given.empty() ? absent_ : given;
 }
 
 std::optional<bool> Table::flag(Column column, int row) const {
@@ -193,9 +194,12 @@ PiecePrice Table::piece_price(int row) const {
 text::SourceSpan Table::where(int row) const { return where(row, Column{family_, part_number_index}); }
 
 text::SourceSpan Table::where(int row, Column column) const {
+  return place_of_field(row, files_[file_of_[static_cast<std::size_t>(row)]].field_of_column[column.index]);
+}
+
+text::SourceSpan Table::place_of_field(int row, int field) const {
   const auto at = static_cast<std::size_t>(row);
   const SourceFile& file = files_[file_of_[at]];
-  const int field = file.field_of_column[column.index];
   const auto [begin, bytes] = field_range(file.text->contents(), offsets_[at], field < 0 ? 0 : field, file.separator);
   return text::span_at(file.text, begin, bytes);
 }
@@ -230,6 +234,7 @@ void Table::keep_only(const std::vector<bool>& keep) {
   keep_in(offsets_, keep);
   keep_in(file_of_, keep);
   keep_in(ownership_, keep);
+  note_absent_columns();
   parts_.forget();
 }
 
@@ -247,7 +252,7 @@ void Table::append(Table&& other) {
   const auto first_file = static_cast<std::uint32_t>(files_.size());
   for (const std::uint32_t file : other.file_of_) file_of_.push_back(first_file + file);
   for (SourceFile& file : other.files_) files_.push_back(std::move(file));
-  fill_absent_columns();
+  note_absent_columns();
   ranges_.clear();
   parts_.forget();
 }
@@ -281,13 +286,17 @@ void Table::overlay(Table&& upper) {
   append(std::move(upper));
 }
 
-void Table::fill_absent_columns() {
-  for (std::size_t index = 0; index < numbers_.size(); ++index) {  // they answer NaN without being asked for
-    const Column each{family_, static_cast<std::uint8_t>(index)};
-    if (is_text(declaration(each))) continue;
-    if (numbers_[index].empty()) text::reserve_large(numbers_[index], offsets_.capacity());
-    numbers_[index].resize(offsets_.size(), not_known);
-  }
+/// They answer NaN without being asked for, all of them with the same ones: a family has many columns, and of a million
+/// rows each took as much memory as one that is given.
+void Table::note_absent_columns() {
+  bool any = false;
+  for (std::size_t index = 0; index < numbers_.size(); ++index)
+    any = any || (numbers_[index].empty() && !is_text(declaration(Column{family_, static_cast<std::uint8_t>(index)})));
+  absent_.resize(any ? offsets_.size() : 0, not_known);
+}
+
+void Table::make_column(std::size_t index) {
+  if (numbers_[index].empty()) numbers_[index].assign(offsets_.size(), not_known);
 }
 
 std::vector<int> Table::rows_of(std::string_view part_number_wanted) const {

@@ -42,6 +42,15 @@ struct Found {
   explicit operator bool() const { return problem == Problem::none; }
 };
 
+enum class CompanionKind;  // companions.h
+
+/// Where in a file's records stands what is said of one figure.
+struct CompanionField {
+  std::uint8_t figure;  ///< Column.index
+  CompanionKind kind;
+  int field;
+};
+
 /// A file that rows come from.
 struct SourceFile {
   std::shared_ptr<const text::SourceText> text;
@@ -49,6 +58,7 @@ struct SourceFile {
   char separator = ',';
   std::vector<int>
       field_of_column;  ///< for each Column.index the field of a record it stands in, -1 = not in this file
+  std::vector<CompanionField> companions;
   std::shared_ptr<const std::deque<std::string>>
       unescaped;  ///< texts that are not verbatim in the file (doubled quotes)
 };
@@ -152,6 +162,8 @@ class Table {
   /// The place of the row (its part number) or of one cell; of the whole row if the file has no such column.
   text::SourceSpan where(int row) const;
   text::SourceSpan where(int row, Column column) const;
+  /// The place of what is said of a figure alone; of the figure if the file has no such column.
+  text::SourceSpan where(int row, Column column, CompanionKind kind) const;
   /// The files that rows come from, with their layers; for file hashes and lists.
   const std::vector<SourceFile>& files() const { return files_; }
   /// The index in files() of the row's file.
@@ -183,10 +195,13 @@ class Table {
 
  private:
   void check(Column column, bool wants_text) const;
-  void fill_absent_columns();
+  void note_absent_columns();
+  /// Gives a column that no file has its own numbers, none of them known: some will be set.
+  void make_column(std::size_t index);
   std::vector<int> rows_of(std::string_view part_number) const;
   std::vector<int> rows_by_alias(std::string_view name) const;
   std::string_view content(const std::vector<TextCell>& cells, int row) const;
+  text::SourceSpan place_of_field(int row, int field) const;
 
   struct Range {
     int row = 0;
@@ -194,7 +209,8 @@ class Table {
     scalar::Interval values;
   };
   Family family_;
-  std::vector<std::vector<double>> numbers_;
+  std::vector<std::vector<double>> numbers_;  // empty: no file has the column
+  std::vector<double> absent_;                // what such a column answers
   std::vector<std::vector<TextCell>> texts_;
   void repeat_companions(std::size_t row);
   void set_cutting_terms(const CuttingTerms& terms);

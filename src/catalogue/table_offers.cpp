@@ -45,6 +45,9 @@ void Table::append_offers(const std::vector<OfferedRow>& offers) {
   std::vector<TextCell>* const texts[] = {
       text_column("supplier"), text_column("currency"), text_column("price_basis"), text_column("price_breaks")};
   ownership_.resize(offsets_.size(), Ownership::usual);
+  for (const char* name :
+       {"price", "price_per_length", "pack_size", "stock_length", "cutting_loss", "cut_price", "end_machining_price"})
+    if (const auto found = find_column(family_, name)) make_column(found->index);
   // Texts that are in no file stand with those that are not verbatim in theirs.
   std::map<std::uint32_t, std::uint32_t> file_of_offers;
   std::map<std::uint32_t, std::shared_ptr<std::deque<std::string>>> own_texts;
@@ -80,6 +83,7 @@ void Table::append_offers(const std::vector<OfferedRow>& offers) {
     ownership_.push_back(offer.owned_pieces ? Ownership::only : Ownership::none);
     repeat_companions(row);
   }
+  note_absent_columns();
   parts_.forget();
 }
 

@@ -18,6 +18,12 @@ std::string_view Table::figure_confidence(int row, Column column) const {
   return content(figure_confidences_[column.index], row);
 }
 
+text::SourceSpan Table::where(int row, Column column, CompanionKind kind) const {
+  for (const CompanionField& each : files_[file_of_[static_cast<std::size_t>(row)]].companions)
+    if (each.figure == column.index && each.kind == kind) return place_of_field(row, each.field);
+  return where(row, column);
+}
+
 std::string_view Table::basis(int row, Column column) const {
   if (const std::string_view own = figure_source(row, column); !own.empty()) return own;
   const std::string_view name = declaration(column).basis;
@@ -50,6 +56,7 @@ double Table::half_width(int row, Column column) const {
 
 void Table::set_number(int row, Column column, double value) {
   check(column, false);
+  make_column(column.index);
   numbers_[column.index][static_cast<std::size_t>(row)] = value;
 }
 

@@ -2,6 +2,7 @@
 //
 // `--robust`: constraints are added scenario by scenario, each a set of values that broke the best build so far.
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "evaluation/longer_bars.h"
@@ -73,7 +74,7 @@ std::shared_ptr<const Catalogue> scenario(const Catalogue& catalogue,
 }
 
 double objective_of(const Synthesis& synthesis, const SearchOptions& options) {
-  return synthesis.designs.front().compared(machine::objective_named(options.objectives.front()));
+  return synthesis.designs.front().total(machine::objective_named(options.objectives.front()));
 }
 
 /// Whether two builds were broken by the same values of the same figures.
@@ -137,15 +138,15 @@ RobustSynthesis synthesise_robustly(const machine::Problem& problem,
   how.tolerances = true;
   const bool is_front = options.objectives.size() > 1;
   ModelOptions with = model_options;
-  double seconds = 0.0;
+  const auto begin = std::chrono::steady_clock::now();
+  const auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
   for (;;) {
-    how.time_limit_seconds = std::max(0.0, options.time_limit_seconds - seconds);
+    how.time_limit_seconds = std::max(0.0, options.time_limit_seconds - seconds());
     const MachineModel model(problem, catalogue, {}, with);
     Synthesis found = synthesise(model, how);
     found.nodes += result.best.nodes;
     found.evaluations += result.best.evaluations;
-    seconds += found.seconds;
-    found.seconds = seconds;
+    found.seconds = seconds();
     result.best = std::move(found);
     result.scenarios = with.scenarios.size();
     if (result.best.designs.empty()) return result;
@@ -156,8 +157,8 @@ RobustSynthesis synthesise_robustly(const machine::Problem& problem,
       return result;
     }
     const std::size_t most = is_front ? most_scenarios_of_fronts : most_scenarios;
-    if (result.best.status == solver::Status::limit || with.scenarios.size() >= most ||
-        (options.stop != nullptr && options.stop->load())) {
+    const bool stopped = (options.stop != nullptr && options.stop->load()) || seconds() >= options.time_limit_seconds;
+    if (result.best.status == solver::Status::limit || with.scenarios.size() >= most || stopped) {
       result.best.status = solver::Status::limit;
       if (is_front) leave_out_broken(result.best);
       return result;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <stdexcept>
 
@@ -14,6 +15,10 @@
 namespace millwright::evaluation {
 
 namespace {
+
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
 
 /// Cost and mass decide between equals, as far as they are not settled with the objective itself.
 std::vector<std::size_t> ties(const MachineModel& model, const machine::Objective& objective) {
@@ -160,7 +165,11 @@ solver::Options solver_options(const MachineModel& model, const SearchOptions& o
   return result;
 }
 
-Synthesis synthesise(const MachineModel& model, const SearchOptions& options) {
+Synthesis synthesise(const MachineModel& model, const SearchOptions& asked_for) {
+  const auto begin = std::chrono::steady_clock::now();
+  SearchOptions options = asked_for;
+  // What is left is for the tolerances: a front whose builds are not asked would be worth little.
+  if (options.tolerances) options.time_limit_seconds *= options.objectives.size() > 1 ? 0.9 : 0.95;
   Synthesis synthesis;
   synthesis.empty_slots = model.empty_slots();
   if (!synthesis.empty_slots.empty()) return synthesis;
@@ -191,7 +200,11 @@ Synthesis synthesise(const MachineModel& model, const SearchOptions& options) {
   const std::size_t asked = options.objectives.size() > 1 ? synthesis.designs.size() : 1;
   for (std::size_t i = 0; options.tolerances && i < std::min(asked, synthesis.designs.size()); ++i) {
     Design& design = synthesis.designs[i];
-    design.tolerances = std::make_shared<const ToleranceCheck>(check_tolerances(model, summary.builds[i], design));
+    ToleranceEffort effort;
+    effort.seconds = asked_for.time_limit_seconds - seconds_since(begin);
+    effort.stop = options.stop;
+    design.tolerances =
+        std::make_shared<const ToleranceCheck>(check_tolerances(model, summary.builds[i], design, effort));
   }
   synthesis.builds = std::move(summary.builds);
   synthesis.lower_bound = summary.lower_bound;

@@ -20,7 +20,8 @@ struct SearchOptions {
   unsigned threads = 1;
   std::size_t builds = 1;  ///< of one objective: the best, the second best, ...; more need a model with every candidate
   bool worksheets = false;  ///< with the calculation behind every check of the designs
-  /// Whether the best design, or every one of a front, holds for every value within the stated tolerances.
+  /// Whether the best design, or every one of a front, holds for every value within the stated tolerances; what the
+  /// time or the stop leaves unasked is unsettled.
   bool tolerances = false;
   const std::atomic<bool>* stop = nullptr;
   std::function<void(const solver::Progress&)> progress;
@@ -50,8 +51,9 @@ Synthesis synthesise(const MachineModel& model, const SearchOptions& options);
 
 /// The best build that is compliant for every value within the stated tolerances, or the front of such builds.
 struct RobustSynthesis {
-  Synthesis best;        ///< of the last round; its status is a limit too where the check of a build is not settled
-  double without = 0.0;  ///< the (first) objective of the best build with the figures as stated; NaN if there is none
+  Synthesis best;  ///< of the last round; its status is a limit too where the check of a build is not settled
+  /// The (first) objective of the best build with the figures as stated, at real prices; NaN if there is none.
+  double without = 0.0;
   std::size_t scenarios = 0;  ///< values that broke a build on the way: every later one is compliant with them
 };
 
@@ -60,7 +62,8 @@ struct RobustSynthesis {
 /// the best of all that are compliant for every value: it is compliant with fewer wishes than those, and proved to be
 /// compliant with all. Nothing being compliant with the values asked so far proves that nothing is for all. Of a front
 /// the same holds for every build: none of those that are compliant for all values beats one of it. When a limit is
-/// reached, the builds of a front that values break are left out.
+/// reached, the builds of a front that values break are left out, and those that there was no time to ask are
+/// unsettled.
 RobustSynthesis synthesise_robustly(const machine::Problem& problem,
                                     const catalogue::Catalogue& catalogue,
                                     const ModelOptions& model_options,

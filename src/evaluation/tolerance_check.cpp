@@ -2,6 +2,7 @@
 #include "evaluation/tolerance_check.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <deque>
 
@@ -52,10 +53,21 @@ std::vector<double> utilisations(const Design& design) {
   return result;
 }
 
+using Clock = std::chrono::steady_clock;
+
+/// Whether the time for it is up, or somebody wants it to end.
+bool is_spent(const ToleranceEffort& effort, Clock::time_point begin) {
+  if (effort.stop != nullptr && effort.stop->load()) return true;
+  return std::chrono::duration<double>(Clock::now() - begin).count() >= effort.seconds;
+}
+
 class ToleranceSearch {
  public:
-  ToleranceSearch(const TolerancedMachine& machine, const ToleranceEffort& effort, ToleranceCheck& result)
-      : machine_(machine), effort_(effort), result_(result) {
+  ToleranceSearch(const TolerancedMachine& machine,
+                  const ToleranceEffort& effort,
+                  Clock::time_point begin,
+                  ToleranceCheck& result)
+      : machine_(machine), effort_(effort), begin_(begin), result_(result) {
     for (const TolerancedFigure& figure : machine.figures()) {
       stated_.push_back(figure.value);
       whole_.emplace_back(figure.value - figure.half_width, figure.value + figure.half_width);
@@ -64,15 +76,27 @@ class ToleranceSearch {
 
   void run() {
     result_.verdict = ToleranceVerdict::compliant;
+    if (is_over()) return;
     if (proved(whole_)) return;
     nominal_ = utilisations(evaluate(stated_));
     one_at_a_time();
-    if (result_.single.empty()) corners();
-    if (result_.single.empty() && !result_.combination) subdivide();
-    if (!result_.single.empty() || result_.combination) result_.verdict = ToleranceVerdict::broken;
+    if (result_.single.empty() && !is_over()) corners();
+    if (result_.single.empty() && !result_.combination && !is_over()) subdivide();
+    if (!result_.single.empty() || result_.combination) {
+      result_.verdict = ToleranceVerdict::broken;
+      result_.stopped = false;
+    }
   }
 
  private:
+  /// Once time is up nothing more is looked at.
+  bool is_over() {
+    if (!result_.stopped && is_spent(effort_, begin_)) {
+      result_.stopped = true;
+      result_.verdict = ToleranceVerdict::unsettled;
+    }
+    return result_.stopped;
+  }
   bool proved(const Box& box) {
     ++result_.boxes;
     return machine_.holds(box);
@@ -100,7 +124,7 @@ class ToleranceSearch {
   }
 
   void one_at_a_time() {
-    for (std::size_t i = 0; i < stated_.size(); ++i) {
+    for (std::size_t i = 0; i < stated_.size() && !is_over(); ++i) {
       std::optional<ToleranceBreak> worst;
       std::vector<std::vector<double>> ends;
       for (const double end : {whole_[i].lower, whole_[i].upper}) {
@@ -155,7 +179,7 @@ class ToleranceSearch {
   /// For every check the corner that should be worst for it, if what the figures do alone adds up to anything near.
   void corners() {
     std::vector<std::vector<double>> tried;
-    for (std::size_t check = 0; check < nominal_.size(); ++check) {
+    for (std::size_t check = 0; check < nominal_.size() && !is_over(); ++check) {
       double worst = nominal_[check];
       for (std::size_t i = 0; i < stated_.size(); ++i)
         worst += std::max({0.0, upper_[i][check] - nominal_[check], lower_[i][check] - nominal_[check]});
@@ -186,7 +210,7 @@ class ToleranceSearch {
     std::vector<double> influences;
     for (std::size_t i = 0; i < stated_.size(); ++i) influences.push_back(influence(i));
     std::deque<Box> open{whole_};
-    while (!open.empty()) {
+    while (!open.empty() && !is_over()) {
       if (result_.boxes + 2 > effort_.boxes) {
         result_.verdict = ToleranceVerdict::unsettled;
         return;
@@ -225,6 +249,7 @@ class ToleranceSearch {
 
   const TolerancedMachine& machine_;
   const ToleranceEffort& effort_;
+  Clock::time_point begin_;
   ToleranceCheck& result_;
   std::vector<double> stated_, nominal_;
   Box whole_;
@@ -238,13 +263,14 @@ ToleranceCheck check_tolerances(const MachineModel& model,
                                 const Design& design,
                                 const ToleranceEffort& effort) {
   ToleranceCheck result;
+  const Clock::time_point begin = Clock::now();
   const TolerancedMachine machine(model, build);
   result.figures = machine.figures();
   result.unstated = machine.unstated();
   if (!design.satisfied())
     result.verdict = ToleranceVerdict::not_asked;
   else if (!result.figures.empty())
-    ToleranceSearch(machine, effort, result).run();
+    ToleranceSearch(machine, effort, begin, result).run();
   return result;
 }
 

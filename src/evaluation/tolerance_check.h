@@ -10,7 +10,9 @@
 // machine is evaluated with them.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -65,10 +67,14 @@ struct ToleranceCheck {
   std::size_t unstated = 0;     ///< estimated figures of the chosen parts without a tolerance: taken as they stand
   std::size_t evaluations = 0;  ///< of the machine with other values
   std::size_t boxes = 0;        ///< pieces of the tolerances that were bounded
+  bool stopped = false;         ///< it is unsettled because time was up
 };
 
+/// At most; beyond it is unsettled, unless something that breaks the build was found before.
 struct ToleranceEffort {
-  std::size_t boxes = 400;  ///< at most; beyond them it is unsettled
+  std::size_t boxes = 400;
+  double seconds = std::numeric_limits<double>::infinity();
+  const std::atomic<bool>* stop = nullptr;
 };
 
 /// `build` in rows of model.problem(), `design` what it amounts to.

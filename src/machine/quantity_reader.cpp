@@ -191,12 +191,19 @@ void QuantityReader::describe(const Key& key, Expected expected, std::string_vie
   if (table_.heard()) table_.describe(question(key, expected, unit, sign));
 }
 
-std::optional<double> QuantityReader::of_node(const Node& node,
-                                              std::string_view what,
-                                              std::string_view unit,
-                                              Sign sign) {
+std::optional<double> QuantityReader::of_node(
+    const Node& node, std::string_view what, std::string_view unit, Sign sign, std::string_view example) {
   const bool plain = unit == "1";
   QuantityFault fault;
+  const auto usual_hint = [&] {
+    return fmt::format("write for example {}",
+                       example.empty() ? quoted_unless_number(unit, usual_values(unit).example) : std::string(example));
+  };
+  // The unit's example, or the limit of any number, says nothing of this key.
+  const auto hint = [&] {
+    const bool general = fault.hint.starts_with("write for example ") || fault.hint.starts_with("at most ");
+    return general && !example.empty() ? usual_hint() : fault.hint;
+  };
   if (node.is_number()) {
     if (plain && check_magnitude(*node.as_number(), unit, sign, fault)) return node.as_number();
     if (!plain) {
@@ -208,7 +215,7 @@ std::optional<double> QuantityReader::of_node(const Node& node,
                                : values.unit == "rad" ? "deg"
                                                       : values.unit);
     }
-    diagnostics_.error(node.span(), fmt::format("{}: {}", what, fault.message), fault.hint);
+    diagnostics_.error(node.span(), fmt::format("{}: {}", what, fault.message), hint());
     return std::nullopt;
   }
   if (!node.is_string()) {
@@ -217,14 +224,14 @@ std::optional<double> QuantityReader::of_node(const Node& node,
                                    what,
                                    text::describe(node.kind()),
                                    plain ? "number" : "quantity with a unit"),
-                       fmt::format("write for example {}", quoted_unless_number(unit, usual_values(unit).example)));
+                       usual_hint());
     return std::nullopt;
   }
   const std::string words = *node.as_string();
   if (const auto value = read_quantity(words, unit, sign, fault)) return value;
   diagnostics_.error(node.part_span(fault.offset, std::max<std::size_t>(fault.length, 1)),
                      fmt::format("{}: {}", what, fault.message),
-                     fault.hint);
+                     hint());
   return std::nullopt;
 }
 
@@ -248,12 +255,18 @@ double QuantityReader::share_or(const Key& key, double fallback, bool zero) {
   text::Question asked = question(key, Expected::quantity, "1", sign);
   asked.most = 1.0;
   describe_with(fallback, std::move(asked));
-  const auto value = quantity(key, "1", sign);
+  const Node* node = table_.find(key.name);
+  const auto percent = [](double share) { return fmt::format("{:.6g} or \"{:.6g} %\"", share, 100.0 * share); };
+  const std::string example = percent(fallback > 0.0 && fallback < 1.0 ? fallback : 0.8);
+  const auto value = node == nullptr ? std::nullopt : of_node(*node, key.name, "1", sign, example);
   if (!value) return fallback;
   if (*value <= 1.0) return *value;
-  diagnostics_.error(table_.find(key.name)->span(),
+  // A bare 5 is most likely meant as percent.
+  const bool meant_percent = node->is_number() && *value >= 2.0 && *value <= 100.0;
+  const double share = meant_percent ? 0.01 * *value : 0.8;
+  diagnostics_.error(node->span(),
                      fmt::format("{}: a share is at most 1, this is {:.6g}", key.name, *value),
-                     "80 percent are 0.8 or \"80 %\"");
+                     fmt::format("{:.6g} percent are {}", 100.0 * share, percent(share)));
   return fallback;
 }
 

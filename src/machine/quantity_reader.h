@@ -66,8 +66,10 @@ class QuantityReader {
                              text::Presence presence = text::Presence::optional);
   /// The quantities of a list (or a single one) to choose from, none of them there twice.
   std::vector<double> choices(const text::Key& key, std::string_view unit);
-  /// A quantity from a node, reported at the node.
-  std::optional<double> of_node(const text::Node& node, std::string_view what, std::string_view unit, Sign sign);
+  /// A quantity from a node, reported at the node. `example`: what a hint advises, where that of the unit would
+  /// mislead.
+  std::optional<double> of_node(
+      const text::Node& node, std::string_view what, std::string_view unit, Sign sign, std::string_view example = {});
 
   /// Any value that must be there; if it is not, says at the table what to add.
   const text::Node* required(const text::Key& key, std::string_view example);

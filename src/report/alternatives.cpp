@@ -68,8 +68,7 @@ std::string alternatives_certificate(const MachineResult& result, const Texts& t
   if (found >= result.builds_asked) {
     const std::string best = fmt::format(fmt::runtime(t(fmt::format("certificate.{}", best_word(result)))), found);
     if (!preference_counts(result)) return best;
-    const double divisor = 1.0 + result.designs.front().preference->premium;
-    return best + " " + fmt::format(fmt::runtime(t("certificate.preferred")), fmt::format("{:.4g}", divisor));
+    return best + " " + fmt::format(fmt::runtime(t("certificate.preferred")), preference_divisor(result));
   }
   return found == 1 ? t("certificate.one_build") : fmt::format(fmt::runtime(t("certificate.few_builds")), found);
 }

@@ -253,8 +253,11 @@ std::string catalogues_section(const MachineResult& result, const Texts& t) {
   if (all.layers.empty()) return {};
   const auto hash = [](const std::string& sha256) { return "<code class=\"hash\">" + escaped(sha256) + "</code>"; };
   HtmlTable layers("<>><", {t("catalogues.place"), t("catalogues.files"), t("catalogues.rows"), "SHA-256"});
-  for (const catalogue::LayerRecord& layer : all.layers)
-    layers.add({escaped(layer.place), std::to_string(layer.files), std::to_string(layer.rows), hash(layer.sha256)});
+  for (const catalogue::LayerRecord& layer : all.layers) {
+    std::string parts = std::to_string(layer.files);
+    for (const catalogue::RemarkFile& each : layer.remarks) parts += " + " + escaped(each.name);
+    layers.add({escaped(layer.place), parts, std::to_string(layer.rows), hash(layer.sha256)});
+  }
   std::set<std::string> used;
   for (const Design& design : result.designs)
     for (const PartLine& part : design.parts) used.insert(part.where.substr(0, part.where.rfind(':')));

@@ -33,7 +33,31 @@ std::string range_text(const catalogue::PriceRange& range) {
 
 }  // namespace
 
-std::string families_text(const std::vector<catalogue::FamilySummary>& families, const Style& style) {
+namespace {
+
+std::string remarks_text(const catalogue::Inventory& inventory) {
+  const auto counted = [](std::size_t count, const char* what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+  };
+  std::string text;
+  for (const catalogue::LayerRecord& layer : inventory.layers) {
+    if (layer.remarks.empty()) continue;
+    text += text::printable(layer.place) + ": ";
+    text += layer.files == 0 ? "no parts of its own"
+                             : counted(static_cast<std::size_t>(layer.rows), "row") + " of parts in " +
+                                   counted(static_cast<std::size_t>(layer.files), "file");
+    for (const catalogue::RemarkFile& each : layer.remarks)
+      text += fmt::format(", {} with {}", each.name, counted(each.lines, "line"));
+    text += '\n';
+  }
+  return text.empty() ? text : "\n" + text;
+}
+
+}  // namespace
+
+std::string families_text(const std::vector<catalogue::FamilySummary>& families,
+                          const catalogue::Inventory& inventory,
+                          const Style& style) {
   TextTable table({{"family"},
                    {"what"},
                    {"rows", Align::right},
@@ -57,7 +81,7 @@ std::string families_text(const std::vector<catalogue::FamilySummary>& families,
     for (const catalogue::PriceRange& range : family.prices) add(range_text(range));
     if (first) add("");
   }
-  return table.str(0, style);
+  return table.str(0, style) + remarks_text(inventory);
 }
 
 std::string parts_list_text(const std::vector<catalogue::PartLine>& parts, const Style& style) {

@@ -79,11 +79,7 @@ std::string unit_of(machine::Quantity counted, const std::string& currency) {
 }
 
 void add_catalogues(const MachineResult& result, Json& json) {
-  if (result.catalogues.layers.empty()) return;
-  json["catalogues"] = Json::array();
-  for (const catalogue::LayerRecord& layer : result.catalogues.layers)
-    json["catalogues"].push_back(
-        {{"place", layer.place}, {"files", layer.files}, {"rows", layer.rows}, {"sha256", layer.sha256}});
+  if (!result.catalogues.layers.empty()) json["catalogues"] = catalogues_json(result.catalogues);
 }
 
 Json totals_of(const Design& design) {

@@ -13,8 +13,10 @@ const char* verdict_name(evaluation::Verdict verdict);
 /// The unit of a quantity's values in JSON.
 std::string unit_of(machine::Quantity counted, const std::string& currency);
 
-/// Of each catalogue its place, counts and "sha256": the SHA-256 of the list that `sha256sum` prints of its files,
-/// ascending by name. Nothing where the files were not looked at.
+/// Of each catalogue its place, counts and "sha256": the SHA-256 of the list that `sha256sum` prints of its files with
+/// parts, ascending by name; "remarks" are the files that say something of parts, where there are any.
+Json catalogues_json(const catalogue::Inventory& inventory);
+/// The same of a result; nothing where the files were not looked at.
 void add_catalogues(const MachineResult& result, Json& json);
 
 /// Cost, mass and what else the problem counts.

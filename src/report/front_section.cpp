@@ -97,10 +97,13 @@ std::string front_section(const MachineResult& result, const Texts& t) {
     table.add(cells, "", fmt::format("build-{}", i + 1));
   }
   const std::string robust = robust_front_text(result, t);
+  std::string hint = t(result.status == Status::limit ? "front.hint_open" : "front.hint");
+  if (preference_counts(result))
+    hint += " " + fmt::format(fmt::runtime(t("certificate.preferred")), preference_divisor(result));
   return section("front",
                  t("front"),
                  (robust.empty() ? "" : "<p>" + escaped(robust) + "</p>\n") +
-                     "<figure class=\"chart wide\" data-chart=\"front\"><figcaption>" + escaped(t("front.hint")) +
+                     "<figure class=\"chart wide\" data-chart=\"front\"><figcaption>" + escaped(hint) +
                      "</figcaption></figure>\n<div id=\"build\" class=\"build\" aria-live=\"polite\"></div>\n" +
                      table.str());
 }

@@ -21,7 +21,7 @@ std::string check_json(const MachineResult& result);
 std::string audit_json(const evaluation::AuditReport& report, const std::string& file);
 std::string calculation_json(const Calculation& calculation);
 std::string formulas_json(const std::vector<const mechanics::Formula*>& formulas);
-std::string families_json(const std::vector<catalogue::FamilySummary>& families);
+std::string families_json(const std::vector<catalogue::FamilySummary>& families, const catalogue::Inventory& inventory);
 std::string parts_json(std::string_view family, const std::vector<catalogue::PartLine>& parts);
 std::string sheets_json(const std::vector<catalogue::PartSheet>& sheets);
 std::string lint_json(const text::Diagnostics& diagnostics, int files, int rows);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "report/design_json.h"
 #include "report/findings_json.h"
 #include "report/json.h"
 #include "report/json_value.h"
@@ -124,8 +125,20 @@ std::string formulas_json(const std::vector<const mechanics::Formula*>& formulas
   return text_of(json);
 }
 
-std::string families_json(const std::vector<catalogue::FamilySummary>& families) {
+Json catalogues_json(const catalogue::Inventory& inventory) {
+  Json list = Json::array();
+  for (const catalogue::LayerRecord& layer : inventory.layers) {
+    list.push_back({{"place", layer.place}, {"files", layer.files}, {"rows", layer.rows}, {"sha256", layer.sha256}});
+    for (const catalogue::RemarkFile& each : layer.remarks)
+      list.back()["remarks"].push_back({{"file", each.name}, {"lines", each.lines}, {"sha256", each.sha256}});
+  }
+  return list;
+}
+
+std::string families_json(const std::vector<catalogue::FamilySummary>& families,
+                          const catalogue::Inventory& inventory) {
   Json json = result_of("catalogue list");
+  json["catalogues"] = catalogues_json(inventory);
   json["families"] = Json::array();
   for (const catalogue::FamilySummary& family : families) {
     Json prices = Json::array();

@@ -42,15 +42,21 @@ std::string verdict_banner(const MachineResult& result, PageKind kind, const Tex
     return failed == 0 ? banner("good", t("banner.satisfied"))
                        : banner("bad", fmt::format(fmt::runtime(t("banner.failed")), failed, design.checks.size()));
   }
-  if (kind == PageKind::pareto)
-    return banner(result.status == Status::limit ? "near" : "good",
-                  fmt::format(fmt::runtime(t(result.status == Status::limit ? "banner.front_open" : "banner.front")),
-                              result.designs.size()));
+  const auto fill = [&](const char* key, auto&&... values) { return fmt::format(fmt::runtime(t(key)), values...); };
+  // What is said to be best is so as builds were compared.
+  const std::string compared =
+      preference_counts(result) ? " " + fill("certificate.preferred", preference_divisor(result)) : std::string();
+  if (kind == PageKind::pareto) {
+    const bool open = result.status == Status::limit;
+    return banner(open ? "near" : "good",
+                  fill(open ? "banner.front_open" : "banner.front", result.designs.size()) + compared);
+  }
   const bool proved = result.status == Status::optimal || result.proved > 0;
   return banner(proved ? "good" : "near",
                 t(!proved                       ? "banner.best_so_far"
                   : robust_to_something(result) ? "banner.proved_robust"
-                                                : "banner.proved"));
+                                                : "banner.proved") +
+                    (proof_gap(result) ? " " + fill("banner.within", *proof_gap(result)) : "") + compared);
 }
 
 std::string totals_html(const Design& design, const Texts& t) {

@@ -68,7 +68,7 @@ std::string preference_words(const MachineResult& result) {
 std::string build_words(const MachineResult& result) {
   return best_word(result.objectives.front()) +
          (robust_to_something(result) ? " build compliant over all tolerances" : " compliant build") +
-         preference_words(result);
+         preference_words(result) + (proof_gap(result) ? fmt::format(", to {} %", *proof_gap(result)) : "");
 }
 
 /// What a proof is about when the command line asks for more than the problem file.
@@ -151,13 +151,13 @@ std::string end_text(const MachineResult& result,
 }
 
 /// What preferred parts cost more than the best build without regard to them, as far as that is proved: no build costs
-/// less than what was compared of the best.
-std::string premium_text(const MachineResult& result, const std::string& divisor, const Texts& t) {
+/// less than the bound of what was compared.
+std::string premium_text(const MachineResult& result, const Texts& t) {
   const Design& design = result.designs.front();
   // What is proved is about builds that are compliant with every tolerance, not about the cheapest of all.
   if (!best_is_proved(result) || result.robust || result.objectives.front() != "cost")
-    return fmt::format(fmt::runtime(t("certificate.preferred")), divisor);
-  const double more = design.cost - design.preference->compared_cost;
+    return fmt::format(fmt::runtime(t("certificate.preferred")), preference_divisor(result));
+  const double more = design.cost - std::min(design.preference->compared_cost, result.lower_bound);
   constexpr double shown = 0.005;  // less is printed as nothing
   return more >= shown
              ? fmt::format(fmt::runtime(t("certificate.premium")), fmt::format("{:.2f} {}", more, design.currency))
@@ -218,21 +218,23 @@ std::string certificate_text(const MachineResult& result, const Style& style, co
   const auto line = [&](const std::string& text) { out += "  " + wrapped(text, style.width - 2, 2) + "\n"; };
   const Design* design = result.designs.empty() ? nullptr : &result.designs.front();
   const bool preferred = preference_counts(result);
-  const std::string divisor = preferred ? fmt::format("{:.4g}", 1.0 + design->preference->premium) : std::string();
+  const std::string divisor = preferred ? preference_divisor(result) : std::string();
   if (result.status == Status::infeasible) {
     line(t(result.robust ? "certificate.none_robust" : "certificate.none"));
   } else if (result.objectives.size() == 1 && design != nullptr) {
     const std::string& objective = result.objectives.front();
+    std::string better = better_words(objective, t);
+    if (preferred) better = fill("certificate.divided", better, divisor);
+    if (const auto gap = proof_gap(result)) better = fill("certificate.within", better, *gap);
     line(best_is_proved(result) ? fill(robust_to_something(result) ? "certificate.best_robust"
                                        : result.steering.empty()   ? "certificate.best"
                                                                    : "certificate.best_asked",
-                                       preferred ? fill("certificate.divided", better_words(objective, t), divisor)
-                                                 : better_words(objective, t))
+                                       better)
                                 : fill("certificate.open",
                                        objective_text(objective, result.lower_bound, design->currency),
                                        fmt::format("{:.2f}", 100.0 * result.gap)));
     if (const std::string others = alternatives_certificate(result, t); !others.empty()) line(others);
-    if (preferred) line(premium_text(result, divisor, t));
+    if (preferred) line(premium_text(result, t));
   } else if (result.objectives.size() > 1) {
     const double tolerance = certificate.front_tolerance;
     line(result.status != Status::optimal ? t("certificate.front_open")

@@ -13,9 +13,33 @@ std::vector<PageText> sweep_and_audit_texts() {
        "Tunjuk sebuah tanda untuk angkanya. Silang: tidak ada rancangan yang memenuhi syarat; lingkaran kosong: belum "
        "terbukti. Di antara tanda tidak ada yang dihitung; tabel menyebut komponen yang berubah dari satu ke "
        "berikutnya."},
+      {"sweep.preferred",
+       "Compared with the prices of preferred parts divided by 1 + preference; the prices shown are the real ones.",
+       "Dibandingkan dengan harga komponen pilihan dibagi 1 + preference; harga yang ditampilkan adalah harga "
+       "sebenarnya."},
       {"sweep.proof", "Proof", "Bukti"},
       {"sweep.proved", "proved", "terbukti"},
       {"sweep.open", "not proved", "belum terbukti"},
+
+      {"front.hint_open",
+       "Every point is a compliant build; the limit was reached, so others may beat it. Point at one for what it "
+       "changes; click for its sheet.",
+       "Setiap titik adalah rancangan yang memenuhi syarat; batas tercapai, jadi mungkin ada yang mengunggulinya. "
+       "Tunjuk untuk melihat perubahannya; klik untuk lembarnya."},
+      {"banner.within",
+       "The proof is to {} %: another build may be better by that much.",
+       "Buktinya sampai {} %: rancangan lain mungkin lebih baik sebanyak itu."},
+      {"certificate.within", "{}, by more than {} %", "{}, dengan selisih lebih dari {} %"},
+      {"tolerances.robust_less",
+       "with the figures as they stand the best is {} worse at real prices, which is not how builds were compared",
+       "dengan data apa adanya yang terbaik {} lebih buruk menurut harga sebenarnya, bukan cara pembandingannya"},
+      {"tolerances.stopped",
+       "Not settled before the limit whether it is compliant for every value within the stated tolerances of {}.",
+       "Belum pasti sebelum batas tercapai apakah memenuhi syarat untuk setiap nilai dalam toleransi yang disebut dari "
+       "{}."},
+      {"tolerances.front_stopped",
+       "Of these builds the limit left no time to settle it: {}.",
+       "Untuk rancangan ini batas tidak menyisakan waktu untuk memastikannya: {}."},
 
       {"audit.count", "{} printed results were recomputed.", "{} hasil cetak dihitung ulang."},
       {"audit.results", "Printed against recomputed", "Cetak dibandingkan hitung ulang"},

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/result.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <set>
 
@@ -28,6 +30,17 @@ bool preference_counts(const MachineResult& result) {
              return term.quantity == machine::Quantity::cost;
            });
          });
+}
+
+std::string preference_divisor(const MachineResult& result) {
+  return fmt::format("{:.4g}", 1.0 + result.designs.front().preference->premium);
+}
+
+std::optional<std::string> proof_gap(const MachineResult& result) {
+  constexpr double rounding = 1e-5;  // the usual gap is 1e-6
+  const bool proved = result.status == Status::optimal || result.proved > 0;
+  if (result.designs.empty() || result.objectives.size() != 1 || !proved || !(result.gap > rounding)) return {};
+  return fmt::format("{:.3g}", 100.0 * result.gap);
 }
 
 std::vector<RequirementLine> used_requirements(const machine::Problem& problem, const evaluation::Design& design) {

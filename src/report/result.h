@@ -77,8 +77,9 @@ struct MachineResult {
   double gap = 0.0;
   bool robust = false;               ///< compliance for every value within the stated tolerances was asked for
   std::size_t robust_scenarios = 0;  ///< sets of values that were asked of every part
-  double robust_without = 0.0;       ///< the objective with the figures as they stand; NaN if nothing is compliant
-  bool fixed_objective = false;      ///< the same for every build, which is then the cheapest
+  /// The objective of the best build with the figures as they stand, at real prices; NaN if nothing is compliant.
+  double robust_without = 0.0;
+  bool fixed_objective = false;               ///< the same for every build, which is then the cheapest
   std::vector<RequirementLine> requirements;  ///< of the first design
   std::vector<MissingSlot> missing;
   std::vector<evaluation::UnmetCheck> unmet;  ///< why nothing is compliant, where single checks say so
@@ -93,6 +94,12 @@ struct MachineResult {
 /// Whether builds were compared with preferred parts counted less: an objective counts the cost, and such parts could
 /// be chosen.
 bool preference_counts(const MachineResult& result);
+/// "1.05", by which the prices of preferred parts were divided then.
+std::string preference_divisor(const MachineResult& result);
+
+/// To so many percent the best build is proved, where --gap let that be more than rounding: another one may be so much
+/// better. None where the proof is exact, or there is none.
+std::optional<std::string> proof_gap(const MachineResult& result);
 
 /// The checks of an axis ("machine" for what no single axis owns), the most used first; what was not evaluated last.
 std::vector<const evaluation::Check*> checks_of(const evaluation::Design& design, const std::string& axis);

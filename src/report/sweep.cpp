@@ -30,7 +30,7 @@ double objective_value(const SweepPoint& point, const std::string& objective) {
 
 std::string proof_text(const SweepPoint& point) {
   if (!point.solved) return "not tried";
-  if (point.proved()) return "proved";
+  if (point.proved()) return proof_gap(point.result) ? fmt::format("to {} %", *proof_gap(point.result)) : "proved";
   return point.design() == nullptr ? "open" : fmt::format("gap {:.2g} %", 100.0 * point.result.gap);
 }
 
@@ -138,7 +138,11 @@ std::string sweep_csv(const Sweep& sweep) {
   std::string out = csv_cell(sweep.unit.empty() ? sweep.path : fmt::format("{} [{}]", sweep.path, sweep.unit)) +
                     ",status,proved,cost,currency,mass [kg],cycle_time [s],";
   if (has_own_column(objective)) out += csv_cell(objective) + ",";
-  out += "lower_bound,changes,reason\n";
+  // What bound and proof are of, where parts are preferred.
+  const bool preferred = std::any_of(sweep.points.begin(), sweep.points.end(), [](const SweepPoint& point) {
+    return preference_counts(point.result);
+  });
+  out += preferred ? "compared_value,compared_lower_bound,changes,reason\n" : "lower_bound,changes,reason\n";
   const std::vector<std::string> changes = sweep_changes(sweep);
   for (std::size_t i = 0; i < sweep.points.size(); ++i) {
     const SweepPoint& point = sweep.points[i];
@@ -149,6 +153,9 @@ std::string sweep_csv(const Sweep& sweep) {
       out += ",,,,";
     if (has_own_column(objective))
       out += point.design() == nullptr ? "," : fmt::format("{:.12g},", objective_value(point, objective));
+    if (preferred && point.design() != nullptr)
+      out += fmt::format("{:.12g}", point.design()->compared(machine::objective_named(objective)));
+    if (preferred) out += ",";
     if (point.design() != nullptr) out += fmt::format("{:.12g}", point.result.lower_bound);
     out += "," + csv_cell(changes[i]) + "," + csv_cell(no_build_reason(point)) + "\n";
   }
@@ -176,6 +183,8 @@ std::string sweep_json(const Sweep& sweep) {
                            {"lower_bound", number(point.result.lower_bound)},
                            {"gap", number(point.result.gap)}};
       if (preference_counts(point.result)) {  // bound and gap are of what was compared
+        line["objective"]["compared_value"] =
+            number(design->compared(machine::objective_named(first.objectives.front())));
         line["objective"]["compared_cost"] = number(design->preference->compared_cost);
         line["objective"]["preference"] = number(design->preference->premium);
       }

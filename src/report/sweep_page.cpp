@@ -181,12 +181,17 @@ std::string charts(const Sweep& sweep, const Texts& t) {
     out += "<h3>" + escaped(t("sweep.speed")) + "</h3>\n" +
            Chart(by_time, with_unit(t("quantity.cycle_time"), "s"), y_label).svg();
   }
-  return out + "<p class=\"hint\">" + escaped(t("sweep.hint")) + "</p>\n";
+  const bool preferred = std::any_of(sweep.points.begin(), sweep.points.end(), [](const SweepPoint& point) {
+    return preference_counts(point.result);
+  });
+  return out + "<p class=\"hint\">" + escaped(t("sweep.hint")) +
+         (preferred ? " " + escaped(t("sweep.preferred")) : std::string()) + "</p>\n";
 }
 
 std::string proof_mark(const SweepPoint& point, const Texts& t) {
   const char* key = point.proved() ? "sweep.proved" : "sweep.open";
-  const std::string gap = !point.proved() && point.design() != nullptr && std::isfinite(point.result.gap)
+  const bool open = !point.proved() || proof_gap(point.result);
+  const std::string gap = open && point.design() != nullptr && std::isfinite(point.result.gap)
                               ? fmt::format(" ({:.2g} %)", 100.0 * point.result.gap)
                               : std::string();
   return fmt::format("<span class=\"mark {}\">{}</span>", point.proved() ? "good" : "near", escaped(t(key) + gap));

@@ -59,6 +59,7 @@ void add_tolerances(const MachineResult& result, const evaluation::Design& desig
                             {"figures", figures},
                             {"breaks", breaks},
                             {"estimates_without", check.unstated}};
+  if (check.stopped) json["tolerances"]["stopped"] = true;  // unsettled because time was up
   if (result.robust)
     json["tolerances"]["robust"] = {{"sets_of_values", result.robust_scenarios},
                                     {"objective_without", number(result.robust_without)}};

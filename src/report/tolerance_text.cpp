@@ -84,6 +84,7 @@ std::string verdict_text(const ToleranceCheck& check, const Style& style, const 
                  ? filled(t, "tolerances.broken_together", style.bad(t("tolerances.bad")), figures)
                  : filled(t, "tolerances.broken", style.bad(t("tolerances.bad")), check.single.size(), figures);
     case ToleranceVerdict::unsettled:
+      if (check.stopped) return filled(t, "tolerances.stopped", figures);
       return filled(t, "tolerances.unsettled", figures, check.boxes);
     case ToleranceVerdict::not_asked:
       break;
@@ -96,11 +97,13 @@ std::string robust_text(const MachineResult& result, const evaluation::Design& d
   const std::string& objective = result.objectives.front();
   std::string text = t(result.status == Status::optimal ? "tolerances.robust" : "tolerances.robust_open");
   if (result.robust_scenarios == 0) return text + ".";
-  const double more = design.compared(machine::objective_named(objective)) - result.robust_without;
+  const double more = design.total(machine::objective_named(objective)) - result.robust_without;
   const bool equal = std::abs(more) <= 1e-5 * std::abs(result.robust_without);
   text += "; ";
   text += equal ? t("tolerances.robust_same")
-                : filled(t, "tolerances.robust_costs", objective_text(objective, more, design.currency));
+                : filled(t,
+                         more < 0.0 ? "tolerances.robust_less" : "tolerances.robust_costs",
+                         objective_text(objective, std::abs(more), design.currency));
   return text + ". " +
          filled(
              t, result.robust_scenarios == 1 ? "tolerances.scenario" : "tolerances.scenarios", result.robust_scenarios);
@@ -122,6 +125,11 @@ std::string robust_front_text(const MachineResult& result, const Texts& t) {
     return design.tolerances && design.tolerances->verdict == ToleranceVerdict::unsettled;
   });
   std::string text = unsettled > 0 ? filled(t, "tolerances.front_open", unsettled) : t("tolerances.front");
+  std::vector<std::size_t> stopped;
+  for (std::size_t i = 0; i < result.designs.size(); ++i)
+    if (result.designs[i].tolerances && result.designs[i].tolerances->stopped) stopped.push_back(i + 1);
+  if (!stopped.empty())
+    text += " " + filled(t, "tolerances.front_stopped", fmt::format("{}", fmt::join(stopped, ", ")));
   if (result.robust_scenarios > 0)
     text += " " + filled(t,
                          result.robust_scenarios == 1 ? "tolerances.scenario" : "tolerances.scenarios",

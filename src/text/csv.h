@@ -2,7 +2,7 @@
 // Tables that people keep in spreadsheets: comma or semicolon separated, quoted cells, LF or CR LF, with or without a
 // byte order mark.
 //
-//   # comment lines may stand before the header
+//   # comment lines may stand before the header, between the rows and behind them
 //   manufacturer,part_number,holding_torque [N.cm],price
 //   StepperOnline,23HS22-2804S,126,24.33
 //
@@ -10,6 +10,8 @@
 // - The separator is the one of `,` and `;` that the header uses (or that a first line `sep=;` names).
 // - A header cell is a name and, in brackets, a unit. Names are unique.
 // - Blanks around a cell do not count, blanks inside quotes do. A quote inside a quoted cell is written twice.
+// - A line that begins with # is a comment whatever it holds; a first cell that begins so is put in quotes. A whole row
+//   that begins with # and a digit ("#10-24") may be meant as one and is refused.
 // - Blank lines, and rows in which every cell is empty, are skipped; empty cells beyond the header are ignored.
 // - Decimals have a point. Where `;` separates, a decimal comma is understood too (one mark per column); where `,`
 //   separates, `1,5` is two cells, and the quoted "1,5" is refused as ambiguous. No thousands separators.

@@ -11,6 +11,7 @@
 #include "text/csv_header.h"
 #include "text/csv_scanner.h"
 #include "text/large_pages.h"
+#include "text/table_size.h"
 #include "text/text_check.h"
 
 namespace millwright::text {
@@ -140,13 +141,42 @@ class CsvReader {
     reserve(scanner.position());
     while (!scanner.at_end()) {
       const std::size_t before = starts.size();
+      if (before > table_cell_limit)
+        return error(span_at(table_.text_, scanner.position(), 1),
+                     fmt::format("more than {} cells: the rows from here on are not read", table_cell_limit),
+                     "is this a table of parts? cut it into several files");
       const char lead = contents[scanner.position()];
+      if (lead == '#' || lead == ' ' || lead == '\t') {
+        const std::size_t mark = contents.find_first_not_of(" \t", scanner.position());
+        if (mark != std::string_view::npos && contents[mark] == '#') {
+          check_comment(mark);
+          scanner.skip_line();
+          continue;
+        }
+      }
       const bool first_is_empty = lead == table_.separator_ || lead <= ' ' || lead == '"';
       const bool good = scanner.next(starts);
       const std::size_t cells = starts.size() - before - 1;
       if (good && cells == columns && !first_is_empty) continue;
       if (!good || !accept(before, cells)) starts.resize(before);
     }
+  }
+
+  /// A line that begins with # is a comment, a row that somebody took out too; but "#10-24" above the other cells of a
+  /// row may be meant as its first cell, and is not lost in silence.
+  void check_comment(std::size_t mark) {
+    const std::string_view contents = table_.text_->contents();
+    const bool digit = mark + 1 < contents.size() && contents[mark + 1] >= '0' && contents[mark + 1] <= '9';
+    if (!digit) return;
+    const std::string_view line = contents.substr(mark, contents.find('\n', mark) - mark);
+    const auto cells = static_cast<std::size_t>(std::count(line.begin(), line.end(), table_.separator_)) + 1;
+    if (cells < table_.columns_.size()) return;
+    if (diagnostics_.is_full(table_.text_.get())) return error(whole(table_.text_), "comment or row");
+    const std::string_view first = line.substr(0, line.find_first_of(" \t\r,;"));
+    error(span_at(table_.text_, mark, first.size()),
+          fmt::format("comment or row? {} with {} cells", quoted(first), cells),
+          fmt::format("quote the first cell of a row, \"{}\"; of a comment write a blank behind #",
+                      printable(first, 40)));
   }
 
   /// Makes room for the records from `begin` on, as many as there are lines like the first ones: growing step by step
@@ -159,7 +189,8 @@ class CsvReader {
     const auto lines = static_cast<std::size_t>(std::count(head.begin(), head.end(), '\n')) + 1;
     const double records =
         static_cast<double>(lines) * static_cast<double>(rest.size()) / static_cast<double>(head.size() + 1);
-    reserve_large(table_.starts_, static_cast<std::size_t>(1.1 * records + 1.0) * (table_.columns_.size() + 1));
+    const double cells = (1.1 * records + 1.0) * static_cast<double>(table_.columns_.size() + 1);
+    reserve_large(table_.starts_, static_cast<std::size_t>(std::min(cells, static_cast<double>(table_cell_limit))));
   }
 
   /// Judges a record with a first cell that may be empty or of another length than the header; cuts empty surplus cells
@@ -183,10 +214,6 @@ class CsvReader {
     const std::size_t columns = table_.columns_.size();
     if (diagnostics_.is_full(table_.text_.get())) return error(whole(table_.text_), "row of another length");
     const std::string message = fmt::format("row of {} cells, but the header has {}", cells, columns);
-    const std::string_view contents = table_.text_->contents();
-    if (contents[starts[first]] == '#') {
-      return error(span_at(table_.text_, starts[first], 1), message, "comment lines stand before the header only");
-    }
     if (cells < columns) {
       const std::string_view last = slice(starts, first + cells - 1);
       const std::size_t end = starts[first + cells] - 1 - (!last.empty() && last.back() == '\r' ? 1 : 0);
@@ -210,7 +237,7 @@ CsvTable read_csv(std::shared_ptr<const SourceText> text, Diagnostics& diagnosti
 }
 
 std::optional<CsvTable> read_csv_file(const std::string& path, Diagnostics& diagnostics) {
-  std::shared_ptr<const SourceText> text = SourceText::load(path, diagnostics);
+  std::shared_ptr<const SourceText> text = SourceText::load(path, diagnostics, table_size_limit);
   if (!text) return std::nullopt;
   return read_csv(std::move(text), diagnostics);
 }

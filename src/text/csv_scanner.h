@@ -34,6 +34,9 @@ class CsvScanner {
   /// A record with bad quotes or too many cells is reported, skipped and gives false; `starts` then holds a part of it.
   bool next(std::vector<std::uint32_t>& starts);
 
+  /// Goes on with the next line, whatever the rest of this one holds.
+  void skip_line() { give_up_line(position_); }
+
   /// Content of cells with doubled quotes, by where the cell begins.
   std::unordered_map<std::uint32_t, std::string>& unescaped() { return unescaped_; }
   const std::unordered_map<std::uint32_t, std::string>& unescaped() const { return unescaped_; }

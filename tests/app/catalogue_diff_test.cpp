@@ -168,3 +168,49 @@ TEST_CASE("catalogue diff of an overlay without parts shows what it says of the 
   CHECK(nameless.exit_code == 2);
   CHECK(nameless.says("offers.csv has no column part_number"));
 }
+
+TEST_CASE("catalogue diff does not take bad cells of stock, suppliers and offers for texts") {
+  const Workshop shop;
+  shop.write("good/stock.csv", "part_number,owned,available\nM1,2,\n");
+  shop.write("bad/stock.csv", "part_number,owned,available\nM1,two,\nM2,1,maybe\nM3,-1,\nM4,,\n");
+  shop.write("bad/suppliers.csv", "supplier,shipping_fee,currency\nShop A,free,USD\nShop A,1,usd\n");
+  shop.write("bad/offers.csv",
+             "part_number,supplier,price,currency\nM1,Shop A,cheap,USD\nM1,,3,USD\nM2,Shop A,3,\nM2,Shop A,3,EUR\n");
+  for (const auto& sides : {std::pair("good", "bad"), std::pair("bad", "good")}) {
+    const Outcome outcome = shop.run({"catalogue", "diff", sides.first, sides.second});
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.out.empty());
+    CHECK(outcome.says("bad/stock.csv:2:4: error"));
+    CHECK(outcome.says("bad/stock.csv:3:6: error: available: 'maybe' is none of yes, no and preferred"));
+    CHECK(outcome.says("bad/stock.csv:4:4: error: -1 pieces cannot be owned"));
+    CHECK(outcome.says("nothing is said about this part"));
+    CHECK(outcome.says("bad/suppliers.csv:2:8: error"));
+    CHECK(outcome.says("'Shop A' stands in this file twice"));
+    CHECK(outcome.says("'usd' is not a currency"));
+    CHECK(outcome.says("bad/offers.csv:2:11: error"));
+    CHECK(outcome.says("supplier is missing"));
+    CHECK(outcome.says("bad/offers.csv:4:13: error: currency is missing"));
+    CHECK(outcome.says("'Shop A' offers M2 twice"));
+    CHECK(outcome.says("11 errors"));
+  }
+  shop.write("good/offers.csv", "part_number,supplier,price,currency\nM1,Shop A,3,USD\n");
+  shop.write("unknown/offers.csv", "part_number,supplier,price,currency,prise\nM1,Shop A,3,USD,4\n");
+  CHECK(shop.run({"catalogue", "diff", "good", "unknown"}).says("did you mean 'price'?"));
+}
+
+TEST_CASE("catalogue diff --json gives what is said of a figure its own cell") {
+  const Workshop shop;
+  const std::string head =
+      "manufacturer,part_number,step_angle [deg],holding_torque [N.m],holding_torque_source,holding_torque_confidence,"
+      "rated_current [A],price,currency\n";
+  shop.write("old/steppers/m.csv", head + "Acme,M1,1.8,1.26,list,low,2,10,USD\n");
+  shop.write("new/steppers/m.csv", head + "Acme,M1,1.8,1.26,scales,high,2,10,USD\n");
+  const auto json = nlohmann::json::parse(shop.run({"catalogue", "diff", "old", "new", "--json", "-"}).out);
+  const auto& cells = json.at("families").at(0).at("changed").at(0).at("cells");
+  REQUIRE(cells.size() == 2);
+  CHECK(cells.at(0).at("column") == "holding_torque_source");
+  CHECK(cells.at(0).at("a_place") == "old/steppers/m.csv:2:18");
+  CHECK(cells.at(1).at("column") == "holding_torque_confidence");
+  CHECK(cells.at(1).at("b") == "high");
+  CHECK(cells.at(1).at("b_place") == "new/steppers/m.csv:2:25");
+}

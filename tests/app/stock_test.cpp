@@ -122,6 +122,102 @@ TEST_CASE(
   CHECK(driver(with(1.01 * needed, {})).at("part_number") == chosen);
 }
 
+TEST_CASE("Fronts, next best builds and ranges say how builds with preferred parts were compared") {
+  const Workshop shop;
+  const Json driver = part(solved(shop, {}), "driver");
+  const std::string name = driver.at("part_number");
+  shop.write("mine/stock.csv", fmt::format("part_number,available\n{},preferred\n", name));
+  const std::string compared =
+      "Builds were compared with the prices of preferred parts divided by 1.05; what is shown are the real prices.";
+  const auto wrapped_has = [](std::string text, const std::string& words) {
+    std::string flat;
+    for (const char c : text)
+      if (c != '\n' && c != ' ') flat += c;
+    std::string wanted;
+    for (const char c : words)
+      if (c != ' ') wanted += c;
+    return flat.find(wanted) != std::string::npos;
+  };
+  REQUIRE(shop.run({"pareto", lifter, "--catalogue", "mine", "--report", "f.html"}).exit_code == 0);
+  const std::string page = shop.read("f.html");
+  CHECK(page.find("builds that no other build beats. " + compared) != std::string::npos);
+  CHECK(page.find("that no other beats. Point at one for what it changes; click for its sheet. " + compared) !=
+        std::string::npos);
+  REQUIRE(shop.run({"pareto", lifter, "--catalogue", "mine", "--language", "id", "--report", "i.html"}).exit_code == 0);
+  CHECK(shop.read("i.html").find("yang tidak terkalahkan. Rancangan dibandingkan dengan harga komponen pilihan dibagi "
+                                 "1.05; yang ditampilkan adalah harga sebenarnya.") != std::string::npos);
+  REQUIRE(shop.run({"pareto", lifter, "--report", "p.html"}).exit_code == 0);
+  CHECK(shop.read("p.html").find("preferred parts divided") == std::string::npos);
+  REQUIRE(shop.run({"solve", lifter, "--catalogue", "mine", "--set", "objective.minimise=cost", "--report", "s.html"})
+              .exit_code == 0);
+  CHECK(shop.read("s.html").find("proved to be the best build of these catalogues. " + compared) != std::string::npos);
+  const Outcome next =
+      shop.run({"solve", lifter, "--catalogue", "mine", "--set", "objective.minimise=cost", "--alternatives", "2"});
+  CHECK(wrapped_has(next.out, "these are the 2 cheapest builds, each set of parts counted once. " + compared));
+  // Of a range the table for programs names what bound and proof are of.
+  const Outcome range = shop.run({"solve",
+                                  lifter,
+                                  "--catalogue",
+                                  "mine",
+                                  "--set",
+                                  "objective.minimise=cost",
+                                  "--set",
+                                  "objective.preference=0.05:0.25:2",
+                                  "--csv",
+                                  "r.csv",
+                                  "--report",
+                                  "r.html",
+                                  "--json",
+                                  "r.json"});
+  INFO(range.err);
+  REQUIRE(range.exit_code == 0);
+  CHECK(wrapped_has(range.out,
+                    "Compared with the prices of preferred parts divided by 1 + preference; the prices shown are the "
+                    "real ones."));
+  CHECK(shop.read("r.html").find("Compared with the prices of preferred parts divided by 1 + preference") !=
+        std::string::npos);
+  const std::string csv = shop.read("r.csv");
+  CHECK(csv.find(",cycle_time [s],compared_value,compared_lower_bound,changes,reason\n") != std::string::npos);
+  const Json points = Json::parse(shop.read("r.json")).at("points");
+  REQUIRE(points.size() == 2);
+  for (const Json& point : points) {
+    const double premium = point.at("value");
+    const Json chosen = part(point, "driver");
+    REQUIRE(chosen.at("part_number") == name);
+    const double expected = cost(point) - chosen.at("price").get<double>() * (1.0 - 1.0 / (1.0 + premium));
+    CHECK(point.at("objective").at("compared_value").get<double>() == Approx(expected).epsilon(1e-6));
+    CHECK(csv.find(fmt::format(",{:.12g},{:.12g},",
+                               point.at("objective").at("compared_value").get<double>(),
+                               point.at("objective").at("lower_bound").get<double>())) != std::string::npos);
+  }
+}
+
+TEST_CASE("A proof to a wider gap does not claim more than that") {
+  const Workshop shop;
+  const std::string printer = MILLWRIGHT_SOURCE_DIR "/problems/fdm-printer.toml";
+  const std::vector<std::string> asked{"solve", printer, "--gap", "0.3", "--report", "g.html", "--json", "g.json"};
+  const Outcome wide = shop.run(asked);
+  REQUIRE(wide.exit_code == 0);
+  const double gap = Json::parse(shop.read("g.json")).at("objective").at("gap");
+  REQUIRE(gap > 0.01);  // else another machine is needed here
+  const std::string percent = fmt::format("{:.3g} %", 100.0 * gap);
+  CHECK(wide.prints("Proved: no compliant build of these catalogues is cheaper, by more than " + percent + "."));
+  CHECK(wide.prints("Cheapest compliant build, to " + percent));
+  CHECK(shop.read("g.html").find("The proof is to " + percent) != std::string::npos);
+  // A premium that is proved counts what the gap leaves open.
+  const Json plain = Json::parse(shop.read("g.json"));
+  const std::string motor_name = motor(plain).at("part_number");
+  shop.write("mine/stock.csv", fmt::format("part_number,available\n{},preferred\n", motor_name));
+  std::vector<std::string> words = asked;
+  words.insert(words.end(), {"--catalogue", "mine"});
+  const Outcome preferring = shop.run(words);
+  REQUIRE(preferring.exit_code == 0);
+  const Json result = Json::parse(shop.read("g.json"));
+  const double bound = result.at("objective").at("lower_bound");
+  CHECK(preferring.prints(
+      fmt::format("With its preferred parts it costs at most {:.2f} USD more", cost(result) - bound)));
+}
+
 TEST_CASE("A stock file that names an unknown part stops the run at its place") {
   const Workshop shop;
   shop.write("mine/stock.csv", "part_number,owned\n17HS19-2004S,1\n");
@@ -129,6 +225,26 @@ TEST_CASE("A stock file that names an unknown part stops the run at its place") 
   CHECK(outcome.exit_code == 2);
   CHECK(outcome.says("mine/stock.csv:2:1"));
   CHECK(outcome.says("17HS19-2004S1"));
+}
+
+TEST_CASE("catalogue list says what a folder without parts holds") {
+  const Workshop shop;
+  shop.write("mine/stock.csv", "part_number,owned\n17HS19-2004S1,1\n# and no other\n");
+  shop.write("mine/suppliers.csv", "supplier,shipping_fee,currency\n,5,USD\n");
+  const Outcome plain = shop.run({"catalogue", "list"});
+  CHECK_FALSE(plain.prints("stock.csv"));
+  const Outcome text = shop.run({"catalogue", "list", "--catalogue", "mine"});
+  CHECK(text.exit_code == 0);
+  CHECK(text.prints("mine: no parts of its own, stock.csv with 1 line, suppliers.csv with 1 line"));
+  const Json json = Json::parse(shop.run({"catalogue", "list", "--catalogue", "mine", "--json", "-"}).out);
+  CHECK_FALSE(json.at("catalogues").at(0).contains("remarks"));
+  const Json& mine = json.at("catalogues").at(1);
+  CHECK(mine.at("files") == 0);
+  CHECK(mine.at("remarks").at(0).at("file") == "stock.csv");
+  CHECK(mine.at("remarks").at(1).at("lines") == 1);
+  const Outcome page = shop.run({"solve", lifter, "--catalogue", "mine", "--report", "r.html"});
+  CHECK(page.exit_code == 0);
+  CHECK(shop.read("r.html").find("0 + stock.csv + suppliers.csv") != std::string::npos);
 }
 
 TEST_CASE("A lock notices that the stock changed, came or went") {

@@ -67,3 +67,42 @@ TEST_CASE("every build of pareto --robust is compliant for every value, and the 
   CHECK(json.at("front").at(0).at("totals").at("cost").at("value").get<double>() ==
         Approx(nlohmann::json::parse(best.out).at("totals").at("cost").at("value").get<double>()).epsilon(1e-3));
 }
+
+TEST_CASE("what robustness costs is said in real prices where parts are preferred") {
+  const Workshop shop;
+  const auto json_of = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"solve", feeder, "--json", "-"});
+    const Outcome outcome = shop.run(words);
+    INFO(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    return nlohmann::json::parse(outcome.out);
+  };
+  std::string stock = "manufacturer,part_number,available\n";
+  const auto usual = json_of({});
+  for (const auto& part : usual.at("build").at("parts"))
+    if (part.at("slot") == "motor" || part.at("slot") == "driver")
+      stock +=
+          part.at("manufacturer").get<std::string>() + "," + part.at("part_number").get<std::string>() + ",preferred\n";
+  shop.write("mine/stock.csv", stock);
+  const std::vector<std::string> preferring{
+      "--catalogue", "mine", "--set", "objective.minimise=cost", "--set", "objective.preference=0.3"};
+  const auto plain = json_of(preferring);
+  const double without = plain.at("totals").at("cost").at("value");
+  REQUIRE(plain.at("objective").at("compared_value").get<double>() < 0.99 * without);
+  std::vector<std::string> words = preferring;
+  words.emplace_back("--robust");
+  const auto robust = json_of(words);
+  CHECK(robust.at("tolerances").at("robust").at("objective_without").get<double>() == Approx(without).epsilon(1e-9));
+}
+
+TEST_CASE("a robust front that time was up for says which builds were not settled") {
+  const Workshop shop;
+  const Outcome front = shop.run({"pareto", feeder, "--robust", "--time-limit", "1e-9", "--json", "-"});
+  CHECK(front.exit_code == 3);
+  const auto json = nlohmann::json::parse(front.out);
+  CHECK(json.at("complete") == false);
+  for (const auto& build : json.at("front")) {
+    CHECK(build.at("tolerances").at("verdict") == "unsettled");
+    CHECK(build.at("tolerances").at("stopped") == true);
+  }
+}

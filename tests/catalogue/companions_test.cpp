@@ -105,6 +105,13 @@ TEST_CASE("cells that are no tolerance are errors at the cell") {
   expect_error("rotor_inertia_tolerance [%]", "5 %", 2, "has a unit", "plain number");
 }
 
+TEST_CASE("the confidence of a figure is high, medium or low too") {
+  expect_error("rotor_inertia_confidence", "hgih", 2, "rotor_inertia_confidence: 'hgih' is no confidence", "'high'");
+  const Outcome outcome = read("rotor_inertia_confidence", "Low");
+  REQUIRE(outcome.diagnostics.empty());
+  CHECK(outcome.table.figure_confidence(0, inertia) == "low");
+}
+
 TEST_CASE("tables keep what companions say when rows are dropped and added") {
   text::Diagnostics diagnostics;
   const std::string head =

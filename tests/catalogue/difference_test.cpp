@@ -261,6 +261,12 @@ TEST_CASE("what is said of a figure alone is a change of the figure's provenance
   CHECK(told(changed.found.changed.front().cells) == std::vector<std::string>{"mass_source: list -> scales",
                                                                               "mass_confidence: low -> high",
                                                                               "mass_tolerance: 10 % -> 2 %"});
+  // Each stands at its own cell: "Acme,M1,0.5,list,low,10 %".
+  const auto& cells = changed.found.changed.front().cells;
+  CHECK(cells[0].a_where.column == 13);
+  CHECK(cells[1].a_where.column == 18);
+  CHECK(cells[1].b_where.column == 20);  // scales is longer than list
+  CHECK(cells[2].a_where.column == 22);
   const Sides gone = sides("0.5,list,low,10 %", "0.6,,,");
   REQUIRE(gone.found.changed.size() == 1);
   CHECK(told(gone.found.changed.front().cells) ==

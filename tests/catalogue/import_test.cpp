@@ -414,6 +414,54 @@ TEST_CASE("Companions in German, with decimal commas, and by a mapping file that
   CHECK(missing.says("the table has no column 'T'"));
 }
 
+TEST_CASE("A tolerance of what takes none is kept, and is no other column") {
+  for (const std::string price : {"Price (EUR)", "price_eur"})
+    for (const std::string name : {"price_tolerance", "Preis Toleranz", "Tolerance of price (%)", "frame_tolerance"}) {
+      const Imported result = import_csv("Brand,Part No,Step angle (deg),Torque (N.cm),Current (A)," + price + "," +
+                                             name + "\nA,1,1.8,126,2.8,20,5\nA,2,1.8,126,2.8,21,10\n",
+                                         asking({{"currency", "EUR"}}));
+      INFO(name << " " << result.meaning(name) << result.complaints);
+      REQUIRE(result.good);
+      CHECK(result.meaning(price) == "price");
+      CHECK(result.meaning(name).starts_with("x_"));
+      CHECK(result.table(Family::steppers).price(1).piece == 21.0);
+    }
+  // Alone it is no price either.
+  CHECK(import_csv("Brand,Part No,Step angle (deg),Torque (N.cm),Current (A),price_tolerance\nA,1,1.8,126,2.8,5\n")
+            .says("nothing in the table gives price"));
+}
+
+TEST_CASE("Confidences in three languages become ours, and what is none is an error at its cell") {
+  const std::string head = "Brand,Part No,Step angle (deg),Torque (N.cm),Current (A),Price (EUR),";
+  for (const std::string name : {"Konfidenz", "Vertrauen", "Vertrauensw\xC3\xBCrdigkeit", "Keyakinan", "Confidence"}) {
+    const Imported result =
+        import_csv(head + name + "\nA,1,1.8,126,2.8,20,Hoch\nA,2,1.8,126,2.8,20,LOW\nA,3,1.8,126,2.8,20,n/a\n");
+    INFO(name << result.complaints);
+    REQUIRE(result.good);
+    CHECK(result.meaning(name) == "confidence");
+    const Table table = result.table(Family::steppers);
+    CHECK(table.confidence(0) == "high");
+    CHECK(table.confidence(1) == "low");
+    CHECK(table.confidence(2).empty());
+  }
+  const Imported bad = import_csv(head + "Konfidenz\nA,1,1.8,126,2.8,20,95 %\nA,2,1.8,126,2.8,20,hihg\n");
+  CHECK_FALSE(bad.good);
+  CHECK(bad.says("table.csv:2:20: error: confidence: '95 %' is no confidence"));
+  CHECK(bad.says("write high, medium or low"));
+  CHECK(bad.says("table.csv:3:20: error: confidence: 'hihg' is no confidence"));
+  CHECK(bad.says("did you mean 'high'?"));
+  const Imported of_figure = import_csv(head + "Vertrauen Torque\nA,1,1.8,126,2.8,20,niedrig\n");
+  INFO(of_figure.complaints);
+  REQUIRE(of_figure.good);
+  CHECK(of_figure.meaning("Vertrauen Torque") == "holding_torque_confidence");
+  CHECK(of_figure.table(Family::steppers).figure_confidence(0, column(Family::steppers, "holding_torque")) == "low");
+  CHECK(import_csv(head + "Vertrauen Torque\nA,1,1.8,126,2.8,20,5\n").says("'5' is no confidence"));
+  ImportRequest request = asking();
+  text::Diagnostics diagnostics;
+  add_constant(request, "confidence", "lwo", {}, diagnostics);
+  CHECK(text::format(diagnostics).find("confidence: 'lwo' is no confidence") != std::string::npos);
+}
+
 TEST_CASE("A companion that is no tolerance, or of another unit than its column, is an error at its cell") {
   const std::string head = "Brand,Part No,Step angle (deg),Torque (N.cm),Current (A),Price (EUR),Torque tolerance";
   const Imported words = import_csv(head + "\nACME,1,1.8,126,2.8,20,rough\n");

@@ -48,6 +48,26 @@ TEST_CASE("the inventory has the digests that sha256sum prints, with byte order 
   CHECK(all.layers[1].sha256 == "2b1619936b2f5909168622710e47203426f4f46ab1403e02aebb49e021cb7428");
 }
 
+TEST_CASE("files that only say something of parts are in the inventory, not among those that hold them") {
+  const TemporaryFolder lower, upper;
+  lower.write("steppers/m.csv", motors + "Acme,M1,1.8,1.26,2,10,USD\n");
+  upper.write("stock.csv", "part_number,owned\nM1,2\n");
+  upper.write("suppliers.csv", "supplier,shipping_fee,currency\nShop A,5,USD\nShop B,6,USD\n");
+  text::Diagnostics diagnostics;
+  const Catalogue catalogue = Catalogue::load({lower.path(), upper.path()}, diagnostics);
+  const Inventory all = inventory(catalogue);
+  REQUIRE(all.layers.size() == 2);
+  CHECK(all.layers[0].remarks.empty());
+  CHECK(all.layers[1].files == 0);
+  REQUIRE(all.layers[1].remarks.size() == 2);
+  CHECK(all.layers[1].remarks[0].name == "stock.csv");
+  CHECK(all.layers[1].remarks[0].lines == 1);
+  // printf 'part_number,owned\nM1,2\n' | sha256sum
+  CHECK(all.layers[1].remarks[0].sha256 == "17e1f8afd539df4a0393edde6f6d1b0708665ee22489076399f1e403103625cc");
+  CHECK(all.layers[1].remarks[1].name == "suppliers.csv");
+  CHECK(all.layers[1].remarks[1].lines == 2);
+}
+
 TEST_CASE("figures of a part: prices, numbers and words, but nothing that only says where they come from") {
   const TemporaryFolder folder;
   folder.write("steppers/m.csv",

@@ -218,6 +218,25 @@ TEST_CASE("a flag is yes or no") {
   CHECK_FALSE(outcome.table.flag(free, 2).has_value());
 }
 
+TEST_CASE("a confidence is high, medium or low, in whatever case, and nothing else") {
+  const Outcome outcome = read(Family::steppers,
+                               header +
+                                   "Acme,M1,1.8,100,2,10,USD,s,HIGH\nAcme,M2,1.8,100,2,10,USD,s,Low\n"
+                                   "Acme,M3,1.8,100,2,10,USD,s,mediun\nAcme,M4,1.8,100,2,10,USD,s,\n"
+                                   "Acme,M5,1.8,100,2,10,USD,s,so so\n");
+  REQUIRE(outcome.diagnostics.size() == 2);
+  CHECK(outcome.diagnostics[0].where.line == 4);
+  CHECK(outcome.diagnostics[0].where.column == 28);
+  CHECK(outcome.diagnostics[0].message == "confidence: 'mediun' is no confidence");
+  CHECK(outcome.diagnostics[0].hint.find("did you mean 'medium'?") == 0);
+  CHECK(outcome.diagnostics[1].where.line == 6);
+  CHECK(outcome.diagnostics[1].hint.find("write high, medium or low") == 0);
+  REQUIRE(outcome.table.rows() == 3);
+  CHECK(outcome.table.confidence(0) == "high");
+  CHECK(outcome.table.confidence(1) == "low");
+  CHECK(outcome.table.confidence(2).empty());
+}
+
 TEST_CASE("nothing at all, a header alone and noise are errors") {
   CHECK(read(Family::steppers, "").has_errors);
   CHECK(read(Family::steppers, "# only a comment\n").has_errors);
@@ -277,6 +296,27 @@ TEST_CASE("a gigabyte of binary noise as a catalogue is refused") {
   const Catalogue catalogue = Catalogue::load({folder.path()}, diagnostics);
   CHECK(diagnostics.error_count() == 1);
   CHECK(catalogue.rows() == 0);
+}
+
+TEST_CASE("columns that no file has cost memory once, and one of them that is set stays the only one") {
+  Outcome outcome = read(Family::steppers, header + "Acme,M1,1.8,100,2,10,USD,x,high\nAcme,M2,1.8,90,2,9,USD,x,high\n");
+  REQUIRE(outcome.diagnostics.empty());
+  Table& table = outcome.table;
+  constexpr Column mass = column(Family::steppers, "mass"), inertia = column(Family::steppers, "rotor_inertia");
+  CHECK(table.numbers(mass).data() == table.numbers(inertia).data());
+  REQUIRE(table.numbers(mass).size() == 2);
+  CHECK(std::isnan(table.number(mass, 1)));
+  table.set_number(1, mass, 0.5);
+  CHECK(table.number(mass, 1) == 0.5);
+  CHECK(std::isnan(table.number(mass, 0)));
+  CHECK(std::isnan(table.number(inertia, 1)));
+  table.keep_only({false, true});
+  CHECK(table.number(mass, 0) == 0.5);
+  REQUIRE(table.numbers(inertia).size() == 1);
+  table.append(read(Family::steppers, header + "Acme,M3,1.8,80,2,8,USD,x,high\n").table);
+  REQUIRE(table.numbers(mass).size() == 2);
+  CHECK(std::isnan(table.number(mass, 1)));
+  REQUIRE(table.numbers(inertia).size() == 2);
 }
 
 TEST_CASE("a table asked for a column it does not have says so") {

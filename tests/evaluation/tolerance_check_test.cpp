@@ -147,6 +147,64 @@ TEST_CASE("a build that must hold for every value takes another motor") {
   CHECK(same.best.designs.front().cost == Approx(first.designs.front().cost));
 }
 
+TEST_CASE("a check that is stopped, or has no time, claims nothing, and a robust search says that it is open") {
+  const Catalogue& parts = with_inertias(0.2).parts();
+  const machine::Problem problem = lift(1000);
+  const MachineModel model(problem, parts);
+  evaluation::SearchOptions options;
+  const auto found = evaluation::synthesise(model, options);
+  REQUIRE(found.designs.size() == 1);
+  const std::atomic<bool> stop{true};
+  evaluation::ToleranceEffort stopped, no_time;
+  stopped.stop = &stop;
+  no_time.seconds = 0.0;
+  const auto asked = [&](const evaluation::ToleranceEffort& effort) {
+    return evaluation::check_tolerances(model, found.builds.front(), found.designs.front(), effort);
+  };
+  REQUIRE(asked({}).verdict == ToleranceVerdict::compliant);
+  CHECK_FALSE(asked({}).stopped);
+  for (const auto& effort : {stopped, no_time}) {
+    const ToleranceCheck check = asked(effort);
+    CHECK(check.verdict == ToleranceVerdict::unsettled);
+    CHECK(check.stopped);
+    CHECK(check.boxes == 0);
+    CHECK(check.evaluations == 0);
+    CHECK_FALSE(check.figures.empty());
+  }
+  options.tolerances = true;
+  options.time_limit_seconds = 0.0;
+  for (const Design& design : evaluation::synthesise(model, options).designs) {
+    REQUIRE(design.tolerances);
+    CHECK(design.tolerances->stopped);
+  }
+}
+
+TEST_CASE("a search that was stopped asks its build no more, and claims nothing of it") {
+  // What takes the least energy is searched for long after a build is known; every rotor has a tolerance here.
+  const TolerancedCatalogue inexact(shipped_catalogue(), [](const std::string& name, int) {
+    return name == "steppers.rotor_inertia" ? 0.01 : 0.0;
+  });
+  machine::Problem problem = shipped_problem("bar-feeder");
+  problem.objective = "energy";
+  problem.counted = machine::counted_quantities({problem.objective});
+  const MachineModel model(problem, inexact.parts());
+  std::atomic<bool> stop{false};
+  evaluation::SearchOptions options;
+  options.objectives = {"energy"};
+  options.tolerances = true;
+  options.stop = &stop;
+  options.progress = [&](const solver::Progress& progress) { stop = stop || std::isfinite(progress.incumbent); };
+  const auto found = evaluation::synthesise(model, options);
+  REQUIRE(stop);
+  CHECK(found.status == solver::Status::limit);
+  REQUIRE(found.designs.size() == 1);
+  REQUIRE(found.designs.front().tolerances);
+  CHECK(found.designs.front().tolerances->verdict == ToleranceVerdict::unsettled);
+  CHECK(found.designs.front().tolerances->stopped);
+  const auto robust = evaluation::synthesise_robustly(problem, inexact.parts(), {}, options);
+  CHECK(robust.best.status == solver::Status::limit);
+}
+
 // With a rotor of a tenth the ratio is ten times as large: where nothing keeps a tenth of the limit with the rotors as
 // stated, nothing keeps the limit with tolerances of 90 %.
 TEST_CASE("where no part holds for every value nothing does") {

@@ -46,7 +46,9 @@ class TolerancedCatalogue {
         std::string& line = rows[static_cast<std::size_t>(row)];
         if (index > 0) line += ",";
         if (declared.kind == Kind::text) {
-          line += table.text(column, row);
+          line += '"';
+          for (const char c : table.text(column, row)) line += c == '"' ? std::string("\"\"") : std::string(1, c);
+          line += '"';
           continue;
         }
         const double value = table.number(column, row);

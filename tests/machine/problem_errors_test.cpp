@@ -21,6 +21,31 @@ TEST_CASE("The sound problem of these tests is read without a word") {
   CHECK(outcome.problem->axes.size() == 2);
 }
 
+TEST_CASE("By how much a preferred part may be dearer is a share, and what is none is shown how") {
+  const std::string at = "minimise = \"cost\"";
+  const std::string with = at + "\npreference = ";
+  const std::string advice = "write for example 0.05 or \"5 %\"";
+  check_all({
+      {at, with + "«-0.05»", "preference: must not be negative", advice},
+      {at, with + "\"«-3» %\"", "preference: must not be negative", advice},
+      {at, with + "\"5 «mm»\"", "preference: 'mm' (m) does not fit", advice},
+      {at, with + "\"0.05 «USD»\"", "preference: 'USD' (currency) does not fit", ""},
+      {at, with + "«5»", "preference: a share is at most 1, this is 5", "5 percent are 0.05 or \"5 %\""},
+      {at, with + "«\"500 %\"»", "preference: a share is at most 1, this is 5", "80 percent are 0.8 or \"80 %\""},
+      {at, with + "«1e300»", "preference: more than any machine has", advice},
+      {at, with + "\"«much»\"", "preference: 'much' does not start with a number", advice},
+      {at, with + "«true»", "preference: true or false where a number is needed", advice},
+      {at, with + "«[0.05]»", "preference: a list where a number is needed", advice},
+  });
+  for (const std::string sound_one : {"0", "0.05", "\"5 %\"", "1", "\"100 %\""}) {
+    std::string text = sound;
+    text.replace(text.find(at), at.size(), with + sound_one);
+    const Outcome outcome = read(text);
+    INFO(sound_one << text::format(outcome.diagnostics));
+    CHECK(outcome.diagnostics.count() == 0);
+  }
+}
+
 TEST_CASE("A quantity that is none is reported at the wrong word of it") {
   const std::string stroke = "\"700 mm\"";
   check_all({
@@ -182,7 +207,10 @@ TEST_CASE("Values outside their range are reported at the value") {
        "add carriage_spacing = \"200 mm\", the distance between carriages along the travel"},
       {"efficiency = 0.95", "efficiency = «0»", "efficiency: must be greater than zero", ""},
       {"efficiency = 0.95", "efficiency = «1.05»", "efficiency: a share is at most 1, this is 1.05", "0.8"},
-      {"efficiency = 0.95", "efficiency = «95»", "efficiency: a share is at most 1, this is 95", "\"80 %\""},
+      {"efficiency = 0.95",
+       "efficiency = «95»",
+       "efficiency: a share is at most 1, this is 95",
+       "95 percent are 0.95 or \"95 %\""},
       {"efficiency = 0.95", "efficiency = «\"120 %\"»", "efficiency: a share is at most 1, this is 1.2", "0.8"},
       {"ends = \"fixed-free\"", "ends = «\"fixed-fre\"»", "'ends' cannot be 'fixed-fre'", "did you mean 'fixed-free'?"},
       {"ends = \"fixed-free\"", "preload = «1.5»", "preload: a share is at most 1", "0.8"},

@@ -115,7 +115,7 @@ TEST_CASE("What is wrong with a rack or a reduction is said at the place") {
       {"motor_rides = false", "«motor_ride» = false", "motor_ride", "motor_rides"},
       {"{ ratio = 5, ", "«»{ ", "needs the key 'ratio'", "ratio = 5"},
       {"ratio = 5", "ratio = «0.2»", "ratio: 0.2 makes the output faster than the motor", "5 for 5:1"},
-      {"ratio = 5, efficiency = 0.95", "ratio = 5, efficiency = «95»", "efficiency: a share is at most 1", "80 %"},
+      {"ratio = 5, efficiency = 0.95", "ratio = 5, efficiency = «95»", "efficiency: a share is at most 1", "95 %"},
       {"\"4e-6 kg.m2\"", "\"4e-6 «kg.m»\"", "inertia: 'kg.m'", "kg.m2"},
       {"\"10 arcmin\"", "\"10 «mm»\"", "backlash: 'mm'", ""},
       {"{ ratio = 5, efficiency = 0.95, inertia = \"4e-6 kg.m2\", backlash = \"10 arcmin\", mass = \"0.4 kg\", "

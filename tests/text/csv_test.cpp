@@ -7,6 +7,8 @@
 #include <random>
 
 #include "catch.h"
+#include "sanitized.h"
+#include "text/table_size.h"
 
 using namespace millwright::text;
 
@@ -170,13 +172,26 @@ TEST_CASE("the letter O is pointed at") {
 TEST_CASE("rows that do not fit the header") {
   CHECK(errors("a,b,c\n1,2\n1,2,3,4\n1,2,3\n") ==
         Words{"2:4 row of 2 cells, but the header has 3", "3:7 row of 4 cells, but the header has 3"});
-  CHECK(errors("a,b,c\n1,2\r\n# later\n") ==
-        Words{"2:4 row of 2 cells, but the header has 3", "3:1 row of 1 cells, but the header has 3"});
+  CHECK(errors("a,b,c\n1,2\r\n# later\n") == Words{"2:4 row of 2 cells, but the header has 3"});
   Diagnostics diagnostics;
   const CsvTable table = read("a,b\n1\n2,3\n", diagnostics);
   CHECK(table.row_count() == 1);
   CHECK(table.cell(0, 1) == "3");
   CHECK(diagnostics.all()[0].hint == "the cell of 'b' and what follows is missing");
+}
+
+TEST_CASE("comments stand between the rows and behind them too") {
+  const CsvTable table = read_clean(
+      "# top\na,b\n1,2\n# a 3\" screw, and more, cells\n  # indented\n\t#x,y\n3,4\n#taken,out\n# 5 pieces, in all\n");
+  REQUIRE(table.row_count() == 2);
+  CHECK(row(table, 1) == Words{"3", "4"});
+  CHECK(table.cell_span(1, 0).line == 7);
+  CHECK(table.comments().size() == 1);  // what the file says of itself
+  CHECK(read_clean("a,b\n1,2\n#").row_count() == 1);
+  CHECK(read_clean("a,b\r\n1,2\r\n# end\r\n").row_count() == 1);
+  CHECK(read_clean("a,b\n\"#1\",2\n\"x\n# in a cell\",3\n").row_count() == 2);
+  // A row that may be meant as one is not lost.
+  CHECK(errors("a,b\n#10-24,2\n#8 alone\n1,2\n") == Words{"2:1 comment or row? '#10-24' with 2 cells"});
 }
 
 TEST_CASE("empty rows and empty surplus cells of spreadsheets are ignored") {
@@ -240,6 +255,27 @@ TEST_CASE("hostile tables end quickly in one clear error") {
   CHECK(errors("a,b\n" + std::string(10000000, ',') + "x\n") ==
         Words{"2:3 " + std::string("row of 10000001 cells, but the header has 2")});
   CHECK(errors("a,b\n" + std::string(3000000, '"')).size() == 1);
+}
+
+TEST_CASE("a table of nothing but separators costs no more memory than its cells are allowed") {
+  if (millwright::sanitized) return;  // half a gigabyte, and several times that there
+  // 1024 columns, of which each row has the first: a byte a cell, a row more than there may be.
+  std::string header;
+  for (int i = 0; i < 1024; ++i) header += (i == 0 ? "c" : ",c") + std::to_string(i);
+  const std::string line = "1" + std::string(1023, ',') + "\n";
+  const std::size_t most = table_cell_limit / 1025 + 1;
+  std::string contents = header + "\n";
+  contents.reserve(contents.size() + (most + 1) * line.size());
+  for (std::size_t i = 0; i < most; ++i) contents += line;
+  Diagnostics diagnostics;
+  CHECK(read(contents, diagnostics).row_count() == most);
+  CHECK(diagnostics.count() == 0);
+  contents += line;
+  const CsvTable table = read(contents, diagnostics);
+  CHECK(table.row_count() == most);
+  REQUIRE(diagnostics.count() == 1);
+  CHECK(diagnostics.all()[0].where.line == static_cast<int>(most) + 2);
+  CHECK(diagnostics.all()[0].message.find("134217728 cells") != std::string::npos);
 }
 
 TEST_CASE("a million wrong cells are counted, not printed") {
