@@ -106,7 +106,7 @@ bool BranchAndBound::bound_node(Node& node, Desk& desk) const {
   const StagePlan& plan = plans_[label.stage];
   thread_local Bounds bounds;
   if (!assess(plan, label.enclosure, node.region, bounds, desk)) return false;
-  note_kept(bounds, node.region);
+  node.region.kept = ~bounds.telling;  // equals are decided by the worst utilisation
   node.score.resize(criteria_.size());
   node.reached.resize(criteria_.size());
   for (std::size_t k = 0; k < node.score.size(); ++k) {
@@ -168,13 +168,16 @@ void BranchAndBound::expand(const Node& node, Outcome& outcome, Desk& desk) cons
     const Label& label = labels_[node.label];
     const std::size_t stage = label.stage;
     outcome.is_leaf = true;
-    const LeafQuestion question{&plans_[stage],
-                                &label,
-                                &node.region,
-                                leaf_tolerance_,
-                                true,
-                                [&](const Worth& own) { return useless(label, stage, own); },
-                                [&] { return control_.time_is_up(); }};
+    const LeafQuestion question{
+        &plans_[stage],
+        &label,
+        &node.region,
+        leaf_tolerance_,
+        true,
+        [&](const Worth& own) {
+          return useless(label, stage, {own.score, own.state, std::max(own.utilisation, node.utilisation)});
+        },
+        [&] { return control_.time_is_up(); }};
     outcome.leaf = solve_leaf(question, desk);
   }
 }

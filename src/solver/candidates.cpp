@@ -183,7 +183,8 @@ class Search {
     }
   }
 
-  /// How far a typical design of a region is from keeping its constraints: the largest utilisation, as a logarithm.
+  /// How far a typical design of a region is from keeping its constraints: what their utilisations, as logarithms, are
+  /// above 1 in sum.
   double strain(const Region& region) {
     std::vector<Interval> variables;
     for (const Interval& side : region.variables) variables.emplace_back(middle(side));

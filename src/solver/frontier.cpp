@@ -52,6 +52,7 @@ bool Frontier::run(bool shared_allowances) {
   if ((shared_allowances || nothing_yet) && !find_better_first(shared_allowances)) return false;
   if (!look_for_any({few_nodes, many_nodes})) return false;
   if (!used_prices_) {
+    undecided_ = false;  // what a quick pass left undecided the whole one decides again
     if (pass({.patience = control_.options().stage_patience})) return !undecided_;
     if (control_.time_is_up() || !find_better_first(false)) return false;
   }

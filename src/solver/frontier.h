@@ -60,9 +60,10 @@ class Frontier {
   /// True when the incumbents are the front. False: time limit, or something undecided (then `undecided()`).
   /// `shared_allowances`: prices for them have been of use elsewhere in the problem.
   bool run(bool shared_allowances);
-  /// For any build, where there is none and to prove things takes long; so many nodes are looked at for the designs of
-  /// a chunk. False when time is up, or when it is easy enough for `run`.
-  bool look(std::size_t nodes);
+  enum class Looked { out_of_time, easy, through };
+  /// For any build, where there is none and to prove things takes long (else it is easy: `run` does it); so many nodes
+  /// are looked at for the designs of a chunk.
+  Looked look(std::size_t nodes);
   [[nodiscard]] bool undecided() const { return undecided_; }
   /// Whether shared allowances were given prices (rest_plane.h).
   [[nodiscard]] bool used_prices() const { return used_prices_; }

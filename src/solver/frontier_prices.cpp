@@ -18,10 +18,11 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-bool Frontier::look(std::size_t nodes) {
+Frontier::Looked Frontier::look(std::size_t nodes) {
+  if (control_.time_is_up()) return Looked::out_of_time;
   find_rest();
-  const bool easy = pass({.with_states = false, .patience = quick_patience()});
-  return !easy && !control_.time_is_up() && look_for_any({nodes});
+  if (pass({.with_states = false, .patience = quick_patience()})) return Looked::easy;
+  return !control_.time_is_up() && look_for_any({nodes}) ? Looked::through : Looked::out_of_time;
 }
 
 /// While there is no build: passes that save more and more for later stages. False when time is up.

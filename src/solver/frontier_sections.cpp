@@ -65,7 +65,7 @@ bool Frontier::by_sections() {
   return open.empty() && !undecided_;
 }
 
-/// Little: what is too much is cut.
+/// What is too much is cut.
 std::size_t Frontier::section_patience() const { return control_.options().stage_patience; }
 
 /// First scores of known builds in it.
@@ -88,7 +88,7 @@ double Frontier::central(double score, const Section& section) const {
   constexpr double least_share = 0.25, narrow = 0.05;
   const double from = std::max(section.from, least_total_);
   const double width = section.to - from;
-  if (!(width > narrow * std::fabs(section.to))) return score;
+  if (!(from > 0.0) || !(width > narrow * section.to)) return score;
   return std::clamp(score, from + least_share * width, section.to - least_share * width);
 }
 
@@ -145,7 +145,9 @@ bool Frontier::settle(const Section& section,
     here.mix = mixes_.back();
     if (!pass({.haste = here})) return false;
     if (!prepare()) return false;
-    if (settled_) return true;
+    if (!settled_) continue;
+    undecided_ = false;  // by bounds, whatever the quick pass met
+    return true;
   }
   undecided_ = false;
   return pass({.patience = narrow ? endless : section_patience()}) && !undecided_;

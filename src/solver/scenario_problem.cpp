@@ -98,6 +98,7 @@ void ScenarioStage::evaluate(const Point& point, Answer<double>& answer) const {
   });
 }
 
+/// Box::kept counts the constraints of all versions one after the other, and so is of no use to any one of them.
 void ScenarioStage::bound(const Box& box, Answer<Interval>& answer) const {
   const VersionBoxes boxes(versions_.size(), box);
   gather(answer, [&](std::size_t v, std::size_t first, Answer<Interval>& of_version) {

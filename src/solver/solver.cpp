@@ -180,7 +180,10 @@ class Solve {
       for (OpenSearch& each : open) {
         if (!incumbents_.builds().empty()) break;
         Frontier frontier(problem_, criteria_, *each.plans, incumbents_, control_);
-        if (!frontier.applicable() || !frontier.look(nodes)) return;
+        if (!frontier.applicable()) return;
+        const Frontier::Looked looked = frontier.look(nodes);
+        const bool begins_easily = looked == Frontier::Looked::easy && &each == &open.front();
+        if (begins_easily || looked == Frontier::Looked::out_of_time) return;
       }
     }
     if (incumbents_.builds().empty()) return;

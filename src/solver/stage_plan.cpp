@@ -75,8 +75,11 @@ void read_bounds(const StagePlan& plan, const Answer<Interval>& answer, Bounds& 
   bounds.utilisation = worst_lower(answer.utilisation);
   if (!bearable(plan, answer.handed_on)) bounds.utilisation = std::numeric_limits<double>::infinity();
   bounds.open = 0;
+  bounds.telling = 0;
   for (std::size_t c = 0; c < answer.utilisation.size(); ++c) {
-    if (!(answer.utilisation[c].upper <= 1.0)) bounds.open |= std::uint64_t{1} << (c % 64);
+    const double most = answer.utilisation[c].upper;
+    if (!(most <= 1.0)) bounds.open |= std::uint64_t{1} << (c % 64);
+    if (!(most <= 1.0) || most > bounds.utilisation) bounds.telling |= std::uint64_t{1} << (c % 64);
   }
 }
 

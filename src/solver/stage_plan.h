@@ -34,6 +34,7 @@ struct Bounds {
   std::vector<Interval> handed_on;  ///< state handed on
   double utilisation = 0.0;         ///< least worst utilisation
   std::uint64_t open = 0;           ///< constraints (modulo 64) neither certainly satisfied nor violated
+  std::uint64_t telling = 0;        ///< these, and those that may raise `utilisation` in parts of the region
 };
 
 /// What has been found of a region at the states of a search holds for its parts.

@@ -216,7 +216,9 @@ SourceSpan span_at(const std::shared_ptr<const SourceText>& text, std::size_t of
   std::string_view covered = contents.substr(offset, bytes);
   covered = covered.substr(0, covered.find_first_of("\r\n"));
   const Position place = text->position(offset);
-  return {text, place.line, place.column, to_int(count_characters(covered))};
+  // The carriage return of a line's end, and what is behind it, has no column of its own.
+  const int behind = to_int(count_characters(text->line(place.line))) + 1;
+  return {text, place.line, std::min(place.column, behind), to_int(count_characters(covered))};
 }
 
 }  // namespace millwright::text
