@@ -184,7 +184,7 @@ TEST_CASE("a search that was stopped asks its build no more, and claims nothing 
   const TolerancedCatalogue inexact(shipped_catalogue(), [](const std::string& name, int) {
     return name == "steppers.rotor_inertia" ? 0.01 : 0.0;
   });
-  machine::Problem problem = shipped_problem("bar-feeder");
+  machine::Problem problem = shipped_problem("lifter");
   problem.objective = "energy";
   problem.counted = machine::counted_quantities({problem.objective});
   const MachineModel model(problem, inexact.parts());
