@@ -181,9 +181,8 @@ TEST_CASE("a check that is stopped, or has no time, claims nothing, and a robust
 
 TEST_CASE("a search that was stopped asks its build no more, and claims nothing of it") {
   // What takes the least energy is searched for long after a build is known; every rotor has a tolerance here.
-  const TolerancedCatalogue inexact(shipped_catalogue(), [](const std::string& name, int) {
-    return name == "steppers.rotor_inertia" ? 0.01 : 0.0;
-  });
+  const TolerancedCatalogue inexact(
+      shipped_catalogue(), [](const std::string& name, int) { return name == "steppers.rotor_inertia" ? 0.01 : 0.0; });
   machine::Problem problem = shipped_problem("lifter");
   problem.objective = "energy";
   problem.counted = machine::counted_quantities({problem.objective});
