@@ -126,7 +126,8 @@ class Desk {
   /// The answers of the latest question.
   Answer<Interval> interval;
   Answer<double> number;
-  std::uint64_t bounds = 0;  ///< how often `bound` or `slopes` was asked
+  std::vector<Interval> trial;  ///< for whoever asks about parts of a region's variables
+  std::uint64_t bounds = 0;     ///< how often `bound` or `slopes` was asked
   std::uint64_t evaluations = 0;
 
   const Answer<Interval>& bound(const Stage& stage,

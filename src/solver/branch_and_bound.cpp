@@ -41,27 +41,10 @@ BranchAndBound::BranchAndBound(const Problem& problem,
   }
 }
 
-/// Least first objective first; among equals the deepest stage, the deepest node, the older.
-bool BranchAndBound::Later::operator()(const Node& a, const Node& b) const {
-  const double left = rounded(a.score[0]);
-  const double right = rounded(b.score[0]);
-  if (left != right) return left > right;
-  if (a.depth != b.depth) return a.depth < b.depth;
-  return a.order > b.order;
-}
-
 void BranchAndBound::push(Node node) {
   if (useless(node)) return;
-  node.order = ++order_;
-  heap_.push_back(std::move(node));
-  std::push_heap(heap_.begin(), heap_.end(), Later{});
-}
-
-BranchAndBound::Node BranchAndBound::pop() {
-  std::pop_heap(heap_.begin(), heap_.end(), Later{});
-  Node node = std::move(heap_.back());
-  heap_.pop_back();
-  return node;
+  const Key key{rounded(node.score[0]), node.depth, ++order_};
+  open_.push(key, std::move(node));
 }
 
 bool BranchAndBound::useless(const Node& node) const {
@@ -255,7 +238,7 @@ Build BranchAndBound::build_of(const Label& last) const {
 
 double BranchAndBound::open_bound() const {
   double bound = undecided_bound_;
-  for (const Node& node : heap_) bound = std::min(bound, node.score[0]);
+  open_.for_each([&](const Node& node) { bound = std::min(bound, node.score[0]); });
   return bound;
 }
 
@@ -270,11 +253,11 @@ SearchResult BranchAndBound::run(std::uint64_t most_nodes) {
   std::uint64_t nodes = 0;
   std::vector<Node> batch;
   std::vector<Outcome> outcomes;
-  while (!heap_.empty()) {
+  while (!open_.empty()) {
     if (control_.time_is_up() || nodes >= most_nodes) return {false, open_bound()};
     batch.clear();
-    while (!heap_.empty() && batch.size() < batch_size) {
-      Node node = pop();
+    while (!open_.empty() && batch.size() < batch_size) {
+      Node node = open_.pop();
       if (!useless(node)) batch.push_back(std::move(node));
     }
     outcomes.assign(batch.size(), {});
@@ -283,7 +266,7 @@ SearchResult BranchAndBound::run(std::uint64_t most_nodes) {
     control_.nodes += batch.size();
     nodes += batch.size();
     for (std::size_t i = 0; i < batch.size(); ++i) merge(batch[i], outcomes[i]);
-    if (!heap_.empty()) control_.report(std::min(heap_.front().score[0], undecided_bound_), incumbents_.best());
+    if (!open_.empty()) control_.report(std::min(open_.first().score[0], undecided_bound_), incumbents_.best());
   }
   // Something undecided matters only if no build known is as good.
   return {!undecided_, undecided_bound_};

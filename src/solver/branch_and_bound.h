@@ -21,6 +21,7 @@
 #include <deque>
 #include <vector>
 
+#include "solver/best_first.h"
 #include "solver/continuous.h"
 #include "solver/dominance.h"
 #include "solver/incumbents.h"
@@ -57,7 +58,17 @@ class BranchAndBound {
     double utilisation = 0.0;
     std::uint64_t open = 0;
     std::uint32_t depth = 0;
+  };
+  struct Key {
+    double score = 0.0;  ///< rounded
+    std::uint32_t depth = 0;
     std::uint64_t order = 0;
+    /// Least first objective first; among equals the deepest stage, the deepest node, the older.
+    static bool later(const Key& a, const Key& b) {
+      if (a.score != b.score) return a.score > b.score;
+      if (a.depth != b.depth) return a.depth < b.depth;
+      return a.order > b.order;
+    }
   };
   /// What came out of one node; merged in order.
   struct Outcome {
@@ -65,13 +76,8 @@ class BranchAndBound {
     LeafAnswer leaf;
     bool is_leaf = false;
   };
-  struct Later {
-    bool operator()(const Node& a, const Node& b) const;
-  };
-
   void start();
   void push(Node node);
-  Node pop();
   [[nodiscard]] bool useless(const Node& node) const;
   [[nodiscard]] bool useless(const Label& label, std::size_t stage, const Worth& own) const;
   void expand(const Node& node, Outcome& outcome, Desk& desk) const;
@@ -95,7 +101,7 @@ class BranchAndBound {
   std::vector<LabelSet> label_sets_;  ///< [stage]: labels before it
   /// [stage][region][score]: least of the regions from this one on, with all stages after.
   std::vector<std::vector<std::vector<double>>> tail_;
-  std::vector<Node> heap_;
+  BestFirst<Node, Key> open_;
   std::uint64_t order_ = 0;
   bool undecided_ = false;
   double undecided_bound_ = std::numeric_limits<double>::infinity();

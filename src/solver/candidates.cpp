@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "solver/archive.h"
+#include "solver/best_first.h"
 #include "solver/relaxation.h"
 #include "solver/rest_curve.h"
 
@@ -18,53 +19,29 @@ struct Node {
   Bounds bounds;
   std::vector<double> key;
   double value = 0.0;
-  std::uint64_t order = 0;
 };
 
-struct Later {
-  bool operator()(const Node& a, const Node& b) const {
-    return a.value != b.value ? a.value > b.value : a.order < b.order;
-  }
-};
-
-/// Regions in ascending order of a positive sum of their coordinates.
-class Heap {
+/// A positive sum of a region's coordinates, in the ascending order of which regions are taken.
+class Order {
  public:
-  explicit Heap(const StagePlan& plan) {
+  explicit Order(const StagePlan& plan) {
     for (std::size_t k = 0; k < plan.criteria->size(); ++k) weight_.push_back(1.0 / (std::fabs(plan.least[k]) + 1e-6));
   }
   /// In ascending order of a mix of scores.
-  Heap(const StagePlan& plan, const Mix& mix) : Heap(plan) {
+  Order(const StagePlan& plan, const Mix& mix) : Order(plan) {
     const double unit = std::fabs(mix.of(plan.least)) + 1e-6;
     weight_[0] = mix.first / unit;
     weight_[1] = mix.second / unit;
   }
-  /// Sets the node's value to the sum.
-  void weigh(Node& node, double weighed_state = 0.0) const {
+  [[nodiscard]] double value_of(std::span<const double> key, double weighed_state = 0.0) const {
     constexpr double state_weight = 1e-4;  // decides between equal scores
-    node.value = weighed_state;
-    for (std::size_t i = 0; i < node.key.size(); ++i) {
-      node.value += node.key[i] * (i < weight_.size() ? weight_[i] : state_weight);
-    }
+    double value = weighed_state;
+    for (std::size_t i = 0; i < key.size(); ++i) value += key[i] * (i < weight_.size() ? weight_[i] : state_weight);
+    return value;
   }
-  void insert(Node node) {
-    node.order = ++order_;
-    nodes_.push_back(std::move(node));
-    std::push_heap(nodes_.begin(), nodes_.end(), Later{});
-  }
-  Node pop() {
-    std::pop_heap(nodes_.begin(), nodes_.end(), Later{});
-    Node node = std::move(nodes_.back());
-    nodes_.pop_back();
-    return node;
-  }
-  [[nodiscard]] bool empty() const { return nodes_.empty(); }
-  [[nodiscard]] const std::vector<Node>& all() const { return nodes_; }
 
  private:
   std::vector<double> weight_;
-  std::vector<Node> nodes_;
-  std::uint64_t order_ = 0;
 };
 
 /// The two halves of a region, less rows without a partner.
@@ -85,7 +62,7 @@ class Search {
         plan_(*question.plan),
         comparison_(*question.comparison),
         desk_(desk),
-        heap_(question.mix ? Heap(plan_, *question.mix) : Heap(plan_)),
+        order_(question.mix ? Order(plan_, *question.mix) : Order(plan_)),
         totals_(question.totals),
         total_stairs_(question.total_stairs),
         total_vectors_(question.total_vectors),
@@ -126,8 +103,8 @@ class Search {
 
   CandidateSet run() {
     offer(plan_.region);
-    while (!heap_.empty() && set_.nodes < question_.node_limit) {
-      const Node node = heap_.pop();
+    while (!open_.empty() && set_.nodes < question_.node_limit) {
+      const Node node = open_.pop();
       if (!count()) break;
       look_at(node);
     }
@@ -164,17 +141,17 @@ class Search {
   }
   void look_with(double strain_weight) {
     constexpr std::size_t enough = 4, fewest_nodes = 400;
-    Heap heap(plan_);
+    BestFirst<Node> open;
     const auto offer_here = [&](Region region) {
       std::optional<Node> node = assess_region(std::move(region));
       if (!node) return;
-      node->value += strain_weight * strain(node->region);
-      heap.insert(std::move(*node));
+      const double value = node->value + strain_weight * strain(node->region);
+      open.push(value, std::move(*node));
     };
     offer_here(plan_.region);
-    for (std::size_t nodes = 0; nodes < std::max(question_.node_limit, fewest_nodes) && !heap.empty() && count();
+    for (std::size_t nodes = 0; nodes < std::max(question_.node_limit, fewest_nodes) && !open.empty() && count();
          ++nodes) {
-      const Node node = heap.pop();
+      const Node node = open.pop();
       if (!node.region.one_design_per_slot())
         branch(plan_, node, offer_here);
       else
@@ -198,7 +175,10 @@ class Search {
   }
 
   void offer(Region region) {
-    if (std::optional<Node> node = assess_region(std::move(region))) heap_.insert(std::move(*node));
+    std::optional<Node> node = assess_region(std::move(region));
+    if (!node) return;
+    const double value = node->value;
+    open_.push(value, std::move(*node));
   }
 
   /// The region with its bounds and its value; nothing when it can be left out.
@@ -226,7 +206,7 @@ class Search {
     double weighed_state = 0.0;
     for (std::size_t h = 0; h < question_.state_weight.size(); ++h)
       weighed_state += question_.state_weight[h] * node.bounds.handed_on[h].lower;
-    heap_.weigh(node, weighed_state);
+    node.value = order_.value_of(node.key, weighed_state);
     return node;
   }
 
@@ -331,7 +311,8 @@ class Search {
   const StagePlan& plan_;
   const Comparison& comparison_;
   Desk& desk_;
-  Heap heap_;
+  Order order_;
+  BestFirst<Node> open_;
   std::vector<RestPlane> totals_;  ///< of handed-on states as they are bounded over H
   std::vector<RestStairs> total_stairs_;
   RestVectors total_vectors_;
@@ -345,7 +326,8 @@ class Search {
 CandidateSet find_candidates(const CandidateQuestion& question, Desk& desk) { return Search(question, desk).run(); }
 
 std::vector<Pair> least_front(const StagePlan& plan, std::size_t node_limit, Desk& desk) {
-  Heap heap(plan);
+  const Order order(plan);
+  BestFirst<Node> open;
   Archive known(2);
   std::vector<Pair> found;
   const auto offer = [&](Region region) {
@@ -358,13 +340,13 @@ std::vector<Pair> least_front(const StagePlan& plan, std::size_t node_limit, Des
     note_kept(node.bounds, node.region);
     if (cut_variables(plan, plan.best_inherited, node.region, node.bounds, desk)) {
       note_kept(node.bounds, node.region);
-      heap.weigh(node);
-      heap.insert(std::move(node));
+      const double value = order.value_of(node.key);
+      open.push(value, std::move(node));
     }
   };
   offer(plan.region);
-  for (std::size_t nodes = 0; !heap.empty() && nodes < node_limit; ++nodes) {
-    const Node node = heap.pop();
+  for (std::size_t nodes = 0; !open.empty() && nodes < node_limit; ++nodes) {
+    const Node node = open.pop();
     if (known.dominates(node.key)) continue;
     if (!node.region.one_design_per_slot()) {
       branch(plan, node, offer);
@@ -373,7 +355,7 @@ std::vector<Pair> least_front(const StagePlan& plan, std::size_t node_limit, Des
       found.push_back({node.key[0], node.key[1]});
     }
   }
-  for (const Node& node : heap.all()) found.push_back({node.key[0], node.key[1]});
+  open.for_each([&](const Node& node) { found.push_back({node.key[0], node.key[1]}); });
   return lower_staircase(std::move(found));
 }
 

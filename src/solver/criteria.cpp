@@ -38,6 +38,23 @@ bool Criteria::reads(std::size_t resource) const {
   return false;
 }
 
+void Criteria::least_scores(std::span<const Interval> resources, std::span<double> out) const {
+  using scalar::rounding::product_down;
+  using scalar::rounding::sum_down;
+  for (std::size_t k = 0; k < weight.size(); ++k) {
+    double sum = 0.0;
+    bool first = true;
+    for (std::size_t r = 0; r < resources.size(); ++r) {
+      const double w = weight[k][r];
+      if (w == 0.0) continue;
+      const double share = w == 1.0 ? resources[r].lower : product_down(w, resources[r].lower);
+      sum = first ? share : sum_down(sum, share);
+      first = false;
+    }
+    out[k] = sum;
+  }
+}
+
 void add_guides(Criteria& criteria, double typical_rate) {
   for (const double part : {0.1, 0.3, 0.6, 1.0, 1.7, 3.0, 10.0}) {
     std::vector<double> weight = criteria.weight[0];

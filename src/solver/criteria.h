@@ -57,6 +57,8 @@ struct Criteria {
       out[k] = sum;
     }
   }
+  /// The lower bounds of the same, of resources that are known as intervals.
+  void least_scores(std::span<const Interval> resources, std::span<double> out) const;
 };
 
 /// For a front in two objectives: adds sums first + rate * second as further scores. They decide nothing, but the least

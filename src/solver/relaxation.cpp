@@ -1,23 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solver/relaxation.h"
 
-#include <algorithm>
-#include <queue>
+#include "solver/best_first.h"
 
 namespace millwright::solver {
 namespace {
 
 struct Node {
   OpenRegion part;
-  double value = 0.0;
-  std::uint64_t order = 0;
   bool refined = false;  ///< a single design that could not be proved infeasible
-};
-
-struct Later {
-  bool operator()(const Node& a, const Node& b) const {
-    return a.value != b.value ? a.value > b.value : a.order < b.order;  // the younger of equals first: it is deeper
-  }
 };
 
 double value_of(const StagePlan& plan, RelaxedTarget target, const Bounds& bounds) {
@@ -34,34 +25,28 @@ class Search {
     Region root = plan_.region;
     offer(std::move(root));
     constexpr std::size_t proof_limit = 60;
-    for (std::size_t nodes = 0; !heap_.empty() && nodes < node_limit; ++nodes) {
-      if (heap_.front().refined) break;
-      std::pop_heap(heap_.begin(), heap_.end(), Later{});
-      Node node = std::move(heap_.back());
-      heap_.pop_back();
+    for (std::size_t nodes = 0; !open_.empty() && nodes < node_limit; ++nodes) {
+      if (open_.first().refined) break;
+      const double value = open_.first_key().value;
+      Node node = open_.pop();
       if (!node.part.region.one_design_per_slot()) {
         branch(node.part);
       } else if (!proves_infeasible(plan_, plan_.best_inherited, node.part.region, proof_limit, desk_)) {
         node.refined = true;
-        push(std::move(node));
+        open_.push(value, std::move(node));
       }
     }
     return result();
   }
 
  private:
-  void push(Node node) {
-    heap_.push_back(std::move(node));
-    std::push_heap(heap_.begin(), heap_.end(), Later{});
-  }
   void offer(Region region) {
     Node node;
     node.part.region = std::move(region);
     if (!assess(plan_, plan_.best_inherited, node.part.region, node.part.bounds, desk_)) return;
     note_kept(node.part.bounds, node.part.region);
-    node.value = value_of(plan_, target_, node.part.bounds);
-    node.order = ++order_;
-    push(std::move(node));
+    const double value = value_of(plan_, target_, node.part.bounds);
+    open_.push(value, std::move(node));
   }
   void branch(const OpenRegion& part) {
     const RowProfile::Split split = plan_.profile.split(part.region, part.bounds.open);
@@ -73,20 +58,19 @@ class Search {
   }
   Relaxation result() {
     Relaxation relaxation;
-    relaxation.least = heap_.empty() ? std::numeric_limits<double>::infinity() : heap_.front().value;
-    relaxation.open.reserve(heap_.size());
-    for (Node& node : heap_) {
+    relaxation.least = open_.empty() ? std::numeric_limits<double>::infinity() : open_.first_key().value;
+    relaxation.open.reserve(open_.size());
+    open_.for_each([&](Node& node) {
       node.part.region.kept = 0;
       relaxation.open.push_back(std::move(node.part));
-    }
+    });
     return relaxation;
   }
 
   const StagePlan& plan_;
   RelaxedTarget target_;
   Desk& desk_;
-  std::vector<Node> heap_;
-  std::uint64_t order_ = 0;
+  BestFirst<Node> open_;
 };
 
 }  // namespace
@@ -124,6 +108,24 @@ bool narrow_one_by_one(const StagePlan& plan,
   return true;
 }
 
+namespace {
+
+/// Whether the middle of a box of variables is feasible at the middle of the states: then no proof will succeed.
+bool middle_is_feasible(const StagePlan& plan,
+                        std::span<const Interval> inherited,
+                        const Region& region,
+                        std::span<const Interval> box,
+                        Desk& desk) {
+  std::vector<double> state, variables;
+  std::vector<Row> rows;
+  for (const Interval& side : inherited) state.push_back(middle(side));
+  for (const RowSet& set : region.rows) rows.push_back(set->front());
+  for (const Interval& side : box) variables.push_back(middle(side));
+  return worst_of(desk.evaluate(*plan.stage, {plan.shared, state, rows, variables}).utilisation) <= 1.0;
+}
+
+}  // namespace
+
 bool proves_infeasible(
     const StagePlan& plan, std::span<const Interval> inherited, const Region& region, std::size_t limit, Desk& desk) {
   constexpr std::size_t one_by_one_after = 24;  // boxes
@@ -139,6 +141,7 @@ bool proves_infeasible(
     open.pop_back();
     const auto& answer = desk.bound(*plan.stage, plan.shared, inherited, region, box);
     if (worst_lower(answer.utilisation) > 1.0) continue;
+    if (middle_is_feasible(plan, inherited, region, box, desk)) return false;
     std::size_t widest = box.size();
     double most = 1e-9;
     for (std::size_t v = 0; v < box.size(); ++v) {

@@ -5,16 +5,17 @@
 #include <cmath>
 #include <limits>
 
+#include "solver/best_first.h"
 #include "solver/relaxation.h"
 
 namespace millwright::solver {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t steps = 10;         // of a curve
-constexpr std::size_t node_limit = 1000;  // looked at for one curve
-constexpr std::size_t proof_boxes = 60;   // spent on a single design
-constexpr double worth_keeping = 1e-6;    // relative rise of a curve below which it says nothing
+constexpr std::size_t steps = 10;        // of a curve
+constexpr std::size_t node_limit = 200;  // looked at for one curve: more tells little more
+constexpr std::size_t proof_boxes = 60;  // spent on a single design
+constexpr double worth_keeping = 1e-6;   // relative rise of a curve below which it says nothing
 
 /// R_i(s) for one stage, component and score, for rising s. What is infeasible or dear at one s is so at the next, so
 /// the search goes on from where it stood: regions are bounded again only when they come up.
@@ -24,78 +25,60 @@ class LeastFrom {
       : plan_(plan), score_(score), component_(component), most_(most), desk_(desk), inherited_(plan.best_inherited) {
     for (const OpenRegion& region : plan_.frontier) {
       Node node;
-      node.value = value_of(region.bounds);
       node.known = &region;
-      push(std::move(node));
+      open_.push(value_of(region.bounds), std::move(node));
     }
   }
 
   double at(double state) {
     inherited_[component_] = state;
     ++step_;
-    while (!heap_.empty() && nodes_ < node_limit) {
-      if (heap_.front().settled && heap_.front().step == step_) break;
-      if (heap_.front().value > most_) break;
+    while (!open_.empty() && nodes_ < node_limit) {
+      if (open_.first().settled && open_.first().step == step_) break;
+      const double value = open_.first_key().value;
+      if (value > most_) break;
       ++nodes_;
-      look_at(pop());
+      look_at(open_.pop(), value);
     }
-    return heap_.empty() ? infinity : heap_.front().value;
+    return open_.empty() ? infinity : open_.first_key().value;
   }
 
  private:
   struct Node {
-    double value = 0.0;
     const OpenRegion* known = nullptr;  ///< of the frontier, not yet bounded
     OpenRegion part;
     std::size_t step = 0;  ///< at which it was bounded
-    std::size_t order = 0;
     bool settled = false;  ///< a single design that could not be proved infeasible
-  };
-  struct Later {
-    bool operator()(const Node& a, const Node& b) const {
-      return a.value != b.value ? a.value > b.value : a.order < b.order;
-    }
   };
 
   [[nodiscard]] double value_of(const Bounds& bounds) const {
     return scalar::rounding::sum_down(bounds.score[score_], rest_after(plan_, score_, bounds.handed_on));
-  }
-  void push(Node node) {
-    node.order = ++order_;
-    heap_.push_back(std::move(node));
-    std::push_heap(heap_.begin(), heap_.end(), Later{});
-  }
-  Node pop() {
-    std::pop_heap(heap_.begin(), heap_.end(), Later{});
-    Node node = std::move(heap_.back());
-    heap_.pop_back();
-    return node;
   }
   void offer(Region region, double at_least) {
     Node node;
     node.part.region = std::move(region);
     if (!assess(plan_, inherited_, node.part.region, node.part.bounds, desk_)) return;
     note_kept(node.part.bounds, node.part.region);
-    node.value = std::max(at_least, value_of(node.part.bounds));
     node.step = step_;
-    if (node.value < infinity) push(std::move(node));
+    const double value = std::max(at_least, value_of(node.part.bounds));
+    if (value < infinity) open_.push(value, std::move(node));
   }
-  void look_at(Node node) {
-    if (node.known != nullptr) return offer(node.known->region, node.value);
+  void look_at(Node node, double value) {
+    if (node.known != nullptr) return offer(node.known->region, value);
     if (node.step != step_) {
       node.part.region.kept = 0;
-      return offer(std::move(node.part.region), node.value);
+      return offer(std::move(node.part.region), value);
     }
     if (node.part.region.one_design_per_slot()) {
       if (proves_infeasible(plan_, inherited_, node.part.region, proof_boxes, desk_)) return;
       node.settled = true;
-      return push(std::move(node));
+      return open_.push(value, std::move(node));
     }
     const RowProfile::Split split = plan_.profile.split(node.part.region, node.part.bounds.open);
     for (const RowSet& half : {split.right, split.left}) {
       Region region = node.part.region;
       region.rows[split.slot] = half;
-      if (plan_.fits.filter(region, split.slot)) offer(std::move(region), node.value);
+      if (plan_.fits.filter(region, split.slot)) offer(std::move(region), value);
     }
   }
 
@@ -104,8 +87,8 @@ class LeastFrom {
   double most_;
   Desk& desk_;
   std::vector<Interval> inherited_;
-  std::vector<Node> heap_;
-  std::size_t order_ = 0, step_ = 0, nodes_ = 0;
+  BestFirst<Node> open_;
+  std::size_t step_ = 0, nodes_ = 0;
 };
 
 /// The curve before a stage of few designs, nearly exactly: between two states where it differs it is asked half way.

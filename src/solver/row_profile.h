@@ -37,7 +37,8 @@ class RowProfile {
   /// The numbers of one slot's rows, row by row; `finish` keeps those that differ between rows.
   struct Features {
     std::vector<std::uint16_t> index;  ///< what each is: a score, or a constraint's least or largest utilisation
-    std::vector<float> numbers;        ///< [row * index.size() + i]
+    std::size_t width = 0;             ///< index.size(), rounded up to what is compared at once
+    std::vector<float> numbers;        ///< [row * width + i]
   };
   /// Numbers to tell whether a region has to be split there.
   struct Cut {

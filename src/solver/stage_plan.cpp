@@ -33,7 +33,8 @@ bool cut_slices(const StagePlan& plan,
     return true;
   }
   const Interval whole = region.variables[variable];
-  std::vector<Interval> trial = region.variables;
+  std::vector<Interval>& trial = desk.trial;
+  trial = region.variables;
   const double step = (whole.upper - whole.lower) / slices;
   for (int i = 0; i < slices; ++i) {
     Interval& slice = trial[variable];
@@ -67,10 +68,8 @@ bool hopeless(const StagePlan& plan, std::span<const Interval> inherited, const 
 }  // namespace
 
 void read_bounds(const StagePlan& plan, const Answer<Interval>& answer, Bounds& bounds) {
-  std::vector<Interval> score(plan.criteria->size());
-  plan.criteria->scores<Interval>(answer.resources, score);
-  bounds.score.resize(score.size());
-  for (std::size_t k = 0; k < score.size(); ++k) bounds.score[k] = score[k].lower;
+  bounds.score.resize(plan.criteria->size());
+  plan.criteria->least_scores(answer.resources, bounds.score);
   bounds.handed_on = answer.handed_on;
   bounds.utilisation = worst_lower(answer.utilisation);
   if (!bearable(plan, answer.handed_on)) bounds.utilisation = std::numeric_limits<double>::infinity();
