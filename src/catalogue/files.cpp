@@ -8,7 +8,7 @@
 
 #include "catalogue/stock.h"
 #include "catalogue/suppliers.h"
-#include "text/csv.h"
+#include "text/csv_reader.h"
 #include "text/nearest.h"
 #include "text/table_size.h"
 
@@ -39,7 +39,7 @@ std::optional<Family> family_by_path(const fs::path& file) {
 /// The one family that has all columns of the header and whose required columns are all there.
 std::optional<Family> family_by_header(const std::shared_ptr<const text::SourceText>& text) {
   text::Diagnostics unused;
-  const text::CsvTable csv = text::read_csv(text, unused);
+  const text::CsvTable csv = text::CsvReader(text, unused, 1).take();  // its header is enough
   std::optional<Family> only;
   for (const FamilyDeclaration& each : families) {
     const bool all_known = std::all_of(csv.columns().begin(), csv.columns().end(), [&](const text::CsvColumn& cell) {
