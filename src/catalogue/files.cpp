@@ -86,11 +86,17 @@ void add_family_folder(const fs::path& folder,
                        std::vector<CatalogueFile>& files,
                        text::Diagnostics& diagnostics) {
   for (const fs::path& entry : entries(folder, diagnostics)) {
-    if (entry.extension() == ".csv") add_file(entry, family, files, diagnostics);
+    if (is_csv_name(entry)) add_file(entry, family, files, diagnostics);
   }
 }
 
 }  // namespace
+
+bool is_csv_name(const fs::path& file) {
+  std::string ending = file.extension().string();
+  for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return ending == ".csv";
+}
 
 std::optional<CatalogueFile> catalogue_file(const fs::path& file,
                                             std::optional<Family> family,
@@ -126,7 +132,7 @@ std::vector<CatalogueFile> catalogue_files(const fs::path& place, text::Diagnost
   for (const fs::path& entry : entries(place, diagnostics)) {
     const std::string name = entry.filename().string();
     if (!is_folder(entry)) {
-      if (entry.extension() == ".csv" && !is_stock_file(entry) && !is_supplier_file(entry))
+      if (is_csv_name(entry) && !is_stock_file(entry) && !is_supplier_file(entry))
         add_file(entry, std::nullopt, files, diagnostics);
       continue;
     }

@@ -199,4 +199,40 @@ TEST_CASE("An import tells programs what it found and wrote") {
 }
 
 }  // namespace
+
+TEST_CASE("An import says which units change nothing, and writes nothing that no catalogue would be read from") {
+  const Workshop shop;
+  shop.write("list.csv",
+             "Part number;Holding torque (Ncm);Rated current (A);Step angle (deg);Price (EUR)\nA1;44;1.7;1.8;12.5\n");
+  const auto with = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words{
+        "catalogue", "import", "list.csv", "--family", "steppers", "--constant", "manufacturer=X", "--yes"};
+    words.insert(words.end(), more.begin(), more.end());
+    return shop.run(words);
+  };
+  const Outcome idle = with({"--output", "a.csv", "--unit", "mass=kg"});
+  CHECK(idle.exit_code == 0);
+  CHECK(idle.says("command line:1:8: warning: no column of the table is read as mass"));
+  CHECK(idle.prints("1 row of stepper motors"));
+  CHECK(idle.prints("a.csv: 1 row written."));
+  CHECK(with({"--output", "b.csv", "--unit", "holding_torque=N.cm"}).err.empty());
+  for (const char* name : {"-", "a.txt", "motors"}) {
+    const Outcome refused = with({"--output", name});
+    CHECK(refused.exit_code == 2);
+    CHECK(refused.says("a catalogue file ends in .csv"));
+    CHECK_FALSE(std::filesystem::exists(shop.path(name)));
+  }
+}
+
+TEST_CASE("A catalogue file may end in capitals") {
+  const Workshop shop;
+  const std::string parts =
+      "manufacturer,part_number,step_angle [deg],holding_torque [N.m],rated_current [A],price,currency\n"
+      "Acme,M1,1.8,1.26,2,10,USD\n";
+  shop.write("mine/steppers/OLD.CSV", parts);
+  const Outcome list = shop.run({"catalogue", "show", "M1", "--catalogue", "mine"});
+  CHECK(list.exit_code == 0);
+  CHECK(list.prints("OLD.CSV"));
+}
+
 }  // namespace millwright::app
