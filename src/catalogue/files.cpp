@@ -98,6 +98,11 @@ bool is_csv_name(const fs::path& file) {
   return ending == ".csv";
 }
 
+void report_no_files(const fs::path& place, text::Diagnostics& diagnostics) {
+  diagnostics.error(fmt::format("the catalogue {} is empty: it holds no CSV file", text::quoted(place.string(), 200)),
+                    "a catalogue has a folder for each part family, for example steppers/my-motors.csv");
+}
+
 std::optional<CatalogueFile> catalogue_file(const fs::path& file,
                                             std::optional<Family> family,
                                             text::Diagnostics& diagnostics) {

@@ -26,6 +26,9 @@ bool is_csv_name(const std::filesystem::path& file);
 /// parts and are passed over. What cannot be told or read is reported.
 std::vector<CatalogueFile> catalogue_files(const std::filesystem::path& place, text::Diagnostics& diagnostics);
 
+/// Of a place without a CSV file.
+void report_no_files(const std::filesystem::path& place, text::Diagnostics& diagnostics);
+
 /// Loads one file; its family is `family`, or else told by its folder, its name, or its header.
 std::optional<CatalogueFile> catalogue_file(const std::filesystem::path& file,
                                             std::optional<Family> family,

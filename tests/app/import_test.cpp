@@ -224,6 +224,33 @@ TEST_CASE("An import says which units change nothing, and writes nothing that no
   }
 }
 
+TEST_CASE("A catalogue that holds nothing, or has no name, is told of by lint too") {
+  const Workshop shop;
+  std::filesystem::create_directories(shop.path("empty/steppers"));
+  const Outcome lint = shop.run({"catalogue", "lint", "empty"});
+  CHECK(lint.exit_code == 2);
+  CHECK(lint.prints("error: the catalogue 'empty' is empty: it holds no CSV file"));
+  shop.write("mine/stock.csv", "part_number,owned\n17HS4401S,2\n");
+  CHECK(shop.run({"catalogue", "lint", "mine"}).exit_code == 0);
+  const Outcome nameless = shop.run({"catalogue", "list", "--catalogue", ""});
+  CHECK(nameless.exit_code == 2);
+  CHECK(nameless.says("--catalogue: the name is empty"));
+}
+
+TEST_CASE("A part is shown by the name that lists and differences give it") {
+  const Workshop shop;
+  const std::string head =
+      "manufacturer,part_number,step_angle [deg],holding_torque [N.m],rated_current [A],price,currency\n";
+  shop.write("mine/steppers/m.csv", head + "Acme & Sons,M 1,1.8,1.26,2,10,USD\nOther,M 1,1.8,1.26,2,11,USD\n");
+  const Outcome shown = shop.run({"catalogue", "show", "Acme & Sons M 1", "--catalogue", "mine"});
+  CHECK(shown.exit_code == 0);
+  CHECK(shown.prints("mine/steppers/m.csv:2"));
+  CHECK_FALSE(shown.prints("m.csv:3"));
+  CHECK(shop.run({"catalogue", "show", "M 1", "--manufacturer", "Other", "--catalogue", "mine"}).exit_code == 0);
+  CHECK(shop.run({"catalogue", "show", "Acme & Sons M 2", "--catalogue", "mine"})
+            .says("did you mean 'Acme & Sons M 1'?"));
+}
+
 TEST_CASE("A catalogue file may end in capitals") {
   const Workshop shop;
   const std::string parts =
