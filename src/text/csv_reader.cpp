@@ -67,7 +67,9 @@ bool CsvReader::next() {
 std::size_t CsvReader::most_rows() const {
   if (table_.columns_.empty()) return 0;
   const std::string_view rows = table_.text_->contents().substr(std::min(rows_begin_, table_.text_->contents().size()));
-  return std::min(line_ends(rows) + 1, table_cell_limit / table_.columns_.size() + 1);
+  // A row is a line at least, and has a byte at least behind each cell; of blank lines that is far fewer.
+  const std::size_t columns = table_.columns_.size();
+  return std::min({line_ends(rows), rows.size() / columns, table_cell_limit / columns}) + 1;
 }
 
 void CsvReader::error(SourceSpan where, std::string message, std::string hint) {

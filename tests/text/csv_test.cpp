@@ -344,6 +344,14 @@ TEST_CASE("read some rows at a time a table is the same, and so is what is said 
   }
 }
 
+TEST_CASE("blank lines make no room for rows") {
+  Diagnostics told;
+  const CsvReader reader(
+      SourceText::from_string("c.csv", "a;b;c;d\n" + std::string(100000, '\n')), told, CsvReader::few);
+  CHECK(reader.table().row_count() == 0);
+  CHECK(reader.most_rows() == 25001);
+}
+
 TEST_CASE("a million wrong cells are counted, not printed") {
   std::string contents = "n,a\n";
   for (int i = 0; i < 1000000; ++i) contents += i % 2 == 0 ? "x,y\n" : "1\n";
