@@ -71,6 +71,8 @@ void add_catalogue_option(CLI::App& verb, Options& options) {
                   options.catalogues,
                   "DIR",
                   "parts of your own on top of the shipped ones, what is in stock, who sells what (repeatable)");
+  const auto not_empty = [](const std::string& name) { return std::string(name.empty() ? "the name is empty" : ""); };
+  verb.get_option("--catalogue")->check(not_empty);
 }
 
 void add_lock_options(CLI::App& verb, Options& options) {

@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "app/output_target.h"
+#include "catalogue/files.h"
 #include "report/order_files.h"
 
 namespace millwright::app {
@@ -130,7 +131,7 @@ void add_files_of(const std::string& place, std::vector<std::string>& files) {
   fs::recursive_directory_iterator each(place, fs::directory_options::skip_permission_denied, problem);
   for (const fs::recursive_directory_iterator end; !problem && each != end; each.increment(problem)) {
     if (each.depth() >= deepest) each.disable_recursion_pending();
-    if (each->path().extension() == ".csv") files.push_back(each->path().string());
+    if (catalogue::is_csv_name(each->path())) files.push_back(each->path().string());
   }
 }
 

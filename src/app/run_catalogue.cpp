@@ -72,7 +72,8 @@ int show(const Options& options) {
   const auto loaded = load(options, diagnostics);
   std::vector<catalogue::PartSheet> sheets;
   for (const std::string& word : loaded ? options.words : std::vector<std::string>()) {
-    const catalogue::FoundParts found = loaded->find(word, options.manufacturer);
+    const catalogue::FoundParts found =
+        options.manufacturer.empty() ? loaded->find_named(word) : loaded->find(word, options.manufacturer);
     if (found.parts.empty()) diagnostics.error(found.error, found.hint);
     for (const catalogue::Part& part : found.parts)
       sheets.push_back(catalogue::show(loaded->table(part.family), part.row));

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 
 #include "app/commands.h"
 #include "app/output.h"
 #include "app/output_target.h"
+#include "catalogue/files.h"
 #include "catalogue/import_mapping_file.h"
 #include "catalogue/import_write.h"
 #include "report/import_text.h"
@@ -94,6 +96,24 @@ void report_assumed(const ImportMapping& mapping, text::Diagnostics& diagnostics
   }
 }
 
+/// A unit of a column that the table does not have may be a mistake, or meant for other price lists.
+void report_idle_units(const ImportRequest& request, const ImportMapping& mapping, text::Diagnostics& diagnostics) {
+  for (const catalogue::GivenColumn& given : request.choices.columns) {
+    const auto is_of = [&](const catalogue::SourceColumn& column) { return column.target == given.target; };
+    if (!given.from.empty() || std::any_of(mapping.columns.begin(), mapping.columns.end(), is_of)) continue;
+    diagnostics.warning(given.where,
+                        fmt::format("no column of the table is read as {}", catalogue::declaration(given.target).name),
+                        "this unit changes nothing");
+  }
+}
+
+/// A file that no catalogue folder would be read with is not what is wanted.
+void check_name(const std::string& output, text::Diagnostics& diagnostics) {
+  if (output.empty() || catalogue::is_csv_name(output)) return;
+  diagnostics.error(fmt::format("--output {}: a catalogue file ends in .csv", text::printable(output)),
+                    "for example --output my-parts/steppers/motors.csv");
+}
+
 enum class Consent { given, asked_for, none };
 
 Consent consent_of(const Options& options) {
@@ -143,12 +163,14 @@ class Import {
 
   int import() {
     request_ = request_of(options_, diagnostics_);
+    check_name(said_.output, diagnostics_);
     check_targets();
     if (diagnostics_.has_errors()) return stop();
     const auto sheet = catalogue::load_sheet(said_.file, request_.format, diagnostics_);
     if (!sheet) return stop();
     mapping_ = catalogue::propose_mapping(*sheet, request_.choices, diagnostics_);
     if (!mapping_) return stop();
+    report_idle_units(request_, *mapping_, diagnostics_);
     show(report::import_text(*mapping_, output_style(options_)));
     const Consent consent = said_.output.empty() ? Consent::none : consent_of(options_);
     if (consent == Consent::given) report_assumed(*mapping_, diagnostics_);
@@ -226,10 +248,13 @@ class Import {
     outcome_.rows_written = summary.rows;
     outcome_.lines_left_out = summary.left_out;
     if (!save(mapping, true)) return exit_bad_input;
-    show(fmt::format("{}: {} rows written{}.\n",
+    const auto lines_of = [](std::size_t count, std::string_view word) {
+      return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
+    };
+    show(fmt::format("{}: {} written{}.\n",
                      text::printable(said_.output),
-                     summary.rows,
-                     summary.left_out == 0 ? "" : fmt::format(", {} lines left out", summary.left_out)));
+                     lines_of(summary.rows, "row"),
+                     summary.left_out == 0 ? "" : ", " + lines_of(summary.left_out, "line") + " left out"));
     return exit_done;
   }
 

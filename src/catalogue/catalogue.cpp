@@ -24,8 +24,7 @@ std::vector<Table> load_layer(const std::filesystem::path& place, int layer, tex
   const std::size_t errors = diagnostics.error_count();
   const std::vector<CatalogueFile> files = catalogue_files(place, diagnostics);
   if (files.empty() && !stock_file(place) && supplier_files(place).empty() && diagnostics.error_count() == errors) {
-    diagnostics.error(fmt::format("the catalogue {} is empty: it holds no CSV file", text::quoted(place.string(), 200)),
-                      "a catalogue has a folder for each part family, for example steppers/my-motors.csv");
+    report_no_files(place, diagnostics);
   }
   std::vector<double> bytes(family_count, 0.0);
   for (const CatalogueFile& file : files)

@@ -8,7 +8,7 @@
 
 #include "catalogue/stock.h"
 #include "catalogue/suppliers.h"
-#include "text/csv.h"
+#include "text/csv_reader.h"
 #include "text/nearest.h"
 #include "text/table_size.h"
 
@@ -39,7 +39,7 @@ std::optional<Family> family_by_path(const fs::path& file) {
 /// The one family that has all columns of the header and whose required columns are all there.
 std::optional<Family> family_by_header(const std::shared_ptr<const text::SourceText>& text) {
   text::Diagnostics unused;
-  const text::CsvTable csv = text::read_csv(text, unused);
+  const text::CsvTable csv = text::CsvReader(text, unused, 1).take();  // its header is enough
   std::optional<Family> only;
   for (const FamilyDeclaration& each : families) {
     const bool all_known = std::all_of(csv.columns().begin(), csv.columns().end(), [&](const text::CsvColumn& cell) {
@@ -86,11 +86,22 @@ void add_family_folder(const fs::path& folder,
                        std::vector<CatalogueFile>& files,
                        text::Diagnostics& diagnostics) {
   for (const fs::path& entry : entries(folder, diagnostics)) {
-    if (entry.extension() == ".csv") add_file(entry, family, files, diagnostics);
+    if (is_csv_name(entry)) add_file(entry, family, files, diagnostics);
   }
 }
 
 }  // namespace
+
+bool is_csv_name(const fs::path& file) {
+  std::string ending = file.extension().string();
+  for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return ending == ".csv";
+}
+
+void report_no_files(const fs::path& place, text::Diagnostics& diagnostics) {
+  diagnostics.error(fmt::format("the catalogue {} is empty: it holds no CSV file", text::quoted(place.string(), 200)),
+                    "a catalogue has a folder for each part family, for example steppers/my-motors.csv");
+}
 
 std::optional<CatalogueFile> catalogue_file(const fs::path& file,
                                             std::optional<Family> family,
@@ -126,7 +137,7 @@ std::vector<CatalogueFile> catalogue_files(const fs::path& place, text::Diagnost
   for (const fs::path& entry : entries(place, diagnostics)) {
     const std::string name = entry.filename().string();
     if (!is_folder(entry)) {
-      if (entry.extension() == ".csv" && !is_stock_file(entry) && !is_supplier_file(entry))
+      if (is_csv_name(entry) && !is_stock_file(entry) && !is_supplier_file(entry))
         add_file(entry, std::nullopt, files, diagnostics);
       continue;
     }

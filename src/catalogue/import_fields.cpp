@@ -44,8 +44,9 @@ bool is_diameter_sign(std::string_view before) {
 }  // namespace
 
 void append_csv_cell(std::string& line, std::string_view text) {
-  const bool quoted = text.find_first_of(",\"\n\r") != std::string_view::npos ||
-                      (!text.empty() && (text.front() == ' ' || text.back() == ' ' || text.front() == '#'));
+  const bool special =
+      std::any_of(text.begin(), text.end(), [](char c) { return c == ',' || c == '"' || c == '\n' || c == '\r'; });
+  const bool quoted = special || (!text.empty() && (text.front() == ' ' || text.back() == ' ' || text.front() == '#'));
   if (!quoted) {
     line += text;
     return;

@@ -153,7 +153,7 @@ std::string plain_number(std::string_view number, DecimalMark mark) {
 }
 
 bool says_unknown(std::string_view cell) {
-  if (cell.size() > 9) return false;
+  if (cell.size() > 9 || (!cell.empty() && cell.front() >= '0' && cell.front() <= '9')) return false;
   std::string word(cell);
   for (char& c : word) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   constexpr std::array<std::string_view, 15> words = {"-",

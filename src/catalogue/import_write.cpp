@@ -80,6 +80,7 @@ class ImportWriter {
     if (!write_(std::string_view(lines_).substr(header_.size()))) return false;
     const bool whole_table = summary_.rows <= rows_together;
     text::Diagnostics findings;
+    const std::size_t size = lines_.size();
     {
       const auto text = text::SourceText::from_string(sheet_.text->path(), std::move(lines_));
       Table table = read_table(text, mapping_.family, 0, findings);
@@ -88,6 +89,7 @@ class ImportWriter {
       if (!whole_table || places_.size() == rows_together) find_far_duplicates(table, findings);
       translate(findings, *text);
     }
+    lines_.reserve(size);  // the next ones are about as long
     lines_ = header_;
     places_.clear();
     line_ = 2;

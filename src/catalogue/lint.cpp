@@ -121,12 +121,15 @@ LintSummary lint_files(const std::vector<std::filesystem::path>& places,
   std::map<Family, Table> tables;
   for (const std::filesystem::path& place : places) {
     std::vector<CatalogueFile> files;
+    const std::size_t errors_before = diagnostics.error_count();
     std::error_code ignored;
     if (family && !std::filesystem::is_directory(place, ignored) && !is_stock_file(place) && !is_supplier_file(place)) {
       if (auto file = catalogue_file(place, family, diagnostics)) files.push_back(std::move(*file));
     } else {
       files = catalogue_files(place, diagnostics);
     }
+    if (files.empty() && overlay_files({place}).empty() && diagnostics.error_count() == errors_before)
+      report_no_files(place, diagnostics);
     for (const CatalogueFile& file : files) {
       ++summary.files;
       tables.try_emplace(file.family, file.family)

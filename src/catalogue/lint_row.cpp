@@ -115,6 +115,7 @@ void LintRow::magnitudes() const {
     const Column each{table_.family(), static_cast<std::uint8_t>(index)};
     const ColumnDeclaration& declared = declaration(each);
     if (declared.kind != Kind::number && declared.kind != Kind::money) continue;
+    if (std::isnan(table_.number(each, row_))) continue;
     const double value = (*this)(each);
     const double slack = rounding * std::abs(value);  // a limit given in another unit is still inside
     const bool low = value < declared.lower - slack;

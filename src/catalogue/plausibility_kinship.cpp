@@ -45,6 +45,7 @@ std::vector<std::uint32_t> Plausibility::groups_by_series() const {
   std::vector<std::uint32_t> group_of_row;
   if (!series) return group_of_row;
   Numbering numbering;
+  group_of_row.reserve(group_of_row_.size());
   for (int row = 0; row < table_.rows(); ++row)
     group_of_row.push_back(numbering.of(group_of_row_[static_cast<std::size_t>(row)], table_.text(*series, row)));
   return group_of_row;
@@ -54,6 +55,7 @@ std::vector<std::uint32_t> Plausibility::groups_by_maker() const {
   std::unordered_map<std::string_view, std::uint32_t> currencies{{std::string_view(), 0}};
   Numbering numbering;
   std::vector<std::uint32_t> group_of_row;
+  group_of_row.reserve(group_of_row_.size());
   for (int row = 0; row < table_.rows(); ++row) {
     const Group& group = groups_[group_of_row_[static_cast<std::size_t>(row)]];
     const auto currency = currencies.try_emplace(group.currency, static_cast<std::uint32_t>(currencies.size())).first;

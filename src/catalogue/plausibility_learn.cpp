@@ -245,6 +245,7 @@ Plausibility::Plausibility(const Table& table) : table_(table) {
       }
     }
   }
+  rows_of_group.clear();  // of many rows as large as what is learnt next
   learn_kinships();
 }
 

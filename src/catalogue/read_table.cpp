@@ -4,38 +4,56 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <map>
 
 #include "catalogue/column_unit.h"
+#include "catalogue/gathered_columns.h"
 #include "catalogue/header.h"
 #include "catalogue/standing.h"
 #include "catalogue/stock.h"
-#include "text/csv.h"
-#include "text/large_pages.h"
+#include "text/csv_reader.h"
 
 namespace millwright::catalogue {
 namespace {
 
-/// One file on its way into a table.
+/// One file on its way into a table, some rows at a time. Members are of those rows, but where they say so; numbers of
+/// rows count from the first of them.
 class TableFileReader {
  public:
-  /// The table has room for so many rows, if those are more than there are.
-  TableFileReader(
-      const text::CsvTable& csv, Family family, const Header& header, text::Diagnostics& diagnostics, std::size_t room)
-      : csv_(csv),
+  /// The table has room for so many rows.
+  TableFileReader(const text::CsvReader& reader,
+                  Family family,
+                  const Header& header,
+                  text::Diagnostics& diagnostics,
+                  std::size_t room)
+      : csv_(reader.table()),
         family_(family),
         header_(header),
         diagnostics_(diagnostics),
-        room_(std::max(room, csv.row_count())),
-        keep_(csv.row_count(), true) {
+        all_(column_count(family), room) {
     columns_.numbers.resize(column_count(family));
     columns_.texts.resize(column_count(family));
+    columns_.tolerances.resize(column_count(family));
+    columns_.sources.resize(column_count(family));
+    columns_.confidences.resize(column_count(family));
+    columns_.file.text = csv_.text();
+    columns_.file.separator = csv_.separator();
+    columns_.file.field_of_column = header_.field_of_column;
+    for (const Companion& each : header_.companions)
+      columns_.file.companions.push_back({each.figure.index, each.kind, static_cast<int>(each.field)});
+    for (std::size_t index = 0; index < column_count(family); ++index) {
+      const Kind kind = declaration(at(index)).kind;
+      if (field(at(index)) < 0 || (kind != Kind::number && kind != Kind::money)) continue;
+      numbers_.push_back({cell_column(at(index)), {}, {}, {}});
+      numbers_of_.push_back(at(index));
+    }
   }
 
-  Table read(int layer) {
+  /// Reads the rows that the CSV reader holds now.
+  void read() {
+    keep_.assign(csv_.row_count(), true);
     read_numbers();
     read_texts();
     for (std::size_t index = 0; index < column_count(family_); ++index) {
@@ -50,16 +68,20 @@ class TableFileReader {
     const Column confidence = column(family_, "confidence");
     if (field(confidence) >= 0) check_confidences(columns_.texts[confidence.index], cell_column(confidence));
     read_companions();
-    columns_.file.text = csv_.text();
-    columns_.file.layer = layer;
-    columns_.file.separator = csv_.separator();
-    columns_.file.field_of_column = header_.field_of_column;
-    for (const Companion& each : header_.companions)
-      columns_.file.companions.push_back({each.figure.index, each.kind, static_cast<int>(each.field)});
     columns_.file.unescaped = unescaped_;
-    columns_.offsets = record_offsets();
-    Table table(family_, std::move(columns_));
-    if (std::find(keep_.begin(), keep_.end(), false) != keep_.end()) table.keep_only(keep_);
+    columns_.offsets.clear();
+    for (std::size_t row = 0; row < csv_.row_count(); ++row)
+      columns_.offsets.push_back(static_cast<std::uint32_t>(csv_.record_offset(row)));
+    all_.add(columns_);
+    keep_all_.insert(keep_all_.end(), keep_.begin(), keep_.end());
+  }
+
+  /// All rows that were read.
+  Table table(int layer) {
+    TableColumns all = all_.take();
+    all.file.layer = layer;
+    Table table(family_, std::move(all));
+    if (std::find(keep_all_.begin(), keep_all_.end(), false) != keep_all_.end()) table.keep_only(keep_all_);
     return table;
   }
 
@@ -82,19 +104,12 @@ class TableFileReader {
   }
 
   void read_numbers() {
-    std::vector<std::size_t> fields;
-    std::vector<Column> wanted;
-    for (std::size_t index = 0; index < column_count(family_); ++index) {
-      const Kind kind = declaration(at(index)).kind;
-      if (field(at(index)) < 0 || (kind != Kind::number && kind != Kind::money)) continue;
-      fields.push_back(cell_column(at(index)));
-      wanted.push_back(at(index));
-    }
-    std::vector<std::vector<double>> values = csv_.number_columns(fields, diagnostics_, room_);
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
-      const scalar::Unit& unit = *header_.units[wanted[i].index];
-      unit.to_si(values[i]);
-      columns_.numbers[wanted[i].index] = std::move(values[i]);
+    for (text::NumberColumn& each : numbers_) each.values.clear();
+    csv_.read_numbers(numbers_, diagnostics_);
+    for (std::size_t i = 0; i < numbers_.size(); ++i) {
+      std::vector<double>& values = columns_.numbers[numbers_of_[i].index];
+      values.swap(numbers_[i].values);
+      header_.units[numbers_of_[i].index]->to_si(values);
     }
   }
 
@@ -143,7 +158,6 @@ class TableFileReader {
     std::vector<Wanted> wanted;
     for (std::size_t index = 0; index < column_count(family_); ++index) {
       if (field(at(index)) < 0 || declaration(at(index)).kind != Kind::text) continue;
-      text::reserve_large(columns_.texts[index], room_);
       columns_.texts[index].resize(csv_.row_count());
       wanted.push_back({cell_column(at(index)), &columns_.texts[index]});
     }
@@ -253,9 +267,6 @@ class TableFileReader {
   }
 
   void read_companions() {
-    columns_.tolerances.resize(column_count(family_));
-    columns_.sources.resize(column_count(family_));
-    columns_.confidences.resize(column_count(family_));
     for (const Companion& companion : header_.companions) {
       if (companion.kind == CompanionKind::tolerance) {
         read_tolerances(companion);
@@ -325,22 +336,16 @@ class TableFileReader {
     return csv_.text()->contents().substr(cell.begin, cell.length);
   }
 
-  std::vector<std::uint32_t> record_offsets() const {
-    std::vector<std::uint32_t> offsets;
-    text::reserve_large(offsets, room_);
-    offsets.resize(csv_.row_count());
-    for (std::size_t row = 0; row < offsets.size(); ++row)
-      offsets[row] = static_cast<std::uint32_t>(csv_.record_offset(row));
-    return offsets;
-  }
-
   const text::CsvTable& csv_;
   Family family_;
   const Header& header_;
   text::Diagnostics& diagnostics_;
-  std::size_t room_;
   std::vector<bool> keep_;
   TableColumns columns_;
+  GatheredColumns all_;  ///< of all rows so far, as the next
+  std::vector<bool> keep_all_;
+  std::vector<text::NumberColumn> numbers_;
+  std::vector<Column> numbers_of_;  ///< the column of each
   std::shared_ptr<std::deque<std::string>> unescaped_;
 };
 
@@ -352,7 +357,8 @@ Table read_table(const std::shared_ptr<const text::SourceText>& text,
                  text::Diagnostics& diagnostics,
                  double room) {
   const std::size_t errors = diagnostics.error_count();
-  const text::CsvTable csv = text::read_csv(text, diagnostics);
+  text::CsvReader reader(text, diagnostics, text::CsvReader::few);
+  const text::CsvTable& csv = reader.table();
   if (csv.columns().empty()) {
     if (diagnostics.error_count() == errors) {
       diagnostics.error(
@@ -361,40 +367,20 @@ Table read_table(const std::shared_ptr<const text::SourceText>& text,
     return Table(family);
   }
   const std::optional<Header> header = match_header(csv, family, diagnostics);
-  if (!header) return Table(family);
+  if (!header) {
+    while (reader.next()) {
+    }  // what is wrong with the other rows is told too
+    return Table(family);
+  }
   if (csv.row_count() == 0 && diagnostics.error_count() == errors) {
     diagnostics.error(csv.header_span(), "the catalogue is empty: no parts below the header", "one line a part");
   }
-  const auto rows = static_cast<std::size_t>(room * static_cast<double>(csv.row_count()));
-  return TableFileReader(csv, family, *header, diagnostics, rows).read(layer);
-}
-
-void drop_duplicates(Table& table, text::Diagnostics& diagnostics) {
-  RowIndex seen(static_cast<std::size_t>(table.rows()));
-  std::vector<bool> keep(static_cast<std::size_t>(table.rows()), true);
-  bool all_kept = true;
-  // Where the rows of a block belong lies anywhere in memory, so it is sent for before it is needed.
-  constexpr int block = 32;
-  std::array<std::uint64_t, block> hashes{};
-  for (int row = 0; row < table.rows(); ++row) {
-    for (int i = 0; row % block == 0 && i < std::min(block, table.rows() - row); ++i) {
-      hashes[static_cast<std::size_t>(i)] = table.part_hash(row + i, Identity::point);
-      seen.prefetch(hashes[static_cast<std::size_t>(i)]);
-    }
-    const auto same = [&](int there) { return table.same_part(row, table, there, Identity::point); };
-    const int first = seen.insert(hashes[static_cast<std::size_t>(row % block)], row, same);
-    if (first == RowIndex::none) continue;
-    keep[static_cast<std::size_t>(row)] = all_kept = false;
-    text::Diagnostic duplicate;
-    duplicate.where = table.where(row);
-    duplicate.message = fmt::format(
-        "duplicate part {} of {}", text::quoted(table.part_number(row)), text::quoted(table.manufacturer(row)));
-    duplicate.hint = "a part stands once in a folder; to replace it use an overlay folder";
-    duplicate.related = table.where(first);
-    duplicate.related_message = "first given here";
-    diagnostics.add(std::move(duplicate));
-  }
-  if (!all_kept) table.keep_only(keep);
+  const auto rows = static_cast<std::size_t>(std::max(room, 1.0) * static_cast<double>(reader.most_rows()));
+  TableFileReader table(reader, family, *header, diagnostics, rows);
+  do {
+    table.read();
+  } while (reader.next());
+  return table.table(layer);
 }
 
 }  // namespace millwright::catalogue

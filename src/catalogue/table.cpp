@@ -102,6 +102,12 @@ void keep_in(std::vector<T>& values, const std::vector<bool>& keep) {
 
 }  // namespace
 
+std::string_view content_of(TextCell cell, const SourceFile& file) {
+  if (cell.length == 0) return {};
+  if (cell.length == TextCell::unescaped) return (*file.unescaped)[cell.begin];
+  return file.text->contents().substr(cell.begin, cell.length);
+}
+
 Table::Table(Family family)
     : family_(family),
       numbers_(column_count(family)),
@@ -155,11 +161,8 @@ std::string_view Table::text(Column column, int row) const {
 
 std::string_view Table::content(const std::vector<TextCell>& cells, int row) const {
   const auto at = static_cast<std::size_t>(row);
-  if (cells.empty() || cells[at].length == 0) return {};
-  const TextCell cell = cells[at];
-  const SourceFile& file = files_[file_of_[at]];
-  if (cell.length == TextCell::unescaped) return (*file.unescaped)[cell.begin];
-  return file.text->contents().substr(cell.begin, cell.length);
+  if (cells.empty()) return {};
+  return content_of(cells[cells.size() == 1 ? 0 : at], files_[file_of_[at]]);
 }
 
 std::string_view Table::manufacturer(int row) const { return text(Column{family_, manufacturer_index}, row); }
@@ -226,10 +229,10 @@ std::uint64_t Table::part_hash(int row, Identity level) const {
 
 void Table::keep_only(const std::vector<bool>& keep) {
   for (auto& values : numbers_) keep_in(values, keep);
-  for (auto& values : texts_) keep_in(values, keep);
   for (auto& values : tolerances_) keep_in(values, keep);
-  for (auto& values : figure_sources_) keep_in(values, keep);
-  for (auto& values : figure_confidences_) keep_in(values, keep);
+  for (auto* columns : {&texts_, &figure_sources_, &figure_confidences_})
+    for (auto& values : *columns)
+      if (values.size() > 1) keep_in(values, keep);
   ranges_.clear();
   keep_in(offsets_, keep);
   keep_in(file_of_, keep);
@@ -238,7 +241,19 @@ void Table::keep_only(const std::vector<bool>& keep) {
   parts_.forget();
 }
 
+void Table::spread_texts() {
+  for (auto* columns : {&texts_, &figure_sources_, &figure_confidences_})
+    for (std::vector<TextCell>& cells : *columns)
+      if (cells.size() == 1) cells.assign(offsets_.size(), TextCell(cells.front()));
+}
+
 void Table::append(Table&& other) {
+  if (files_.empty()) {
+    *this = std::move(other);
+    return;
+  }
+  spread_texts();
+  other.spread_texts();
   const std::size_t rows = offsets_.size();
   const std::size_t more = other.offsets_.size();
   for (std::size_t index = 0; index < numbers_.size(); ++index) {

@@ -71,6 +71,9 @@ struct TextCell {
   static constexpr std::uint32_t unescaped = std::numeric_limits<std::uint32_t>::max();  ///< as the length
 };
 
+/// Empty = not given.
+std::string_view content_of(TextCell cell, const SourceFile& file);
+
 /// What a seller of a length asks beside its price: the columns stock_length, cutting_loss, cut_price and
 /// end_machining_price. NaN = nothing.
 struct CuttingTerms {
@@ -96,7 +99,8 @@ enum class Ownership : std::uint8_t {
   only    ///< only those that are owned
 };
 
-/// What a reader hands over: one vector a column (by Column.index; empty = column not given), all of the same length.
+/// What a reader hands over: one vector a column (by Column.index; empty = column not given), all of the same length. A
+/// single text is that of all rows.
 struct TableColumns {
   std::vector<std::vector<double>> numbers;  ///< SI; flags 1 and 0; NaN = not known
   std::vector<std::vector<TextCell>> texts;
@@ -195,6 +199,8 @@ class Table {
 
  private:
   void check(Column column, bool wants_text) const;
+  /// Gives each row a text of its own where one is that of all, for rows to be added.
+  void spread_texts();
   void note_absent_columns();
   /// Gives a column that no file has its own numbers, none of them known: some will be set.
   void make_column(std::size_t index);
@@ -211,7 +217,7 @@ class Table {
   Family family_;
   std::vector<std::vector<double>> numbers_;  // empty: no file has the column
   std::vector<double> absent_;                // what such a column answers
-  std::vector<std::vector<TextCell>> texts_;
+  std::vector<std::vector<TextCell>> texts_;  // a single one is that of all rows
   void repeat_companions(std::size_t row);
   void set_cutting_terms(const CuttingTerms& terms);
 

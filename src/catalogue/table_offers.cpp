@@ -37,6 +37,7 @@ void Table::set_cutting_terms(const CuttingTerms& terms) {
 
 void Table::append_offers(const std::vector<OfferedRow>& offers) {
   if (offers.empty()) return;
+  spread_texts();
   const auto text_column = [&](std::string_view name) {
     std::vector<TextCell>& cells = texts_[column(family_, name).index];
     cells.resize(offsets_.size());

@@ -111,8 +111,8 @@ std::string counts_text(std::size_t added, std::size_t removed, std::size_t chan
 }
 
 std::string side_text(const char* letter, const ComparedCatalogue& side) {
-  return fmt::format(
-      "{}  {}, {} rows\n", letter, text::printable(side.name), side.catalogue ? side.catalogue->rows() : 0);
+  const int rows = side.catalogue ? side.catalogue->rows() : 0;
+  return fmt::format("{}  {}, {} {}\n", letter, text::printable(side.name), rows, rows == 1 ? "row" : "rows");
 }
 
 Json place_of(const text::SourceSpan& span) {

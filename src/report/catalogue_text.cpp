@@ -89,7 +89,7 @@ std::string parts_list_text(const std::vector<catalogue::PartLine>& parts, const
   for (const catalogue::PartLine& part : parts)
     table.add(
         {std::string(part.manufacturer), std::string(part.part_number), price_text(part.price, style), part.figures});
-  return table.str(0, style) + fmt::format("{} rows; ~ estimate\n", parts.size());
+  return table.str(0, style) + fmt::format("{} {}; ~ estimate\n", parts.size(), parts.size() == 1 ? "row" : "rows");
 }
 
 std::string sheet_text(const catalogue::PartSheet& sheet, const Style& style) {

@@ -34,8 +34,11 @@ std::string unit_of(const SourceColumn& column) {
 }  // namespace
 
 std::string import_text(const catalogue::ImportMapping& mapping, const Style& style) {
-  std::string text =
-      style.heading(fmt::format("{} rows of {}", mapping.rows, catalogue::declaration(mapping.family).title)) + "\n";
+  std::string text = style.heading(fmt::format("{} {} of {}",
+                                               mapping.rows,
+                                               mapping.rows == 1 ? "row" : "rows",
+                                               catalogue::declaration(mapping.family).title)) +
+                     "\n";
   for (const std::string& remark : mapping.remarks) text += fmt::format("  {}\n", remark);
   TextTable columns({{"their column"}, {"our column"}, {"unit"}, {"sure", Align::right}, {"why", Align::left, 44}});
   std::string kept;

@@ -106,74 +106,63 @@ void CsvTable::report_number(std::size_t row, std::size_t column, Diagnostics& d
       cell_span(row, column), columns_[column].name + ": not a number: " + quoted(content), number_hint(content));
 }
 
-/// Reads one column; where semicolons separate, it also sees to it that one decimal mark is used throughout.
-class CsvTable::NumberColumn {
- public:
-  NumberColumn(const CsvTable& table, std::size_t column, Diagnostics& diagnostics, std::size_t room)
-      : table_(table), column_(column), check_marks_(table.separator_ == ';'), diagnostics_(diagnostics) {
-    reserve_large(values_, std::max(room, table.row_count()));
+double CsvTable::number_in(std::size_t row, NumberColumn& column, Diagnostics& diagnostics) const {
+  // The usual cell is a plain number from end to end.
+  const std::string_view raw = this->raw(row, column.column);
+  const char* begin = raw.data();
+  const char* end = begin + raw.size();
+  while (begin != end && is_blank(*begin)) ++begin;
+  while (begin != end && is_blank(end[-1])) --end;
+  double value = std::numeric_limits<double>::quiet_NaN();
+  if (begin == end) return value;
+  if (const auto simple = simple_decimal(begin, end)) {
+    value = *simple;
+  } else {
+    const std::from_chars_result result = std::from_chars(begin, end, value);
+    if (result.ec != std::errc{} || result.ptr != end || !std::isfinite(value))
+      value = number(row, column.column, diagnostics).value_or(std::numeric_limits<double>::quiet_NaN());
   }
+  if (separator_ == ';' && !std::isnan(value)) check_mark(row, raw, column, diagnostics);
+  return value;
+}
 
-  void read(std::size_t row) {
-    // The usual cell is a plain number from end to end.
-    const std::string_view raw = table_.raw(row, column_);
-    const char* begin = raw.data();
-    const char* end = begin + raw.size();
-    while (begin != end && is_blank(*begin)) ++begin;
-    while (begin != end && is_blank(end[-1])) --end;
-    double value = std::numeric_limits<double>::quiet_NaN();
-    if (begin == end) return values_.push_back(value);
-    if (const auto simple = simple_decimal(begin, end)) {
-      value = *simple;
-    } else {
-      const std::from_chars_result result = std::from_chars(begin, end, value);
-      if (result.ec != std::errc{} || result.ptr != end || !std::isfinite(value))
-        value = table_.number(row, column_, diagnostics_).value_or(std::numeric_limits<double>::quiet_NaN());
-    }
-    if (check_marks_ && !std::isnan(value)) check_mark(row, raw);
-    values_.push_back(value);
+/// Where semicolons separate, one decimal mark is used throughout a column; another is told of once.
+void CsvTable::check_mark(std::size_t row, std::string_view raw, NumberColumn& column, Diagnostics& diagnostics) const {
+  if (column.point && column.comma) return;
+  const std::size_t mark = raw.find_first_of(".,");
+  if (mark == std::string_view::npos) return;
+  auto& seen = raw[mark] == '.' ? column.point : column.comma;
+  if (seen) return;
+  const std::string_view content = trim(raw).content;
+  seen = {static_cast<std::size_t>(content.data() - text_->contents().data()), content.size()};
+  if (!column.point || !column.comma) return;
+  const auto& other = raw[mark] == '.' ? *column.comma : *column.point;
+  Diagnostic diagnostic;
+  diagnostic.where = cell_span(row, column.column);
+  diagnostic.message = columns_[column.column].name + ": decimal commas and decimal points in one column";
+  diagnostic.hint = "is this a thousands separator? use one decimal mark throughout";
+  diagnostic.related = span_at(text_, other.first, other.second);
+  diagnostic.related_message = "the other mark is here";
+  diagnostics.add(std::move(diagnostic));
+}
+
+void CsvTable::read_numbers(std::span<NumberColumn> columns, Diagnostics& diagnostics) const {
+  for (std::size_t row = 0; row < row_count(); ++row) {
+    for (NumberColumn& column : columns) column.values.push_back(number_in(row, column, diagnostics));
   }
-
-  std::vector<double> take() { return std::move(values_); }
-
- private:
-  void check_mark(std::size_t row, std::string_view raw) {
-    const std::size_t mark = raw.find_first_of(".,");
-    if (mark == std::string_view::npos) return;
-    std::optional<std::size_t>& seen = raw[mark] == '.' ? point_row_ : comma_row_;
-    if (!seen) seen = row;
-    if (!point_row_ || !comma_row_) return;
-    check_marks_ = false;
-    Diagnostic diagnostic;
-    diagnostic.where = table_.cell_span(row, column_);
-    diagnostic.message = table_.columns_[column_].name + ": decimal commas and decimal points in one column";
-    diagnostic.hint = "is this a thousands separator? use one decimal mark throughout";
-    diagnostic.related = table_.cell_span(raw[mark] == '.' ? *comma_row_ : *point_row_, column_);
-    diagnostic.related_message = "the other mark is here";
-    diagnostics_.add(std::move(diagnostic));
-  }
-
-  const CsvTable& table_;
-  std::size_t column_;
-  bool check_marks_;
-  Diagnostics& diagnostics_;
-  std::vector<double> values_;
-  std::optional<std::size_t> point_row_;
-  std::optional<std::size_t> comma_row_;
-};
+}
 
 std::vector<std::vector<double>> CsvTable::number_columns(std::span<const std::size_t> columns,
-                                                          Diagnostics& diagnostics,
-                                                          std::size_t room) const {
+                                                          Diagnostics& diagnostics) const {
   std::vector<NumberColumn> readers;
-  readers.reserve(columns.size());
-  for (const std::size_t column : columns) readers.emplace_back(*this, column, diagnostics, room);
-  for (std::size_t row = 0; row < row_count(); ++row) {
-    for (NumberColumn& reader : readers) reader.read(row);
+  for (const std::size_t column : columns) {
+    readers.push_back({column, {}, {}, {}});
+    reserve_large(readers.back().values, row_count());
   }
+  read_numbers(readers, diagnostics);
   std::vector<std::vector<double>> values;
   values.reserve(readers.size());
-  for (NumberColumn& reader : readers) values.push_back(reader.take());
+  for (NumberColumn& reader : readers) values.push_back(std::move(reader.values));
   return values;
 }
 

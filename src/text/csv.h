@@ -25,6 +25,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "text/diagnostic.h"
@@ -47,8 +48,16 @@ struct CsvColumn {
   SourceSpan unit_span;
 };
 
-/// The records of one CSV text. Cells are views into the text, which the table keeps alive; places are worked out only
-/// when asked for. Const member functions may be called from several threads (with a Diagnostics each).
+/// A column of numbers on its way out of one table after the other of the same text (CsvReader::next()).
+struct NumberColumn {
+  std::size_t column;
+  std::vector<double> values;
+  /// The first cell with a decimal point and with a comma, in bytes of the text: begin and length.
+  std::optional<std::pair<std::size_t, std::size_t>> point, comma;
+};
+
+/// The records of one CSV text, or some of them. Cells are views into the text, which the table keeps alive; places are
+/// worked out only when asked for. Const member functions may be called from several threads (with a Diagnostics each).
 class CsvTable {
  public:
   /// A wider header is not a catalogue and is refused.
@@ -84,18 +93,18 @@ class CsvTable {
   /// A whole column of numbers: NaN where the cell is empty or (reported) no finite number.
   std::vector<double> number_column(std::size_t column, Diagnostics& diagnostics) const;
 
-  /// Several columns in one pass over the text, which is faster than one after the other. The vectors have room for
-  /// `room` numbers, if those are more than there are records.
-  std::vector<std::vector<double>> number_columns(std::span<const std::size_t> columns,
-                                                  Diagnostics& diagnostics,
-                                                  std::size_t room = 0) const;
+  /// Several columns in one pass over the text, which is faster than one after the other.
+  std::vector<std::vector<double>> number_columns(std::span<const std::size_t> columns, Diagnostics& diagnostics) const;
+  /// The same, appended to what is there.
+  void read_numbers(std::span<NumberColumn> columns, Diagnostics& diagnostics) const;
 
   std::vector<std::string_view> text_column(std::size_t column) const;
 
  private:
   friend class CsvReader;
-  class NumberColumn;
 
+  double number_in(std::size_t row, NumberColumn& column, Diagnostics& diagnostics) const;
+  void check_mark(std::size_t row, std::string_view raw, NumberColumn& column, Diagnostics& diagnostics) const;
   std::string_view raw(std::size_t row, std::size_t column) const;
   void report_number(std::size_t row, std::size_t column, Diagnostics& diagnostics) const;
 

@@ -101,9 +101,13 @@ std::shared_ptr<const SourceText> SourceText::from_string(std::string path, std:
 
 namespace {
 
-/// "did you mean 'problems/sander.toml'?": a file of the same folder with a similar name, or nothing.
+/// Of a file that is not there: "did you mean 'problems/sander.toml'?", a file of the same folder with a similar name;
+/// where a link leads; or nothing.
 std::string similar_file(const std::string& path) {
   namespace fs = std::filesystem;
+  std::error_code no_link;
+  if (const fs::path there = fs::read_symlink(path, no_link); !no_link)
+    return "it is a symbolic link to " + quoted(there.string(), 200) + ", which is not there";
   constexpr std::size_t most = 10000;  // looked at
   const fs::path wanted(path);
   std::error_code failure;

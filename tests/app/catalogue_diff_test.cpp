@@ -20,6 +20,15 @@ std::size_t longest_line(const std::string& text) {
   return longest;
 }
 
+nlohmann::json difference(const Workshop& shop, const std::string& a, const std::string& b) {
+  return nlohmann::json::parse(shop.run({"catalogue", "diff", a, b, "--json", "-"}).out);
+}
+
+/// Of the first part that changed.
+nlohmann::json changed_cells(const nlohmann::json& difference) {
+  return difference.at("families").at(0).at("changed").at(0).at("cells");
+}
+
 }  // namespace
 
 TEST_CASE("catalogue diff tells what changed, in 80 columns and as JSON, and its exit code says whether") {
@@ -47,7 +56,7 @@ TEST_CASE("catalogue diff tells what changed, in 80 columns and as JSON, and its
   CHECK(family.at("family") == "steppers");
   CHECK(family.at("added").at(0).at("part_number") == "M3");
   CHECK(family.at("removed").at(0).at("place") == "old/steppers/m.csv:3:6");
-  const auto& cell = family.at("changed").at(0).at("cells").at(0);
+  const auto cell = changed_cells(json).at(0);
   CHECK(cell.at("column") == "price");
   CHECK(cell.at("a") == "10 USD");
   CHECK(cell.at("b") == "11.5 USD");
@@ -62,8 +71,7 @@ TEST_CASE("catalogue diff names the points that a curve lost") {
   const std::string kept = "A,M,24,2,d,300,0.4,high\nA,M,24,2,d,600,0.3,high\n";
   shop.write("old/stepper_curves/c.csv", header + "A,M,24,2,d,60,0.5,high\nA,M,24,2,d,120,0.5,high\n" + kept);
   shop.write("new/stepper_curves/c.csv", header + kept);
-  const auto json = nlohmann::json::parse(shop.run({"catalogue", "diff", "old", "new", "--json", "-"}).out);
-  const auto& cells = json.at("families").at(0).at("changed").at(0).at("cells");
+  const auto cells = changed_cells(difference(shop, "old", "new"));
   REQUIRE(cells.size() == 2);
   CHECK(cells.at(0).at("point") == "60 rpm");
   CHECK(cells.at(1).at("point") == "120 rpm");
@@ -128,7 +136,7 @@ TEST_CASE("catalogue diff tells what changed in stock, suppliers and offers, of 
   const Outcome same = shop.run({"catalogue", "diff", "old", "old"});
   CHECK(same.exit_code == 0);
   CHECK(same.prints("No differences: 6 lines of stock, suppliers and offers the same."));
-  const auto json = nlohmann::json::parse(shop.run({"catalogue", "diff", "old", "new", "--json", "-"}).out);
+  const auto json = difference(shop, "old", "new");
   CHECK(json.at("equal") == false);
   const auto& files = json.at("files");
   REQUIRE(files.size() == 3);
@@ -205,8 +213,7 @@ TEST_CASE("catalogue diff --json gives what is said of a figure its own cell") {
       "rated_current [A],price,currency\n";
   shop.write("old/steppers/m.csv", head + "Acme,M1,1.8,1.26,list,low,2,10,USD\n");
   shop.write("new/steppers/m.csv", head + "Acme,M1,1.8,1.26,scales,high,2,10,USD\n");
-  const auto json = nlohmann::json::parse(shop.run({"catalogue", "diff", "old", "new", "--json", "-"}).out);
-  const auto& cells = json.at("families").at(0).at("changed").at(0).at("cells");
+  const auto cells = changed_cells(difference(shop, "old", "new"));
   REQUIRE(cells.size() == 2);
   CHECK(cells.at(0).at("column") == "holding_torque_source");
   CHECK(cells.at(0).at("a_place") == "old/steppers/m.csv:2:18");

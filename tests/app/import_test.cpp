@@ -199,4 +199,67 @@ TEST_CASE("An import tells programs what it found and wrote") {
 }
 
 }  // namespace
+
+TEST_CASE("An import says which units change nothing, and writes nothing that no catalogue would be read from") {
+  const Workshop shop;
+  shop.write("list.csv",
+             "Part number;Holding torque (Ncm);Rated current (A);Step angle (deg);Price (EUR)\nA1;44;1.7;1.8;12.5\n");
+  const auto with = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words{
+        "catalogue", "import", "list.csv", "--family", "steppers", "--constant", "manufacturer=X", "--yes"};
+    words.insert(words.end(), more.begin(), more.end());
+    return shop.run(words);
+  };
+  const Outcome idle = with({"--output", "a.csv", "--unit", "mass=kg"});
+  CHECK(idle.exit_code == 0);
+  CHECK(idle.says("command line:1:8: warning: no column of the table is read as mass"));
+  CHECK(idle.prints("1 row of stepper motors"));
+  CHECK(idle.prints("a.csv: 1 row written."));
+  CHECK(with({"--output", "b.csv", "--unit", "holding_torque=N.cm"}).err.empty());
+  for (const char* name : {"-", "a.txt", "motors"}) {
+    const Outcome refused = with({"--output", name});
+    CHECK(refused.exit_code == 2);
+    CHECK(refused.says("a catalogue file ends in .csv"));
+    CHECK_FALSE(std::filesystem::exists(shop.path(name)));
+  }
+}
+
+TEST_CASE("A catalogue that holds nothing, or has no name, is told of by lint too") {
+  const Workshop shop;
+  std::filesystem::create_directories(shop.path("empty/steppers"));
+  const Outcome lint = shop.run({"catalogue", "lint", "empty"});
+  CHECK(lint.exit_code == 2);
+  CHECK(lint.prints("error: the catalogue 'empty' is empty: it holds no CSV file"));
+  shop.write("mine/stock.csv", "part_number,owned\n17HS4401S,2\n");
+  CHECK(shop.run({"catalogue", "lint", "mine"}).exit_code == 0);
+  const Outcome nameless = shop.run({"catalogue", "list", "--catalogue", ""});
+  CHECK(nameless.exit_code == 2);
+  CHECK(nameless.says("--catalogue: the name is empty"));
+}
+
+TEST_CASE("A part is shown by the name that lists and differences give it") {
+  const Workshop shop;
+  const std::string head =
+      "manufacturer,part_number,step_angle [deg],holding_torque [N.m],rated_current [A],price,currency\n";
+  shop.write("mine/steppers/m.csv", head + "Acme & Sons,M 1,1.8,1.26,2,10,USD\nOther,M 1,1.8,1.26,2,11,USD\n");
+  const Outcome shown = shop.run({"catalogue", "show", "Acme & Sons M 1", "--catalogue", "mine"});
+  CHECK(shown.exit_code == 0);
+  CHECK(shown.prints("mine/steppers/m.csv:2"));
+  CHECK_FALSE(shown.prints("m.csv:3"));
+  CHECK(shop.run({"catalogue", "show", "M 1", "--manufacturer", "Other", "--catalogue", "mine"}).exit_code == 0);
+  CHECK(shop.run({"catalogue", "show", "Acme & Sons M 2", "--catalogue", "mine"})
+            .says("did you mean 'Acme & Sons M 1'?"));
+}
+
+TEST_CASE("A catalogue file may end in capitals") {
+  const Workshop shop;
+  const std::string parts =
+      "manufacturer,part_number,step_angle [deg],holding_torque [N.m],rated_current [A],price,currency\n"
+      "Acme,M1,1.8,1.26,2,10,USD\n";
+  shop.write("mine/steppers/OLD.CSV", parts);
+  const Outcome list = shop.run({"catalogue", "show", "M1", "--catalogue", "mine"});
+  CHECK(list.exit_code == 0);
+  CHECK(list.prints("OLD.CSV"));
+}
+
 }  // namespace millwright::app

@@ -5,6 +5,17 @@
 #include "app/lifter.h"
 
 namespace millwright::app {
+namespace {
+
+/// The cheapest lifter, with the parts of the folder `mine`, whose preferred ones may cost so much more.
+Outcome cheapest(const Workshop& shop, const std::string& premium, const std::vector<std::string>& more) {
+  std::vector<std::string> words{"solve", lifter, "--catalogue", "mine", "--set", "objective.minimise=cost"};
+  words.insert(words.end(), {"--set", "objective.preference=" + premium});
+  words.insert(words.end(), more.begin(), more.end());
+  return shop.run(words);
+}
+
+}  // namespace
 
 TEST_CASE("What is in stock is free, and the order says that it is there") {
   const Workshop shop;
@@ -77,15 +88,11 @@ TEST_CASE(
   const double needed = dearer / (price - dearer);  // price / (1 + needed) = price - dearer
   REQUIRE(needed < 0.99);
   shop.write("mine/stock.csv", fmt::format("part_number,available\n{},preferred\n", name));
-  const auto with = [&](double premium, const std::vector<std::string>& more) {
-    std::vector<std::string> words{"--catalogue",
-                                   "mine",
-                                   "--set",
-                                   "objective.minimise=cost",
-                                   "--set",
-                                   fmt::format("objective.preference={:.6f}", premium)};
-    words.insert(words.end(), more.begin(), more.end());
-    return solved(shop, words);
+  const auto with = [&](double premium, std::vector<std::string> more) {
+    more.insert(more.end(), {"--json", "-"});
+    const Outcome outcome = cheapest(shop, fmt::format("{:.6f}", premium), more);
+    REQUIRE(outcome.exit_code == 0);
+    return Json::parse(outcome.out);
   };
   const Json taken = with(1.01 * needed, {});
   CHECK(driver(taken).at("part_number") == name);
@@ -101,16 +108,7 @@ TEST_CASE(
   // A budget is about real prices.
   const Json limited = with(1.01 * needed, {"--limit", fmt::format("cost={:.4f}", cost(plain) + 0.5 * dearer)});
   CHECK(driver(limited).at("part_number") == chosen);
-  const Outcome text = shop.run({"solve",
-                                 lifter,
-                                 "--catalogue",
-                                 "mine",
-                                 "--set",
-                                 "objective.minimise=cost",
-                                 "--set",
-                                 fmt::format("objective.preference={:.6f}", 1.01 * needed),
-                                 "--report",
-                                 "r.html"});
+  const Outcome text = cheapest(shop, fmt::format("{:.6f}", 1.01 * needed), {"--report", "r.html"});
   CHECK(text.prints("preferred parts up to"));
   CHECK(text.prints("  Preferred: "));
   CHECK(text.prints("With its preferred parts it costs at most"));
@@ -155,20 +153,7 @@ TEST_CASE("Fronts, next best builds and ranges say how builds with preferred par
       shop.run({"solve", lifter, "--catalogue", "mine", "--set", "objective.minimise=cost", "--alternatives", "2"});
   CHECK(wrapped_has(next.out, "these are the 2 cheapest builds, each set of parts counted once. " + compared));
   // Of a range the table for programs names what bound and proof are of.
-  const Outcome range = shop.run({"solve",
-                                  lifter,
-                                  "--catalogue",
-                                  "mine",
-                                  "--set",
-                                  "objective.minimise=cost",
-                                  "--set",
-                                  "objective.preference=0.05:0.25:2",
-                                  "--csv",
-                                  "r.csv",
-                                  "--report",
-                                  "r.html",
-                                  "--json",
-                                  "r.json"});
+  const Outcome range = cheapest(shop, "0.05:0.25:2", {"--csv", "r.csv", "--report", "r.html", "--json", "r.json"});
   INFO(range.err);
   REQUIRE(range.exit_code == 0);
   CHECK(wrapped_has(range.out,

@@ -2,6 +2,8 @@
 // Bad catalogue files of every kind: what is said, where, and what is advised.
 #include "catalogue/read_table.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <random>
 
@@ -317,6 +319,79 @@ TEST_CASE("columns that no file has cost memory once, and one of them that is se
   REQUIRE(table.numbers(mass).size() == 2);
   CHECK(std::isnan(table.number(mass, 1)));
   REQUIRE(table.numbers(inertia).size() == 2);
+}
+
+TEST_CASE("rows beyond the first thousands are read, judged and placed like the first") {
+  // 10,000 rows, of which each thousandth is wrong: in turn no number, a negative one, no part number, a bad
+  // confidence. The maker is the same up to row 6000.
+  std::string contents = header;
+  const std::string wrong[] = {"Acme,W,1.8,1O0,2,10,USD,x,high",
+                               "Acme,W,1.8,100,-2,10,USD,x,high",
+                               "Acme,,1.8,100,2,10,USD,x,high",
+                               "Acme,W,1.8,100,2,10,USD,x,sure"};
+  const int columns[] = {12, 16, 6, 27};
+  for (int row = 0; row < 10000; ++row)
+    contents += row % 1000 == 999 ? wrong[row / 1000 % 4] + "\n"
+                                  : (row < 6000 ? "Acme" : "Other") + (",M" + std::to_string(row)) + ",1.8," +
+                                        std::to_string(row + 1) + ",2,10,USD,\"a \"\"b\"\"\"," +
+                                        (row == 7000 ? "Low" : "high") + "\n";
+  const Outcome outcome = read(Family::steppers, contents);
+  REQUIRE(outcome.diagnostics.size() == 10);
+  for (int i = 0; i < 10; ++i) {
+    CHECK(outcome.diagnostics[static_cast<std::size_t>(i)].where.line == 1000 * (i + 1) + 1);
+    CHECK(outcome.diagnostics[static_cast<std::size_t>(i)].where.column == columns[i % 4]);
+  }
+  const Table& table = outcome.table;
+  REQUIRE(table.rows() == 9990);
+  for (const int row : {0, 4094, 4095, 4096, 5998, 6000, 6993, 8200, 9998}) {
+    const int kept = row - row / 1000;
+    CHECK(table.part_number(kept) == "M" + std::to_string(row));
+    CHECK(table.manufacturer(kept) == (row < 6000 ? "Acme" : "Other"));
+    CHECK(table.text("currency", kept) == "USD");
+    CHECK(table.text("source", kept) == "a \"b\"");
+    CHECK(table.text("confidence", kept) == "high");
+    CHECK(table.number("holding_torque", kept) == Approx(0.01 * (row + 1)));
+    CHECK(table.where(kept).line == row + 2);
+  }
+  CHECK(table.text("confidence", 7000 - 7) == "low");
+}
+
+TEST_CASE("a text that is the same in all rows stays that of its rows whatever becomes of the table") {
+  const auto table_of = [](const std::string& maker, int from, int rows) {
+    std::string contents = header;
+    for (int row = from; row < from + rows; ++row)
+      contents += maker + ",M" + std::to_string(row) + ",1.8,100,2,10,USD,from " + maker + ",high\n";
+    return read(Family::steppers, contents).table;
+  };
+  const auto makers = [](const Table& table) {
+    std::string all;
+    for (int row = 0; row < table.rows(); ++row)
+      all += fmt::format("{}{}|", table.part_number(row), table.text("source", row));
+    return all;
+  };
+  Table table = table_of("A", 0, 3);
+  table.keep_only({true, false, true});
+  CHECK(makers(table) == "M0from A|M2from A|");
+  table.append(table_of("B", 5, 2));
+  CHECK(makers(table) == "M0from A|M2from A|M5from B|M6from B|");
+  table.append(Table(Family::steppers));
+  Table upper = table_of("A", 2, 1);
+  upper.append(table_of("C", 7, 1));
+  table.overlay(std::move(upper));
+  CHECK(makers(table) == "M0from A|M5from B|M6from B|M2from A|M7from C|");
+  table.keep_only({false, false, false, true, false});
+  CHECK(makers(table) == "M2from A|");
+  Table one = table_of("D", 1, 2);
+  one.append(Table(Family::steppers));
+  CHECK(makers(one) == "M1from D|M2from D|");
+  one.keep_only({false, false});
+  one.append(table_of("E", 3, 2));
+  CHECK(makers(one) == "M3from E|M4from E|");
+  one.append_offers({{0, 8.0, std::nan(""), std::nan(""), "Shop", "EUR", "shop", "", false, {}}});
+  CHECK(makers(one) == "M3from E|M4from E|M3from E|");
+  CHECK(one.text("currency", 0) == "USD");
+  CHECK(one.text("currency", 2) == "EUR");
+  CHECK(one.text("supplier", 1).empty());
 }
 
 TEST_CASE("a table asked for a column it does not have says so") {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "text/csv.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdlib>
@@ -8,6 +9,7 @@
 
 #include "catch.h"
 #include "sanitized.h"
+#include "text/csv_reader.h"
 #include "text/table_size.h"
 
 using namespace millwright::text;
@@ -46,7 +48,16 @@ std::vector<std::string> errors(const std::string& contents) {
   return result;
 }
 
+/// What was said and where, one below the other, in alphabetical order.
+std::vector<std::string> said(const Diagnostics& diagnostics) {
+  std::vector<std::string> all;
+  for (const Diagnostic& each : diagnostics.all()) all.push_back(format(each));
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
 using Words = std::vector<std::string>;
+using Sizes = std::vector<std::size_t>;
 
 }  // namespace
 
@@ -276,6 +287,69 @@ TEST_CASE("a table of nothing but separators costs no more memory than its cells
   REQUIRE(diagnostics.count() == 1);
   CHECK(diagnostics.all()[0].where.line == static_cast<int>(most) + 2);
   CHECK(diagnostics.all()[0].message.find("134217728 cells") != std::string::npos);
+  // Read some rows at a time it is allowed as many.
+  Diagnostics again;
+  CsvReader reader(SourceText::from_string("c.csv", contents), again, CsvReader::few);
+  CHECK(reader.most_rows() <= most + 2);
+  std::size_t rows = 0;
+  do {
+    rows += reader.table().row_count();
+  } while (reader.next());
+  CHECK(rows == most);
+  REQUIRE(again.count() == 1);
+  CHECK(again.all()[0].where.line == static_cast<int>(most) + 2);
+}
+
+TEST_CASE("read some rows at a time a table is the same, and so is what is said of it") {
+  const std::string contents =
+      "# top\n \"a\"\"b\" ;n [mm];n2\n"
+      "x;1,5;1\n# between\n  y "
+      ";2,5;2\n\n\"q\"\"r\";x;3\nshort;1\n;;\nlong;1;2;3\n\"two\nlines\";4.5;6\n\"bad\"x;1;1\nz;7,5;7.5;;\n\n";
+  Diagnostics told;
+  const CsvTable whole = read(contents, told);
+  (void)whole.number_columns(Sizes{1, 2}, told);
+  REQUIRE(whole.row_count() == 5);
+  REQUIRE(told.count() == 5);  // not a number, too short, too long, text after a quote, decimal point after comma
+  for (std::size_t few = 1; few <= 6; ++few) {
+    Diagnostics again;
+    CsvReader reader(SourceText::from_string("c.csv", contents), again, few);
+    CHECK(reader.most_rows() >= 5);
+    CHECK(reader.most_rows() < 20);
+    std::vector<NumberColumn> numbers{{1, {}, {}, {}}, {2, {}, {}, {}}};
+    std::size_t seen = 0;
+    do {
+      const CsvTable& some = reader.table();
+      CHECK(some.row_count() <= few);
+      some.read_numbers(numbers, again);
+      for (std::size_t i = 0; i < some.row_count(); ++i, ++seen) {
+        REQUIRE(seen < whole.row_count());
+        CHECK(row(some, i) == row(whole, seen));
+        CHECK(some.record_offset(i) == whole.record_offset(seen));
+        for (std::size_t column = 0; column < 3; ++column)
+          CHECK(some.cell_span(i, column).line == whole.cell_span(seen, column).line);
+      }
+    } while (reader.next());
+    CHECK(seen == whole.row_count());
+    CHECK_FALSE(reader.next());
+    CHECK(numbers[0].values.size() == 5);
+    CHECK(numbers[0].values[3] == 4.5);
+    CHECK(numbers[1].values == std::vector<double>{1, 2, 3, 6, 7.5});
+    CHECK(said(again) == said(told));
+    for (const Diagnostic& each : again.all()) {
+      if (!each.related) continue;
+      const bool marks = each.message.find("decimal") != std::string::npos;
+      CHECK(each.related->line == (marks ? 3 : 13));
+      CHECK(each.related->column == (marks ? 3 : 1));
+    }
+  }
+}
+
+TEST_CASE("blank lines make no room for rows") {
+  Diagnostics told;
+  const CsvReader reader(
+      SourceText::from_string("c.csv", "a;b;c;d\n" + std::string(100000, '\n')), told, CsvReader::few);
+  CHECK(reader.table().row_count() == 0);
+  CHECK(reader.most_rows() == 25001);
 }
 
 TEST_CASE("a million wrong cells are counted, not printed") {
