@@ -27,6 +27,8 @@ void JsonReader::advance() {
   if (byte == '\n') {
     ++now_.line;
     now_.column = 1;
+  } else if (byte == '\r' && (at_end() || next == '\n')) {
+    // The end of a line is one place.
   } else if ((next & 0xC0U) != 0x80U) {  // the column moves with the last byte of a character
     ++now_.column;
   }

@@ -238,6 +238,10 @@ TEST_CASE("JSON errors stand at their place, with a hint") {
   CHECK(first(read_json, "{} x") == "1:4 JSON: text after the end of the value | a file holds one object");
   CHECK(first(read_json, "[1]") == "1:1 JSON: an object in braces is expected outermost");
   CHECK(first(read_json, "") == "1:1 JSON: the text ends where a value is expected");
+  // A carriage return that ends a line or the text has no column of its own; one within a line has.
+  CHECK(first(read_json, "{\"\":\r") == "1:5 JSON: the text ends where a value is expected");
+  CHECK(first(read_json, "[\r\n,]") == "2:1 JSON: a value is expected | one comma too many");
+  CHECK(first(read_json, "[\r,]") == "1:3 JSON: a value is expected | one comma too many");
   CHECK(first(read_json, "{\"a\": " + std::string(1000000, '[')) == "1:262 JSON: nested more than 256 levels deep");
   Diagnostics deep;
   CHECK(read_json(SourceText::from_string("d", "{\"a\":" + std::string(255, '[') + std::string(255, ']') + "}"), deep));
