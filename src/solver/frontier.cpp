@@ -50,7 +50,7 @@ bool Frontier::run(bool shared_allowances) {
   // Where what is cheap first leaves too little of a shared allowance to what comes later, nothing is found that way.
   const bool nothing_yet = criteria_.objectives == 1 && incumbents_.builds().empty();
   if ((shared_allowances || nothing_yet) && !find_better_first(shared_allowances)) return false;
-  if (!look_for_any({few_nodes, many_nodes})) return false;
+  if (!look_for_any()) return false;
   if (!used_prices_) {
     undecided_ = false;  // what a quick pass left undecided the whole one decides again
     if (pass({.patience = control_.options().stage_patience})) return !undecided_;

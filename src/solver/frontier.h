@@ -60,10 +60,13 @@ class Frontier {
   /// True when the incumbents are the front. False: time limit, or something undecided (then `undecided()`).
   /// `shared_allowances`: prices for them have been of use elsewhere in the problem.
   bool run(bool shared_allowances);
-  enum class Looked { out_of_time, easy, through };
-  /// For any build, where there is none and to prove things takes long (else it is easy: `run` does it); so many nodes
-  /// are looked at for the designs of a chunk.
-  Looked look(std::size_t nodes);
+  enum class Difficulty { out_of_time, easy, hard };
+  /// Whether to prove things takes so long that it is worth looking for any build first (else it is easy: `run` does
+  /// it). To be called before `look`.
+  Difficulty find_difficulty();
+  /// For any build, by a beam search: using up all that later stages can bear counts as `share` of the least first
+  /// score, and so many nodes are looked at for the designs of a chunk. False when time is up.
+  bool look(double share, std::size_t nodes) { return pass({.haste = Haste{.share = share, .nodes = nodes}}); }
   [[nodiscard]] bool undecided() const { return undecided_; }
   /// Whether shared allowances were given prices (rest_plane.h).
   [[nodiscard]] bool used_prices() const { return used_prices_; }
@@ -88,7 +91,7 @@ class Frontier {
   };
   std::vector<double> state_weights(std::size_t stage, double unit) const;
   bool look_for_builds(const Haste& haste);
-  bool look_for_any(std::initializer_list<std::size_t> each_nodes);
+  bool look_for_any();
   void improve();
   /// For the first pass. Long where there are many nearly equal parts; then others that are quicker must find
   /// something.

@@ -18,19 +18,19 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-Frontier::Looked Frontier::look(std::size_t nodes) {
-  if (control_.time_is_up()) return Looked::out_of_time;
+Frontier::Difficulty Frontier::find_difficulty() {
+  if (control_.time_is_up()) return Difficulty::out_of_time;
   find_rest();
-  if (pass({.with_states = false, .patience = quick_patience()})) return Looked::easy;
-  return !control_.time_is_up() && look_for_any({nodes}) ? Looked::through : Looked::out_of_time;
+  if (pass({.with_states = false, .patience = quick_patience()})) return Difficulty::easy;
+  return control_.time_is_up() ? Difficulty::out_of_time : Difficulty::hard;
 }
 
 /// While there is no build: passes that save more and more for later stages. False when time is up.
-bool Frontier::look_for_any(std::initializer_list<std::size_t> each_nodes) {
+bool Frontier::look_for_any() {
   for (const double share : {0.03, 0.1, 0.3, 1.0}) {
     if (!incumbents_.builds().empty() || !control_.options().look_first) return true;
-    for (const std::size_t nodes : each_nodes)
-      if (!pass({.haste = Haste{.share = share, .nodes = nodes}})) return false;
+    for (const std::size_t nodes : {few_nodes, many_nodes})
+      if (!look(share, nodes)) return false;
   }
   return true;
 }

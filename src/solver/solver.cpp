@@ -176,16 +176,24 @@ class Solve {
   void look_around(std::vector<OpenSearch>& open) {
     if (criteria_.objectives > 1 || open.size() < 2 || !incumbents_.builds().empty()) return;
     if (!control_.options().stagewise || !control_.options().look_first) return;
-    for (const std::size_t nodes : {Frontier::few_nodes, Frontier::many_nodes}) {
-      for (OpenSearch& each : open) {
-        if (!incumbents_.builds().empty()) break;
-        Frontier frontier(problem_, criteria_, *each.plans, incumbents_, control_);
-        if (!frontier.applicable()) return;
-        const Frontier::Looked looked = frontier.look(nodes);
-        const bool begins_easily = looked == Frontier::Looked::easy && &each == &open.front();
-        if (begins_easily || looked == Frontier::Looked::out_of_time) return;
+    constexpr double little = 0.03, much = 0.3;
+    std::vector<std::unique_ptr<Frontier>> hard;
+    for (OpenSearch& each : open) {
+      if (!incumbents_.builds().empty()) break;
+      auto frontier = std::make_unique<Frontier>(problem_, criteria_, *each.plans, incumbents_, control_);
+      if (!frontier->applicable()) return;
+      const Frontier::Difficulty difficulty = frontier->find_difficulty();
+      if (difficulty == Frontier::Difficulty::out_of_time) return;
+      if (difficulty == Frontier::Difficulty::hard) {
+        if (!frontier->look(little, Frontier::few_nodes)) return;
+        hard.push_back(std::move(frontier));
+      } else if (&each == &open.front()) {
+        return;
       }
     }
+    for (const double share : {little, much})
+      for (const auto& frontier : hard)
+        if (incumbents_.builds().empty() && !frontier->look(share, Frontier::many_nodes)) return;
     if (incumbents_.builds().empty()) return;
     const std::vector<Row>& shared = incumbents_.builds().front().build.shared;
     std::stable_partition(open.begin(), open.end(), [&](const OpenSearch& each) {
