@@ -13,6 +13,7 @@ namespace millwright::solver {
 namespace {
 
 constexpr std::size_t cover_boxes = 20000;
+constexpr std::size_t proof_boxes = 30;
 constexpr std::size_t ipopt_after = 401;  // boxes after which Ipopt is asked if no feasible point is known
 
 /// Covers the useful designs of a box of priced variables by feasible points.
@@ -22,7 +23,7 @@ class Cover {
 
   LeafAnswer run() {
     const auto& variables = question_.region->variables;
-    start_points(variables);
+    if (!start_points(variables)) return std::move(answer_);
     push(variables, nullptr);
     std::size_t boxes = 0;
     for (; !heap_.empty() && boxes < cover_boxes && !stopped(boxes); ++boxes) {
@@ -42,14 +43,19 @@ class Cover {
     return boxes % asked_every == 0 && question_.stop && question_.stop();
   }
 
-  void start_points(std::span<const Interval> variables) {
+  /// False: nothing is feasible. Where nothing that is tried is, a few boxes often prove so, at a small part of what it
+  /// takes to look for a feasible point.
+  bool start_points(std::span<const Interval> variables) {
     std::vector<double> start = middle_of(variables);
     if (const auto feasible = design_.try_points(variables))
       start = *feasible;
+    else if (proves_infeasible(*question_.plan, question_.label->enclosure, *question_.region, proof_boxes, desk_))
+      return false;
     else if (const auto found = design_.least_violation(variables, start))
       start = *found;
     add(start);
     if (const auto best = design_.small_worth(variables, start, false)) add(*best);
+    return true;
   }
 
   /// Narrows the box and raises its bounds by first-order enclosures; if that helps little it is halved as well.

@@ -51,7 +51,7 @@ struct Ranges {
 };
 
 /// Smaller sets are looked at again sooner than their notes are found.
-constexpr std::size_t worth_notes = 24;
+constexpr std::size_t worth_notes = 12;
 
 float finite(double x) { return static_cast<float>(std::clamp(x == x ? x : 0.0, -1e30, 1e30)); }
 

@@ -14,77 +14,13 @@
 #include "solver/incumbents.h"
 #include "solver/rest_curve.h"
 #include "solver/search_control.h"
+#include "solver/shared_choices.h"
 #include "solver/stage_plan.h"
 
 namespace millwright::solver {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// One combination of shared choices with a cheap lower bound of the scores.
-struct Combination {
-  std::vector<Row> shared;
-  std::vector<double> score;
-};
-
-/// Sum of the stages' least scores with nothing chosen; empty when some stage is certainly infeasible.
-std::vector<double> quick_bound(const Problem& problem,
-                                const Criteria& criteria,
-                                std::span<const Row> shared,
-                                Desk& desk) {
-  if (!all_offered(problem, shared)) return {};
-  std::vector<Interval> state(problem.first_state.begin(), problem.first_state.end());
-  std::vector<double> total(criteria.size(), 0.0);
-  std::vector<Interval> score(criteria.size());
-  for (const Stage* stage : problem.stages) {
-    const auto& answer = desk.bound(*stage, shared, state, whole_region(*stage, shared));
-    if (worst_lower(answer.utilisation) > 1.0) return {};
-    criteria.scores<Interval>(answer.resources, score);
-    for (std::size_t k = 0; k < total.size(); ++k) total[k] = scalar::rounding::sum_down(total[k], score[k].lower);
-    state = answer.handed_on;
-  }
-  return total;
-}
-
-bool next_combination(const Problem& problem, std::vector<Row>& shared) {
-  for (std::size_t i = shared.size(); i-- > 0;) {
-    if (++shared[i] < problem.shared[i].rows) return true;
-    shared[i] = 0;
-  }
-  return false;
-}
-
-/// All combinations that are not infeasible at first sight, cheapest first.
-std::vector<Combination> combinations_of(const Problem& problem, const Criteria& criteria, Desk& desk) {
-  std::vector<Combination> all;
-  for (const Slot& slot : problem.shared) {
-    if (slot.rows == 0) return all;
-  }
-  std::vector<Row> shared(problem.shared.size(), 0);
-  do {
-    std::vector<double> score = quick_bound(problem, criteria, shared, desk);
-    if (!score.empty()) all.push_back({shared, std::move(score)});
-  } while (next_combination(problem, shared));
-  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.score[0] < b.score[0]; });
-  return all;
-}
-
-double search_space(const Problem& problem) {
-  double product = 1.0;
-  for (const Slot& slot : problem.shared) product *= static_cast<double>(slot.rows);
-  for (const Stage* stage : problem.stages) {
-    for (const Slot& slot : stage->slots()) product *= static_cast<double>(slot.rows);
-  }
-  return product;
-}
-
-bool has_empty_slot(const Problem& problem) {
-  const auto empty = [](const Slot& slot) { return slot.rows == 0; };
-  return std::any_of(problem.shared.begin(), problem.shared.end(), empty) ||
-         std::any_of(problem.stages.begin(), problem.stages.end(), [&](const Stage* stage) {
-           return std::any_of(stage->slots().begin(), stage->slots().end(), empty);
-         });
-}
 
 /// One solve: every combination of shared choices, cheapest first, with common incumbents.
 class Solve {
@@ -167,8 +103,9 @@ class Solve {
   struct OpenSearch {
     std::unique_ptr<std::vector<StagePlan>> plans;
     std::unique_ptr<BranchAndBound> search;
-    std::vector<double> score;    ///< lower bounds
-    std::uint64_t questions = 0;  ///< asked to prepare it
+    std::unique_ptr<Frontier> frontier = nullptr;  ///< by which any build is looked for
+    std::vector<double> score = {};                ///< lower bounds
+    std::uint64_t questions = 0;                   ///< asked to prepare it
   };
 
   /// For any build, in each combination: to prove that there is none in the first may take far longer than to find one
@@ -176,29 +113,45 @@ class Solve {
   void look_around(std::vector<OpenSearch>& open) {
     if (criteria_.objectives > 1 || open.size() < 2 || !incumbents_.builds().empty()) return;
     if (!control_.options().stagewise || !control_.options().look_first) return;
+    if (!look_briefly(open)) return;
+    settle_more(open);
     constexpr double little = 0.03, much = 0.3;
-    std::vector<std::unique_ptr<Frontier>> hard;
-    for (OpenSearch& each : open) {
-      if (!incumbents_.builds().empty()) break;
-      auto frontier = std::make_unique<Frontier>(problem_, criteria_, *each.plans, incumbents_, control_);
-      if (!frontier->applicable()) return;
-      const Frontier::Difficulty difficulty = frontier->find_difficulty();
-      if (difficulty == Frontier::Difficulty::out_of_time) return;
-      if (difficulty == Frontier::Difficulty::hard) {
-        if (!frontier->look(little, Frontier::few_nodes)) return;
-        hard.push_back(std::move(frontier));
-      } else if (&each == &open.front()) {
-        return;
-      }
-    }
     for (const double share : {little, much})
-      for (const auto& frontier : hard)
-        if (incumbents_.builds().empty() && !frontier->look(share, Frontier::many_nodes)) return;
+      for (OpenSearch& each : open)
+        if (each.frontier != nullptr && incumbents_.builds().empty() &&
+            !each.frontier->look(share, Frontier::many_nodes))
+          return;
     if (incumbents_.builds().empty()) return;
     const std::vector<Row>& shared = incumbents_.builds().front().build.shared;
     std::stable_partition(open.begin(), open.end(), [&](const OpenSearch& each) {
       const auto of_search = each.plans->front().shared;
       return std::equal(shared.begin(), shared.end(), of_search.begin(), of_search.end());
+    });
+  }
+  /// False: there is no time, or the first combination is easy.
+  bool look_briefly(std::vector<OpenSearch>& open) {
+    constexpr double little = 0.03;
+    for (OpenSearch& each : open) {
+      if (!incumbents_.builds().empty()) break;
+      each.frontier = std::make_unique<Frontier>(problem_, criteria_, *each.plans, incumbents_, control_);
+      if (!each.frontier->applicable()) return false;
+      const Frontier::Difficulty difficulty = each.frontier->find_difficulty();
+      if (difficulty == Frontier::Difficulty::out_of_time) return false;
+      if (difficulty == Frontier::Difficulty::easy) {
+        if (&each == &open.front()) return false;
+        each.frontier = nullptr;
+      } else if (!each.frontier->look(little, Frontier::few_nodes)) {
+        return false;
+      }
+    }
+    return true;
+  }
+  /// Where there is no build yet a longer search label by label is worth its while: all that comes then takes longer.
+  void settle_more(std::vector<OpenSearch>& open) {
+    constexpr std::uint64_t share = 2;
+    std::erase_if(open, [&](OpenSearch& each) {
+      if (each.frontier == nullptr || !incumbents_.builds().empty()) return false;
+      return incumbents_.hopeless(each.score, 0.0) || settle_briefly(each, share);
     });
   }
 
@@ -218,7 +171,7 @@ class Solve {
   /// Empty when the combination is settled.
   std::optional<OpenSearch> start(const Combination& combination) {
     const std::uint64_t before = control_.evaluations();
-    OpenSearch open{std::make_unique<std::vector<StagePlan>>(), nullptr, combination.score};
+    OpenSearch open{std::make_unique<std::vector<StagePlan>>(), nullptr, nullptr, combination.score};
     std::vector<StagePlan>& plans = *open.plans;
     const bool prepared = control_.while_there_is_time(
         [&] { plans = make_plans(problem_, combination.shared, criteria_, control_.desk(0)); });
@@ -258,9 +211,9 @@ class Solve {
     control_.while_there_is_time([&] { find_rest_curves(plans, what_matters(), control_.desk(0)); });
   }
 
-  /// Searches a single objective label by label while that has cost no more than preparing it did: what is not done
-  /// then is better done stage by stage. True when it is settled.
-  bool settle_briefly(OpenSearch& open) {
+  /// Searches a single objective label by label while that costs no more than `share` times what preparing it did: what
+  /// is not done then is better done stage by stage. True when it is settled.
+  bool settle_briefly(OpenSearch& open, std::uint64_t share) {
     if (control_.time_is_up()) return false;
     sharpen(*open.plans);
     open.search = label_by_label(*open.plans, first_leaf_tolerance());
@@ -270,14 +223,14 @@ class Solve {
       const SearchResult result = open.search->run(nodes_at_once);
       if (result.complete) return true;
       open.score[0] = std::max(open.score[0], result.lower_bound);
-      if (control_.time_is_up() || control_.evaluations() - before > open.questions) break;
+      if (control_.time_is_up() || control_.evaluations() - before > share * open.questions) break;
     }
     return false;
   }
 
   void finish(OpenSearch& open) {
     if (criteria_.objectives == 1) {
-      if (settle_briefly(open) || stage_by_stage(*open.plans, open.score[0])) return;
+      if (settle_briefly(open, 1) || stage_by_stage(*open.plans, open.score[0])) return;
       // Regions may have been left out: a search that was begun before counts them by numbers that are no longer
       // theirs.
       open.search = label_by_label(*open.plans, first_leaf_tolerance());

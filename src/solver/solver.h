@@ -29,7 +29,7 @@ struct Options {
   double time_limit_seconds = std::numeric_limits<double>::infinity();
   bool stagewise = true;  ///< one or two objectives stage by stage where that applies, else always label by label
   /// Nodes that a single objective is at most searched label by label before stage by stage.
-  std::uint64_t patience = 12000;
+  std::uint64_t patience = 25000;
   /// Designs of a stage looked at, or combined with what came before, from which on a pass stage by stage is given up
   /// and shared allowances are priced first (rest_plane.h).
   std::uint64_t stage_patience = 30000;
