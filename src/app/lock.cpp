@@ -12,6 +12,7 @@
 #include "app/output_target.h"
 #include "catalogue/difference.h"
 #include "catalogue/figures.h"
+#include "catalogue/file_names.h"
 #include "scalar/unit.h"
 #include "text/sha256.h"
 
@@ -134,7 +135,8 @@ std::vector<report::LockedInput> locked_inputs(const MachineInput& input, const 
   for (const std::filesystem::path& place : input.catalogue.layers())
     for (const std::filesystem::path& file : catalogue::supplier_files(place))
       if (const auto text = text::SourceText::load(file.string(), unused))
-        inputs.push_back(locked(file.stem().string(), file.string(), *text));  // "suppliers", "offers"
+        inputs.push_back(
+            locked(catalogue::is_named(file, "offers.csv") ? "offers" : "suppliers", file.string(), *text));
   for (const auto& bom : boms) inputs.push_back(locked("bill of materials", bom->path(), *bom));
   return inputs;
 }

@@ -12,7 +12,7 @@
 #include <string_view>
 
 #include "app/output_target.h"
-#include "catalogue/files.h"
+#include "catalogue/file_names.h"
 #include "report/order_files.h"
 
 namespace millwright::app {

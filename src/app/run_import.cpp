@@ -9,7 +9,7 @@
 #include "app/commands.h"
 #include "app/output.h"
 #include "app/output_target.h"
-#include "catalogue/files.h"
+#include "catalogue/file_names.h"
 #include "catalogue/import_mapping_file.h"
 #include "catalogue/import_write.h"
 #include "report/import_text.h"
@@ -222,8 +222,6 @@ class Import {
     bool written = true;
     const auto summary = catalogue::write_import(
         sheet, mapping, [&](std::string_view lines) { return written = !file || file->append(lines); }, diagnostics_);
-    if (summary.rows == 0 && !diagnostics_.has_errors())
-      diagnostics_.error(mapping.header, "there are no parts below the header");
     print(diagnostics_);
     if (diagnostics_.has_errors() || !written) {
       if (!options_.quiet) fmt::print(stderr, "Nothing was written: mend the table, or change how it is read.\n");

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <system_error>
 
+#include "catalogue/file_names.h"
 #include "catalogue/stock.h"
 #include "catalogue/suppliers.h"
 #include "text/csv_reader.h"
@@ -91,12 +92,6 @@ void add_family_folder(const fs::path& folder,
 }
 
 }  // namespace
-
-bool is_csv_name(const fs::path& file) {
-  std::string ending = file.extension().string();
-  for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return ending == ".csv";
-}
 
 void report_no_files(const fs::path& place, text::Diagnostics& diagnostics) {
   diagnostics.error(fmt::format("the catalogue {} is empty: it holds no CSV file", text::quoted(place.string(), 200)),

@@ -17,9 +17,6 @@ struct CatalogueFile {
   Family family;
 };
 
-/// Whether a file of that name is read as a table of parts: it ends in .csv, in capitals or not.
-bool is_csv_name(const std::filesystem::path& file);
-
 /// The CSV files of a catalogue, in the order of their names. `place` may be a folder of family folders, one family's
 /// folder, or a single file; a file directly in the folder is known by its name (ball_screws.csv), or else by its
 /// header. A stock file (stock.h) and files of suppliers and offers (suppliers.h) hold no

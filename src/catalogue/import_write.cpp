@@ -182,7 +182,10 @@ ImportSummary write_import(const ImportSheet& sheet,
                            const ImportMapping& mapping,
                            const std::function<bool(std::string_view)>& write,
                            text::Diagnostics& diagnostics) {
-  return ImportWriter(sheet, mapping, write, diagnostics).run();
+  const ImportSummary summary = ImportWriter(sheet, mapping, write, diagnostics).run();
+  if (summary.rows == 0 && !diagnostics.has_errors())
+    diagnostics.error(mapping.header, "there are no parts below the header");
+  return summary;
 }
 
 }  // namespace millwright::catalogue

@@ -14,9 +14,9 @@ struct ImportSummary {
   std::size_t left_out = 0;  ///< no parts: titles between the rows, the header once more
 };
 
-/// Hands the file in our format to `write` (false: it failed and has reported). Reports what cannot be converted and
-/// what lint finds, at the places of the table that was read; after an error the output is not to be used. Figures keep
-/// their digits and their unit, unless a column has several units.
+/// Hands the file in our format to `write` (false: it failed and has reported). Reports what cannot be converted, that
+/// there are no parts, and what lint finds, at the places of the table that was read; after an error the output is not
+/// to be used. Figures keep their digits and their unit, unless a column has several units.
 ImportSummary write_import(const ImportSheet& sheet,
                            const ImportMapping& mapping,
                            const std::function<bool(std::string_view)>& write,

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "catalogue/difference.h"
+#include "catalogue/file_names.h"
 #include "catalogue/stock.h"
 #include "catalogue/suppliers.h"
 #include "text/csv.h"
@@ -84,7 +85,7 @@ Lines lines_of(const std::vector<std::filesystem::path>& places, const FileKind&
     std::vector<std::filesystem::path> files = supplier_files(place);
     if (const auto stock = stock_file(place)) files.push_back(*stock);
     for (const std::filesystem::path& file : files)
-      if (file.filename() == kind.name) read_lines(file, kind, lines, diagnostics);
+      if (is_named(file, kind.name)) read_lines(file, kind, lines, diagnostics);
   }
   return lines;
 }

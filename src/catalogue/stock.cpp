@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "catalogue/catalogue.h"
+#include "catalogue/file_names.h"
 #include "catalogue/known_columns.h"
 
 namespace millwright::catalogue {
@@ -154,14 +155,11 @@ bool is_preferred(const Table& table, int row, const Stock& stock) {
   return table.text(column(table.family(), "availability"), row) == preferred;
 }
 
-bool is_stock_file(const std::filesystem::path& file) { return file.filename() == file_name; }
+bool is_stock_file(const std::filesystem::path& file) { return is_named(file, file_name); }
 
 std::optional<std::filesystem::path> stock_file(const std::filesystem::path& place) {
   if (is_stock_file(place)) return place;
-  std::error_code ignored;
-  const std::filesystem::path inside = place / file_name;
-  if (std::filesystem::is_directory(place, ignored) && std::filesystem::exists(inside, ignored)) return inside;
-  return std::nullopt;
+  return named_in(place, file_name);
 }
 
 void read_stock(const std::filesystem::path& file,

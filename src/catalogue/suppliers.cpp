@@ -8,6 +8,7 @@
 #include <set>
 
 #include "catalogue/catalogue.h"
+#include "catalogue/file_names.h"
 #include "catalogue/known_columns.h"
 #include "catalogue/offers_file.h"
 #include "text/nearest.h"
@@ -60,16 +61,14 @@ const Supplier* Suppliers::find(std::string_view name) const {
 }
 
 bool is_supplier_file(const std::filesystem::path& file) {
-  return file.filename() == suppliers_name || file.filename() == offers_name;
+  return is_named(file, suppliers_name) || is_named(file, offers_name);
 }
 
 std::vector<std::filesystem::path> supplier_files(const std::filesystem::path& place) {
   if (is_supplier_file(place)) return {place};
   std::vector<std::filesystem::path> files;
-  std::error_code ignored;
-  if (!std::filesystem::is_directory(place, ignored)) return files;
   for (const std::string_view name : {suppliers_name, offers_name})
-    if (std::filesystem::exists(place / name, ignored)) files.push_back(place / name);
+    if (auto file = named_in(place, name)) files.push_back(std::move(*file));
   return files;
 }
 
@@ -79,7 +78,7 @@ void read_suppliers(const std::filesystem::path& file,
                     text::Diagnostics& diagnostics) {
   const auto csv = text::read_csv_file(file.string(), diagnostics);
   if (!csv) return;
-  if (file.filename() == offers_name)
+  if (is_named(file, offers_name))
     read_offers(*csv, catalogue, suppliers, diagnostics);
   else
     read_supplier_lines(*csv, suppliers, diagnostics);
@@ -87,7 +86,7 @@ void read_suppliers(const std::filesystem::path& file,
 
 void check_supplier_lines(const text::CsvTable& csv, std::string_view file_name, text::Diagnostics& diagnostics) {
   Suppliers unused;
-  if (file_name == offers_name)
+  if (is_named(file_name, offers_name))
     check_offer_lines(csv, diagnostics);
   else
     read_supplier_lines(csv, unused, diagnostics);

@@ -85,6 +85,7 @@ class Solve {
     }
     std::stable_sort(open.begin(), open.end(), [](const auto& a, const auto& b) { return a.score[0] < b.score[0]; });
     look_around(open);
+    for (OpenSearch& each : open) each.frontier = nullptr;
     for (std::size_t i = 0; i < open.size(); ++i) {
       control_.enter(open[i].score[0], std::min(least(open, i + 1), open_bound_));
       if (!incumbents_.hopeless(open[i].score, 0.0)) finish(open[i]);
@@ -106,6 +107,7 @@ class Solve {
     std::unique_ptr<Frontier> frontier = nullptr;  ///< by which any build is looked for
     std::vector<double> score = {};                ///< lower bounds
     std::uint64_t questions = 0;                   ///< asked to prepare it
+    bool tried = false;                            ///< in vain, to be settled without knowing any build
   };
 
   /// For any build, in each combination: to prove that there is none in the first may take far longer than to find one
@@ -149,10 +151,18 @@ class Solve {
   /// Where there is no build yet a longer search label by label is worth its while: all that comes then takes longer.
   void settle_more(std::vector<OpenSearch>& open) {
     constexpr std::uint64_t share = 2;
-    std::erase_if(open, [&](OpenSearch& each) {
-      if (each.frontier == nullptr || !incumbents_.builds().empty()) return false;
-      return incumbents_.hopeless(each.score, 0.0) || settle_briefly(each, share);
-    });
+    for (std::size_t i = 0; i < open.size() && incumbents_.builds().empty();) {
+      double elsewhere = std::min(open_bound_, least(open, i + 1));
+      for (std::size_t j = 0; j < i; ++j) elsewhere = std::min(elsewhere, open[j].score[0]);
+      control_.enter(open[i].score[0], elsewhere);
+      const bool hard = open[i].frontier != nullptr;
+      if (hard && (incumbents_.hopeless(open[i].score, 0.0) || settle_briefly(open[i], share))) {
+        open.erase(open.begin() + static_cast<std::ptrdiff_t>(i));
+        continue;
+      }
+      open[i].tried = hard;
+      ++i;
+    }
   }
 
   /// A point that stands for designs a little better than itself may be too heavy for a later stage where they are not.
@@ -225,12 +235,15 @@ class Solve {
       open.score[0] = std::max(open.score[0], result.lower_bound);
       if (control_.time_is_up() || control_.evaluations() - before > share * open.questions) break;
     }
+    open.search = nullptr;
     return false;
   }
 
   void finish(OpenSearch& open) {
     if (criteria_.objectives == 1) {
-      if (settle_briefly(open, 1) || stage_by_stage(*open.plans, open.score[0])) return;
+      const bool again = open.tried && incumbents_.builds().empty();
+      if (!again && settle_briefly(open, 1)) return;
+      if (stage_by_stage(*open.plans, open.score[0])) return;
       // Regions may have been left out: a search that was begun before counts them by numbers that are no longer
       // theirs.
       open.search = label_by_label(*open.plans, first_leaf_tolerance());

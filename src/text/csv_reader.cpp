@@ -93,7 +93,9 @@ bool CsvReader::read_head() {
     error(whole(table_.text_), contents.empty() ? "is empty: a header was expected" : "has no header");
     return false;
   }
-  scanner_.emplace(table_.text_, preamble.separator, preamble.header_begin, diagnostics_);
+  // A line of nothing but separators would take many times the memory of the file.
+  constexpr std::size_t cells_in_a_line = std::size_t{1} << 20U;
+  scanner_.emplace(table_.text_, preamble.separator, preamble.header_begin, diagnostics_, cells_in_a_line);
   if (!read_header(preamble.header_begin)) return false;
   rows_begin_ = scanner_->position();
   return true;

@@ -462,6 +462,14 @@ TEST_CASE("Confidences in three languages become ours, and what is none is an er
   CHECK(text::format(diagnostics).find("confidence: 'lwo' is no confidence") != std::string::npos);
 }
 
+TEST_CASE("A header without parts below it is an error at the header") {
+  const Imported alone =
+      import_csv("Price list,,\nBrand,Part No,Step angle (deg),Torque (N.cm),Current (A),Price (EUR)\n");
+  CHECK_FALSE(alone.good);
+  CHECK(alone.summary.rows == 0);
+  CHECK(alone.says("table.csv:2:1: error: there are no parts below the header"));
+}
+
 TEST_CASE("A companion that is no tolerance, or of another unit than its column, is an error at its cell") {
   const std::string head = "Brand,Part No,Step angle (deg),Torque (N.cm),Current (A),Price (EUR),Torque tolerance";
   const Imported words = import_csv(head + "\nACME,1,1.8,126,2.8,20,rough\n");

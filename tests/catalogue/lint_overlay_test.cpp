@@ -49,6 +49,18 @@ TEST_CASE("offers near the catalogue's prices are in order") {
   CHECK(folders.summary.warnings == 0);
 }
 
+TEST_CASE("files of stock, suppliers and offers may have their names in capitals") {
+  const Folders folders;
+  folders.mine.write("OFFERS.CSV", offers_head + "M1,Shop A,1000,USD,,\n");
+  folders.mine.write("Suppliers.csv", "supplier,shipping_fee,minimum_order,currency\nShop A,2,20,USD\n");
+  folders.mine.write("STOCK.CSV", "part_number,owned\nM1,1001\n");
+  const std::string told = folders.lint();
+  CHECK(has(told, "OFFERS.CSV:2:1: warning: M1: price 1000 USD is 100 times too large"));
+  CHECK(has(told, "STOCK.CSV:2:1: warning: M1: 1001 pieces are owned [stock]"));
+  CHECK(folders.summary.files == 3);
+  CHECK(folders.summary.warnings == 2);
+}
+
 TEST_CASE("prices far from the catalogue's own, of nothing and breaks that rise are doubted") {
   const Folders folders;
   folders.mine.write("offers.csv",

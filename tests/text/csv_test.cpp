@@ -263,8 +263,12 @@ TEST_CASE("hostile tables end quickly in one clear error") {
   CHECK(found[0].substr(0, 32) == "1:1 a header of 1000000 columns ");
   CHECK(errors("a,n\n1," + std::string(10000000, '9') + "\n") ==
         Words{"2:3 n: not a number: '" + std::string(40, '9') + "...'"});
-  CHECK(errors("a,b\n" + std::string(10000000, ',') + "x\n") ==
-        Words{"2:3 " + std::string("row of 10000001 cells, but the header has 2")});
+  CHECK(errors("a,b\n" + std::string(1000000, ',') + "x\n") ==
+        Words{"2:3 " + std::string("row of 1000001 cells, but the header has 2")});
+  // More cells in a line are not even kept to be counted.
+  CHECK(errors("a,b\n1,2\n" + std::string(10000000, ',') + "\n3,4,5\n") ==
+        Words{"3:1 more than 1048576 cells in a line: this is no table of parts",
+              "4:5 row of 3 cells, but the header has 2"});
   CHECK(errors("a,b\n" + std::string(3000000, '"')).size() == 1);
 }
 
