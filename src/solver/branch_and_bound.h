@@ -76,6 +76,7 @@ class BranchAndBound {
     LeafAnswer leaf;
     bool is_leaf = false;
   };
+
   void start();
   void push(Node node);
   [[nodiscard]] bool useless(const Node& node) const;

@@ -27,7 +27,7 @@ class Order {
   explicit Order(const StagePlan& plan) {
     for (std::size_t k = 0; k < plan.criteria->size(); ++k) weight_.push_back(1.0 / (std::fabs(plan.least[k]) + 1e-6));
   }
-  /// In ascending order of a mix of scores.
+  /// Of a mix of scores.
   Order(const StagePlan& plan, const Mix& mix) : Order(plan) {
     const double unit = std::fabs(mix.of(plan.least)) + 1e-6;
     weight_[0] = mix.first / unit;

@@ -14,12 +14,12 @@ std::vector<double> quick_bound(const Problem& problem,
   if (!all_offered(problem, shared)) return {};
   std::vector<Interval> state(problem.first_state.begin(), problem.first_state.end());
   std::vector<double> total(criteria.size(), 0.0);
-  std::vector<Interval> score(criteria.size());
+  std::vector<double> score(criteria.size());
   for (const Stage* stage : problem.stages) {
     const auto& answer = desk.bound(*stage, shared, state, whole_region(*stage, shared));
     if (worst_lower(answer.utilisation) > 1.0) return {};
-    criteria.scores<Interval>(answer.resources, score);
-    for (std::size_t k = 0; k < total.size(); ++k) total[k] = scalar::rounding::sum_down(total[k], score[k].lower);
+    criteria.least_scores(answer.resources, score);
+    for (std::size_t k = 0; k < total.size(); ++k) total[k] = scalar::rounding::sum_down(total[k], score[k]);
     state = answer.handed_on;
   }
   return total;

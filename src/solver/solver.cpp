@@ -117,8 +117,7 @@ class Solve {
     if (!control_.options().stagewise || !control_.options().look_first) return;
     if (!look_briefly(open)) return;
     settle_more(open);
-    constexpr double little = 0.03, much = 0.3;
-    for (const double share : {little, much})
+    for (const double share : {little_share, much_share})
       for (OpenSearch& each : open)
         if (each.frontier != nullptr && incumbents_.builds().empty() &&
             !each.frontier->look(share, Frontier::many_nodes))
@@ -130,9 +129,11 @@ class Solve {
       return std::equal(shared.begin(), shared.end(), of_search.begin(), of_search.end());
     });
   }
+  /// What a state that uses up all that later stages can bear costs in these looks (Frontier::look).
+  static constexpr double little_share = 0.03, much_share = 0.3;
+
   /// False: there is no time, or the first combination is easy.
   bool look_briefly(std::vector<OpenSearch>& open) {
-    constexpr double little = 0.03;
     for (OpenSearch& each : open) {
       if (!incumbents_.builds().empty()) break;
       each.frontier = std::make_unique<Frontier>(problem_, criteria_, *each.plans, incumbents_, control_);
@@ -142,7 +143,7 @@ class Solve {
       if (difficulty == Frontier::Difficulty::easy) {
         if (&each == &open.front()) return false;
         each.frontier = nullptr;
-      } else if (!each.frontier->look(little, Frontier::few_nodes)) {
+      } else if (!each.frontier->look(little_share, Frontier::few_nodes)) {
         return false;
       }
     }
