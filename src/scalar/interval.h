@@ -161,12 +161,26 @@ inline bool possibly_below(const Interval& a, const Interval& b) { return a.lowe
 
 inline Interval operator+(const Interval& a) { return a; }
 inline Interval operator-(const Interval& a) { return Interval::of(-a.upper, -a.lower); }
-inline Interval operator+(const Interval& a, const Interval& b) {
+// A search spends most of its time in these four operators. Left to itself the compiler calls them; inlined, a search
+// is a twentieth faster and the program a hundredth larger.
+
+/// Where a sum is near the ends of the range of double, or 0.
+[[gnu::noinline]] inline Interval sum_of_any_size(const Interval& a, const Interval& b) {
   return Interval::of(rounding::sum_down(a.lower, b.lower), rounding::sum_up(a.upper, b.upper));
 }
-inline Interval operator-(const Interval& a, const Interval& b) {
-  return Interval::of(rounding::sum_down(a.lower, -b.upper), rounding::sum_up(a.upper, -b.lower));
+[[gnu::always_inline]] inline Interval operator+(const Interval& a, const Interval& b) {
+  const double lower = a.lower + b.lower;
+  const double upper = a.upper + b.upper;
+  const double low_size = std::fabs(lower);
+  const double high_size = std::fabs(upper);
+  if (rounding::has_known_error(low_size) && rounding::has_known_error(high_size)) [[likely]] {
+    return Interval::of(
+        lower - low_size * rounding::beyond_if_negative(rounding::sum_error(a.lower, b.lower, lower)),
+        upper + high_size * rounding::beyond_if_negative(0.0 - rounding::sum_error(a.upper, b.upper, upper)));
+  }
+  return sum_of_any_size(a, b);
 }
+[[gnu::always_inline]] inline Interval operator-(const Interval& a, const Interval& b) { return a + -b; }
 
 /// Where a factor may be negative, or the product is near the ends of the range of double.
 [[gnu::noinline]] inline Interval product_of_any_sign(const Interval& a, const Interval& b) {
@@ -187,7 +201,7 @@ inline Interval operator-(const Interval& a, const Interval& b) {
   return {smaller(product_down(a.lower, b.upper), product_down(a.upper, b.lower)),
           larger(product_up(a.lower, b.lower), product_up(a.upper, b.upper))};
 }
-inline Interval operator*(const Interval& a, const Interval& b) {
+[[gnu::always_inline]] inline Interval operator*(const Interval& a, const Interval& b) {
   if (a.lower > 0.0 && b.lower > 0.0) [[likely]] {
     const double lower = a.lower * b.lower;
     const double upper = a.upper * b.upper;
@@ -239,7 +253,7 @@ inline Interval operator*(double a, const Interval& b) { return b * a; }
   }
   return Interval::entire();
 }
-inline Interval operator/(const Interval& a, const Interval& b) {
+[[gnu::always_inline]] inline Interval operator/(const Interval& a, const Interval& b) {
   if (a.lower > 0.0 && b.lower > 0.0) [[likely]] {
     const double lower = a.lower / b.upper;
     const double upper = a.upper / b.lower;

@@ -21,7 +21,7 @@ constexpr std::size_t most_combinations = std::size_t{1} << 22;  // kept at a ti
 double with_slack(double bound) { return std::isfinite(bound) ? bound + 1e-11 * std::fabs(bound) : bound; }
 
 /// The largest value that does not count as equal.
-double less_than(double score) { return score - 1e-12 * std::fabs(score); }
+double less_than(double score) { return std::isfinite(score) ? score - 1e-12 * std::fabs(score) : score; }
 
 }  // namespace
 
@@ -90,10 +90,11 @@ std::vector<Pair> Frontier::corners() const {
   } else {
     double second = infinity;
     for (const RankedBuild& build : builds) {
-      corners.push_back({with_slack(build.score[0]), with_slack(second)});
+      corners.push_back({less_than(build.score[0]), less_than(second)});
+      corners.push_back({with_slack(build.score[0]), with_slack(build.score[1])});
       second = build.score[1];
     }
-    corners.push_back({infinity, with_slack(second)});
+    corners.push_back({infinity, less_than(second)});
   }
   std::erase_if(corners, [&](const Pair& corner) { return corner.first < section_.from; });
   // And nothing matters beyond the limits.

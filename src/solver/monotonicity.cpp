@@ -149,13 +149,10 @@ void halve(const MonotonicityQuestion& question, const Part& part, std::size_t i
   const std::size_t slots = part.region.rows.size();
   const std::size_t variables = part.region.variables.size();
   if (index < slots) {
-    const std::vector<Row>& rows = part.region.rows[index]->all();
-    const auto cut = rows.begin() + static_cast<std::ptrdiff_t>(rows.size() / 2);
-    const auto set = [&](auto from, auto to) {
-      return make_rows(*question.stage, question.shared, index, std::vector<Row>(from, to));
-    };
-    left.region.rows[index] = set(rows.begin(), cut);
-    right.region.rows[index] = set(cut, rows.end());
+    const RowHalves::Halves& halves =
+        question.halves->of(*question.stage, question.shared, index, part.region.rows[index]);
+    left.region.rows[index] = halves.left;
+    right.region.rows[index] = halves.right;
   } else if (index < slots + variables) {
     const std::size_t v = index - slots;
     halve(part.region.variables[v], left.region.variables[v], right.region.variables[v]);
@@ -228,6 +225,21 @@ bool Claim::prove(Desk& desk) {
 }
 
 }  // namespace
+
+const RowHalves::Halves& RowHalves::of(const Stage& stage,
+                                       std::span<const Row> shared,
+                                       std::size_t slot,
+                                       const RowSet& whole) {
+  Halves& known = known_[{slot, whole.get()}];
+  if (known.whole == nullptr) {
+    const std::vector<Row>& rows = whole->all();
+    const auto cut = rows.begin() + static_cast<std::ptrdiff_t>(rows.size() / 2);
+    known.whole = whole;
+    known.left = make_rows(stage, shared, slot, std::vector<Row>(rows.begin(), cut));
+    known.right = make_rows(stage, shared, slot, std::vector<Row>(cut, rows.end()));
+  }
+  return known;
+}
 
 Direction prove_direction(const MonotonicityQuestion& question, std::size_t component, Desk& desk) {
   for (const Direction direction : {Direction::irrelevant, Direction::smaller_is_better, Direction::larger_is_better}) {

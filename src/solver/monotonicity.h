@@ -14,7 +14,10 @@
 // What cannot be proved within the node limit is compared by equality only: slower, never wrong.
 #pragma once
 
+#include <map>
+#include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "solver/box.h"
@@ -23,6 +26,20 @@
 namespace millwright::solver {
 
 enum class Direction { irrelevant, smaller_is_better, larger_is_better, equal_only };
+
+/// Row sets cut in two, with what the stage reads of the halves: proofs about one stage cut the same sets again and
+/// again, and reading a large one takes far longer than asking about it.
+class RowHalves {
+ public:
+  struct Halves {
+    RowSet whole, left, right;
+  };
+  /// Of a set of at least two rows.
+  const Halves& of(const Stage& stage, std::span<const Row> shared, std::size_t slot, const RowSet& whole);
+
+ private:
+  std::map<std::pair<std::size_t, const Rows*>, Halves> known_;
+};
 
 /// What is asked of one stage.
 struct MonotonicityQuestion {
@@ -33,6 +50,7 @@ struct MonotonicityQuestion {
   std::span<const Interval> inherited;  ///< every state that can arrive
   std::span<const Direction> next;      ///< directions of the components handed on
   std::size_t node_limit = 3000;
+  std::shared_ptr<RowHalves> halves = std::make_shared<RowHalves>();  ///< one for all questions about the stage
 };
 
 /// The direction of component `component` of the inherited state.
