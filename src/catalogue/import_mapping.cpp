@@ -9,6 +9,7 @@
 
 #include "catalogue/column_unit.h"
 #include "catalogue/import_companions.h"
+#include "catalogue/import_figures.h"
 #include "catalogue/import_head.h"
 #include "catalogue/import_names.h"
 #include "catalogue/import_unit.h"
@@ -31,38 +32,8 @@ struct Candidate {
   std::string currency;
   UnitOrigin origin = UnitOrigin::none;
   std::vector<std::string> reasons;
+  double score_of_name = 0.0;  ///< and unit: the score before its figures were doubted
 };
-
-/// What the figures of a column look like.
-struct Figures {
-  std::size_t numbers = 0;
-  std::size_t with_unit = 0;  ///< of their own, that fits
-  std::size_t plausible = 0;
-  std::size_t judged = 0;
-};
-
-Figures look_at(const std::vector<TableHead::Sample>& samples, Column target, const scalar::Unit& bare) {
-  Figures figures;
-  const ColumnDeclaration& declared = declaration(target);
-  for (const TableHead::Sample& sample : samples) {
-    const CellParts parts = cut_cell(sample.cell);
-    if (parts.number.empty()) continue;
-    const std::string words = std::string(parts.before) + std::string(parts.after);
-    std::string reason;
-    const auto own = words.empty() ? std::nullopt : shop_unit(words, target, reason);
-    if (!words.empty() && !own) continue;
-    ++figures.numbers;
-    if (own) ++figures.with_unit;
-    const DecimalMark mark =
-        mark_evidence(parts.number) == MarkEvidence::comma ? DecimalMark::comma : DecimalMark::point;
-    const auto value = text::parse_number(plain_number(parts.number, mark));
-    if (!value) continue;
-    ++figures.judged;
-    const double shown = display_unit(target).from_si((own ? own->meaning : bare).to_si(*value));
-    if (shown >= declared.lower * 0.999 && shown <= declared.upper * 1.001) ++figures.plausible;
-  }
-  return figures;
-}
 
 class Proposal {
  public:
@@ -92,7 +63,10 @@ class Proposal {
     if (!choices_.complete) take_best(candidates());
     take_companions(choices_, head_.units, mapping_, diagnostics_);
     name_kept();
-    if (!choices_.complete) remark_on_quantities();
+    if (!choices_.complete) {
+      remark_on_quantities();
+      remark_on_doubted();
+    }
     return std::move(mapping_);
   }
 
@@ -219,7 +193,8 @@ class Proposal {
     std::string reason;
     std::optional<scalar::Unit> bare;
     if (candidate.origin != UnitOrigin::none) bare = scalar::Unit::parse(candidate.unit, reason);
-    const Figures figures = look_at(samples, candidate.target, bare && bare->fits(expected, reason) ? *bare : expected);
+    const Figures figures =
+        look_at(samples, candidate.target, bare && bare->fits(expected, reason) ? *bare : expected, choices_.mark);
     if (!samples.empty() && 2 * figures.numbers < samples.size()) {
       candidate.score = 0.0;
       return;
@@ -237,6 +212,7 @@ class Proposal {
     // A unit that somebody gave is not doubted here; lint looks at what comes out.
     if (figures.judged == 0 || candidate.origin == UnitOrigin::given) return;
     const double share = static_cast<double>(figures.plausible) / static_cast<double>(figures.judged);
+    candidate.score_of_name = candidate.score;
     candidate.score *= 0.4 + 0.6 * share;
     if (share < 1.0)
       candidate.reasons.push_back(
@@ -253,7 +229,7 @@ class Proposal {
     if (unit && 2 * static_cast<std::size_t>(figures) > samples.size()) candidate.score *= 0.4;
   }
 
-  std::vector<Candidate> candidates() const {
+  std::vector<Candidate> candidates() {
     std::vector<Candidate> all;
     for (std::size_t source = 0; source < mapping_.columns.size(); ++source) {
       const std::string& header = mapping_.columns[source].header;
@@ -263,7 +239,11 @@ class Proposal {
         const Column target{choices_.family, static_cast<std::uint8_t>(index)};
         if (is_taken(target) || is_constant(target)) continue;
         Candidate candidate = judge(source, target);
-        if (candidate.score >= least_confidence * 0.85) all.push_back(std::move(candidate));
+        constexpr double least_score = least_confidence * 0.85;
+        if (candidate.score >= least_score)
+          all.push_back(std::move(candidate));
+        else if (candidate.score_of_name >= least_score)
+          doubted_.push_back(std::move(candidate));
       }
     }
     std::stable_sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
@@ -318,6 +298,26 @@ class Proposal {
     return price >= least_confidence && price >= other;
   }
 
+  /// Says which columns were not taken for what their headers say, only because of their figures.
+  void remark_on_doubted() {
+    std::stable_sort(doubted_.begin(), doubted_.end(), [](const Candidate& a, const Candidate& b) {
+      return a.score_of_name > b.score_of_name;
+    });
+    for (const Candidate& each : doubted_) {
+      SourceColumn& column = mapping_.columns[each.source];
+      if (column.target || column.companion || is_taken(each.target) || remarked_.contains(each.source)) continue;
+      remarked_.insert(each.source);
+      mapping_.remarks.push_back(fmt::format(
+          "{} looks like {}, but {}: kept as {}, not taken; --unit {}={} or a mapping file takes it all the same",
+          text::quoted(column.header, 80),
+          declaration(each.target).name,
+          each.reasons.back(),
+          column.kept_name,
+          declaration(each.target).name,
+          each.unit.empty() ? declaration(each.target).unit : each.unit));
+    }
+  }
+
   /// Says of each such column why it is no price.
   void remark_on_quantities() {
     for (const SourceColumn& column : mapping_.columns)
@@ -358,6 +358,8 @@ class Proposal {
   const ImportChoices& choices_;
   text::Diagnostics& diagnostics_;
   ImportMapping mapping_;
+  std::vector<Candidate> doubted_;  ///< because of their figures
+  std::set<std::size_t> remarked_;  ///< sources
 };
 
 }  // namespace

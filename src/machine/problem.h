@@ -285,6 +285,7 @@ struct Problem {
   std::vector<Quantity> counted;   ///< beside cost and mass: what an objective asks for
   std::string currency = "USD";
   std::map<std::string, CurrencyRate, std::less<>> currencies;
+  SourceSpan currencies_where;          ///< their table; the beginning of the file if it has none
   std::vector<double> supply_voltages;  ///< V
   std::vector<std::string> catalogues;  ///< overlay folders beside the problem file
   std::vector<Axis> axes;               ///< as in the file

@@ -162,11 +162,14 @@ std::optional<Problem> problem_of(const text::Document& document, Diagnostics& d
   if (const Node* objective = table.table({"objective", "what is best; without this table the cheapest build"});
       objective != nullptr)
     read_objective(*objective, problem, diagnostics);
+  problem.currencies_where = document.root().span();
   if (const Node* currencies = table.table(
           {"currency",
            "rates of exchange: what one unit of each currency is worth in the one of the report, whose own rate is 1"});
-      currencies != nullptr)
+      currencies != nullptr) {
+    problem.currencies_where = currencies->span();
     read_currencies(*currencies, problem, diagnostics);
+  }
   if (q.required("supply", "a table [supply] with voltage = [\"24 V\", \"36 V\"]") != nullptr)
     if (const Node* supply = table.table({"supply", "the power supply of the machine"}); supply != nullptr)
       read_supply(*supply, problem, diagnostics);

@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "text/nearest.h"
@@ -32,6 +35,30 @@ void check_screws(const Axis& axis,
             "axis '{}', {}: {}: no screw {} in the catalogues", axis.name, member.name, key, text::quoted(word)),
         text::did_you_mean(word, known, "'millwright catalogue list screws' shows what there is"));
   }
+}
+
+/// Says once of each currency without a rate how many parts it takes from the choice: nobody would miss them in an
+/// answer that is proved for the others.
+void note_unpriced(const Problem& problem, const catalogue::Catalogue& catalogue, text::Diagnostics& diagnostics) {
+  std::map<std::string_view, std::pair<int, std::string>> by_currency;  // rows, and the first of them
+  for (std::size_t family = 0; family < catalogue::family_count; ++family) {
+    const catalogue::Table& table = catalogue.table(static_cast<catalogue::Family>(family));
+    for (int row = 0; row < table.rows(); ++row) {
+      const std::string_view currency = table.price(row).currency;
+      if (currency.empty() || currency == problem.currency || problem.currencies.contains(currency)) continue;
+      auto& [rows, first] = by_currency[currency];
+      if (rows++ == 0) first = fmt::format("{} {}", table.manufacturer(row), table.part_number(row));
+    }
+  }
+  for (const auto& [currency, parts] : by_currency)
+    diagnostics.warning(problem.currencies_where,
+                        fmt::format("the problem gives no rate for {}: {} priced in it {} not for sale ({}{})",
+                                    text::quoted(currency),
+                                    parts.first == 1 ? "the part" : fmt::format("{} parts", parts.first),
+                                    parts.first == 1 ? "is" : "are",
+                                    text::printable(parts.second, 60),
+                                    parts.first == 1 ? "" : ", ..."),
+                        fmt::format("add it to [currency]: {} = 1.1", text::printable(currency, 20)));
 }
 
 }  // namespace
@@ -64,6 +91,7 @@ bool check_references(const Problem& problem, const catalogue::Catalogue& catalo
             "the problem gives no rate for {}, in which {} charges", supplier.currency, text::quoted(supplier.name)),
         fmt::format("add it to [currency]: {} = 1.1", supplier.currency));
   }
+  note_unpriced(problem, catalogue, diagnostics);
   return diagnostics.error_count() == errors;
 }
 

@@ -16,7 +16,7 @@ TEST_CASE("What solve writes, check reads, and it is the same machine") {
   shop.write("m.toml", one_slide);
   const Outcome solved = shop.run({"solve", "m.toml", "--bom", "b.csv", "--json", "-"});
   REQUIRE(solved.exit_code == 0);
-  CHECK(solved.err.empty());
+  CHECK_FALSE(solved.complains());
   const Json build = Json::parse(solved.out);
   CHECK(build.at("schema") == "millwright.result/1");
   CHECK(build.at("command") == "solve");

@@ -25,6 +25,11 @@ struct Outcome {
   std::string err;
   bool says(const std::string& text) const { return err.find(text) != std::string::npos; }
   bool prints(const std::string& text) const { return out.find(text) != std::string::npos; }
+  /// Of anything but shipped parts in euros that a problem without rates leaves out.
+  bool complains() const {
+    const bool of_rates = says("the problem gives no rate for 'EUR'") && err.ends_with("\n1 warning\n");
+    return !err.empty() && !of_rates;
+  }
 };
 
 /// A temporary folder with the files of one test, removed at the end; programs run in it, so that paths are short.

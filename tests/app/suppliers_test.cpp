@@ -2,6 +2,10 @@
 // What suppliers, offers and spares do to answers, bills and orders.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
 #include "app/lifter.h"
 
 namespace millwright::app {
@@ -57,6 +61,24 @@ TEST_CASE("A supplier who charges in a currency without a rate is an error") {
   CHECK(outcome.exit_code == 2);
   CHECK(outcome.says("suppliers.csv:2:"));
   CHECK(outcome.says("the problem gives no rate for CHF"));
+}
+
+TEST_CASE("Parts that no rate brings into the choice are warned of") {
+  const Workshop shop;
+  std::ifstream file(lifter);
+  std::string text((std::istreambuf_iterator<char>(file)), {});
+  const std::size_t rate = text.find("\nEUR = ");
+  REQUIRE(rate != std::string::npos);
+  text.erase(rate, text.find('\n', rate + 1) - rate);
+  shop.write("no-rate.toml", text);
+  const Outcome outcome = shop.run({"solve", "no-rate.toml", "--quiet"});
+  CHECK(outcome.exit_code == 0);
+  const auto line =
+      1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(text.find("[currency]")), '\n');
+  CHECK(outcome.says(fmt::format("no-rate.toml:{}:1: warning", line)));
+  CHECK(outcome.says("the problem gives no rate for 'EUR'"));
+  CHECK(outcome.says("parts priced in it are not for sale"));
+  CHECK_FALSE(shop.run({"solve", lifter, "--quiet"}).says("not for sale"));
 }
 
 TEST_CASE("Spares are priced and ordered, and weigh nothing") {

@@ -193,6 +193,34 @@ TEST_CASE("The price of many pieces is not taken for that of one") {
   }
 }
 
+TEST_CASE("Three decimals behind a comma are read as the other columns tell, and no column is lost to them") {
+  const Imported result = import_csv(
+      "Model;Torque (Nm);Current (A);Step angle (deg);Length (mm);Weight (kg);Price (EUR)\n"
+      "A1;1,260;2,8;1,8;56,000;1,100;20,50\nA2;1,890;2,8;1,8;76,500;1,600;25,90\n",
+      asking({{"manufacturer", "ACT"}}));
+  INFO(result.complaints << result.text);
+  CHECK(result.good);
+  CHECK(result.meaning("Torque (Nm)") == "holding_torque");
+  CHECK(result.meaning("Length (mm)") == "body_length");
+  CHECK(result.meaning("Weight (kg)") == "mass");
+  CHECK(result.text.find("1.100") != std::string::npos);
+  CHECK(result.text.find("1100") == std::string::npos);
+}
+
+TEST_CASE("A column that is not taken because of its figures is named, with what would take it") {
+  const Imported result = import_csv(
+      "Model,Torque (N.m),Current (A),Step angle (deg),Weight (kg),Price (EUR)\n"
+      "A1,1.26,2.8,1.8,700,20\nA2,1.89,2.8,1.8,1100,25\n",
+      asking({{"manufacturer", "ACT"}}));
+  REQUIRE(result.mapping);
+  CHECK_FALSE(result.column("Weight (kg)").target.has_value());
+  const auto& remarks = result.mapping->remarks;
+  CHECK(std::count_if(remarks.begin(), remarks.end(), [](const std::string& remark) {
+          return remark.find("'Weight (kg)' looks like mass, but 2 of 2 figures are not plausible") == 0 &&
+                 remark.find("--unit mass=kg") != std::string::npos;
+        }) == 1);
+}
+
 TEST_CASE("The command line goes before the mapping file, and nothing is said twice") {
   const TemporaryFolder folder;
   const auto complaints = [&](const std::string& mapping, ImportRequest& request) {
