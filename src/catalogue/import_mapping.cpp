@@ -303,10 +303,10 @@ class Proposal {
     std::stable_sort(doubted_.begin(), doubted_.end(), [](const Candidate& a, const Candidate& b) {
       return a.score_of_name > b.score_of_name;
     });
+    std::set<std::size_t> remarked;  // sources
     for (const Candidate& each : doubted_) {
       SourceColumn& column = mapping_.columns[each.source];
-      if (column.target || column.companion || is_taken(each.target) || remarked_.contains(each.source)) continue;
-      remarked_.insert(each.source);
+      if (column.target || column.companion || is_taken(each.target) || !remarked.insert(each.source).second) continue;
       mapping_.remarks.push_back(fmt::format(
           "{} looks like {}, but {}: kept as {}, not taken; --unit {}={} or a mapping file takes it all the same",
           text::quoted(column.header, 80),
@@ -359,7 +359,6 @@ class Proposal {
   text::Diagnostics& diagnostics_;
   ImportMapping mapping_;
   std::vector<Candidate> doubted_;  ///< because of their figures
-  std::set<std::size_t> remarked_;  ///< sources
 };
 
 }  // namespace

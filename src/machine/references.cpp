@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <string>
 #include <string_view>
@@ -44,8 +45,11 @@ void note_unpriced(const Problem& problem, const catalogue::Catalogue& catalogue
   for (std::size_t family = 0; family < catalogue::family_count; ++family) {
     const catalogue::Table& table = catalogue.table(static_cast<catalogue::Family>(family));
     for (int row = 0; row < table.rows(); ++row) {
-      const std::string_view currency = table.price(row).currency;
-      if (currency.empty() || currency == problem.currency || problem.currencies.contains(currency)) continue;
+      const catalogue::Price price = table.price(row);
+      const std::string_view currency = price.currency;
+      const bool priced = !std::isnan(price.piece) || !std::isnan(price.length) || !std::isnan(price.mass);
+      if (!priced || currency.empty() || currency == problem.currency || problem.currencies.contains(currency))
+        continue;
       auto& [rows, first] = by_currency[currency];
       if (rows++ == 0) first = fmt::format("{} {}", table.manufacturer(row), table.part_number(row));
     }

@@ -32,7 +32,8 @@ enum class Direction { irrelevant, smaller_is_better, larger_is_better, equal_on
 class RowHalves {
  public:
   struct Halves {
-    RowSet whole, left, right;
+    RowSet whole;  ///< held, so that no other set comes to have its address
+    RowSet left, right;
   };
   /// Of a set of at least two rows.
   const Halves& of(const Stage& stage, std::span<const Row> shared, std::size_t slot, const RowSet& whole);
