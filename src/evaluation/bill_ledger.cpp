@@ -2,6 +2,7 @@
 #include "evaluation/bill_ledger.h"
 
 #include <cmath>
+#include <set>
 
 #include "evaluation/cuts.h"
 
@@ -28,6 +29,15 @@ void add_work(const MachineModel& model,
     if (axis.name == axis_name) line.ends = use.pieces() * machined_ends(axis);
 }
 
+/// In which currency the price of a part is stated.
+std::string stated_currency(const MachineModel& model, const PartUse& use, const std::string& axis_name) {
+  if (use.stated.empty()) return std::string(model.catalogue().table(use.family).price(use.row).currency);
+  for (const machine::Axis& axis : model.machine().axes)
+    for (const machine::Reduction& reduction : axis.mechanism.reductions)
+      if (axis.name == axis_name && (reduction.name == use.stated || !use.is_named())) return reduction.currency;
+  return {};
+}
+
 /// A line of the bill of materials: what the catalogue says of a part of a build, and its share of the price.
 PartLine part_line(const MachineModel& model,
                    const PartUse& use,
@@ -44,6 +54,8 @@ PartLine part_line(const MachineModel& model,
   line.owned = share.owned;
   line.unit_price = line.owned < use.pieces() ? line.price / (use.pieces() - line.owned) : 0.0;
   line.currency = currency;
+  if (line.price > 0.0) line.stated_currency = stated_currency(model, use, axis);
+  if (line.stated_currency == currency) line.stated_currency.clear();
   line.mass = use.mass;
   if (!use.stated.empty()) {
     line.manufacturer = use.is_named() ? "generic" : "";
@@ -136,7 +148,11 @@ void BillLedger::add_custom_member(const StageEntry& entry, const machine::Struc
 
 void BillLedger::charge_orders() {
   design_.orders = shops_.orders();
-  for (const ShopOrder& order : design_.orders) design_.cost += order.shipping_fee + order.top_up;
+  for (ShopOrder& order : design_.orders) {
+    design_.cost += order.shipping_fee + order.top_up;
+    const catalogue::Supplier* supplier = model_.catalogue().suppliers().find(order.supplier);
+    if (supplier != nullptr && supplier->currency != design_.currency) order.stated_currency = supplier->currency;
+  }
 }
 
 void BillLedger::finish() {
@@ -144,6 +160,15 @@ void BillLedger::finish() {
   design_.purchases = counted_.purchases(model_.catalogue());
   design_.bars = bars_.purchases();
   design_.all_fewest_bars = model_.bars().all_fewest();
+  add_conversions();
+}
+
+void BillLedger::add_conversions() {
+  std::set<std::string> stated;
+  for (const PartLine& line : design_.parts) stated.insert(line.stated_currency);
+  for (const ShopOrder& order : design_.orders) stated.insert(order.stated_currency);
+  for (const auto& [currency, rate] : model_.machine().currencies)
+    if (stated.contains(currency)) design_.conversions.push_back({currency, rate.rate, rate.date});
 }
 
 }  // namespace millwright::evaluation

@@ -28,10 +28,12 @@ class BillLedger {
   void add_custom_member(const StageEntry& entry, const machine::StructureMember<double>& member);
   /// After all parts that are ordered: shipping, and what orders are filled up by.
   void charge_orders();
-  /// What has to be bought of parts that are counted.
+  /// What has to be bought of parts that are counted, and the rates at which prices were converted.
   void finish();
 
  private:
+  void add_conversions();
+
   const MachineModel& model_;
   CountedPartsLedger counted_;
   StockBarsLedger bars_;

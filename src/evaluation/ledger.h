@@ -62,8 +62,9 @@ struct PartLine {
   double ends = 0.0;          ///< so many ends are machined
   bool from_bars = false;     ///< cut from whole bars (Design::bars), whose price lines share by length
   std::string currency;
-  double mass = 0.0;  ///< kg, of the line
-  std::string where;  ///< catalogue file and line
+  std::string stated_currency;  ///< in which `price` was stated before it was converted; empty if it was not
+  double mass = 0.0;            ///< kg, of the line
+  std::string where;            ///< catalogue file and line
   std::string price_basis, confidence;
   std::string supplier;         ///< who sells it at that price, where the catalogue says so
   std::string source;           ///< where the figures come from
@@ -138,9 +139,17 @@ struct ShopOrder {
   double shipping_fee = 0.0;
   double minimum_order = 0.0;
   double top_up = 0.0;  ///< what the goods lack of the minimum: the order is filled up
+  std::string stated_currency =
+      {};  ///< in which fee and minimum were stated before conversion; empty if there was none
 };
 
-/// A machine fully decided.
+/// A rate of exchange that prices of a design were converted at.
+struct Conversion {
+  std::string currency;  ///< of the prices as they are stated
+  double rate = 1.0;     ///< of one unit, in `currency` of the design
+  std::string date;      ///< of the rate, "2026-01-15"; empty if the problem states none
+};
+
 /// What an axis has by the problem's word only: nobody has chosen a part for it.
 struct StatedOnly {
   std::string axis;
@@ -148,12 +157,14 @@ struct StatedOnly {
   double counterbalance_force = 0.0;  ///< N; 0 = none
 };
 
+/// A machine fully decided.
 struct Design {
   std::vector<PartLine> parts;
   std::vector<Purchase> purchases;      ///< of counted parts only
   std::vector<BarPurchase> bars;        ///< where whole bars are bought
   bool all_fewest_bars = true;          ///< of every build that this one was compared with, too
   std::vector<ShopOrder> orders;        ///< from suppliers that charge for orders only
+  std::vector<Conversion> conversions;  ///< each once, by currency
   std::vector<StatedOnly> stated_only;  ///< neither bought nor weighed here
   std::vector<DimensionLine> dimensions;
   std::vector<Check> checks;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "report/conversion_text.h"
 #include "report/cut_text.h"
 #include "report/design_text.h"
 #include "report/html.h"
@@ -170,6 +171,10 @@ std::string parts_table(const MachineResult& result, const Design& design, const
   // Where the columns have no heads, on a narrow screen.
   const auto unit = [](const std::string& text) { return "<span class=\"unit\"> " + escaped(text) + "</span>"; };
   const auto label = [&](const char* key) { return "<span class=\"unit\">" + escaped(t(key)) + ": </span>"; };
+  const auto stated = [&](const std::string& currency, double price) {
+    const std::string text = stated_price(design, currency, price);
+    return text.empty() ? text : "<small>" + escaped(text) + "</small>";
+  };
   Notes notes(t);
   std::vector<std::string> axes = result.axes;
   axes.emplace_back("machine");
@@ -194,7 +199,8 @@ std::string parts_table(const MachineResult& result, const Design& design, const
                     ? fmt::format("<small>+ {} {}</small>", scalar::format_number(part.spares), t("parts.spare"))
                     : ""),
            part.length > 0.0 ? escaped(shown_quantity(1e3 * part.length, "mm")) : "",
-           fmt::format("{}{:.2f}", part.estimate ? "~" : "", part.price) + unit(design.currency),
+           fmt::format("{}{:.2f}", part.estimate ? "~" : "", part.price) + unit(design.currency) +
+               stated(part.stated_currency, part.price),
            part.mass > 0.0 ? fmt::format("{:.3f}", part.mass) + unit("kg") : "",
            label("parts.supplier") + (part.supplier.empty() ? "<small>" + escaped(t("parts.no_supplier")) + "</small>"
                                                             : escaped(part.supplier)),
@@ -209,7 +215,16 @@ std::string parts_table(const MachineResult& result, const Design& design, const
     const std::string name = order.supplier.empty() ? "-" : order.supplier;
     const auto add = [&](const std::string& what, double charge) {
       if (charge > 0.0)
-        table.add({"", "", escaped(what), "", "", fmt::format("{:.2f}", charge), "", escaped(name), "", ""});
+        table.add({"",
+                   "",
+                   escaped(what),
+                   "",
+                   "",
+                   fmt::format("{:.2f}", charge) + stated(order.stated_currency, charge),
+                   "",
+                   escaped(name),
+                   "",
+                   ""});
     };
     add(t("parts.shipping"), order.shipping_fee);
     add(t("parts.top_up"), order.top_up);
@@ -236,8 +251,11 @@ std::string parts_table(const MachineResult& result, const Design& design, const
              "",
              ""},
             "sum");
-  return table.str() + "<p class=\"hint\">" + escaped(t("parts.estimate")) + "</p>\n" + bars_table(design, t) +
-         notes.list();
+  std::string out = table.str() + "<p class=\"hint\">" + escaped(t("parts.estimate")) + "</p>\n";
+  for (const evaluation::Conversion& each : design.conversions)
+    out += "<p class=\"hint\">" + escaped(t("parts.converted")) + " " +
+           escaped(rate_text(each, design.currency, t("parts.no_date"))) + "</p>\n";
+  return out + bars_table(design, t) + notes.list();
 }
 
 std::string basis_sections(const MachineResult& result, const Design& design, const Texts& t) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/design_json.h"
 
+#include "report/conversion_text.h"
+
 namespace millwright::report {
 
 using evaluation::Check;
@@ -12,7 +14,7 @@ const char* kind_name(machine::ConstraintKind kind) { return kind == machine::Co
 
 Json quantity(double value, const std::string& unit) { return Json{{"value", number(value)}, {"unit", unit}}; }
 
-Json part_of(const evaluation::PartLine& part) {
+Json part_of(const Design& design, const evaluation::PartLine& part) {
   Json json{{"axis", part.axis},
             {"slot", part.slot},
             {"family", part.family},
@@ -32,6 +34,8 @@ Json part_of(const evaluation::PartLine& part) {
   for (const evaluation::Cut& cut : part.cuts) pieces += cut.count;
   if (part.cut_price > 0.0) json["cutting_price"] = number(pieces * part.cut_price);
   if (part.ends * part.end_price > 0.0) json["end_machining_price"] = number(part.ends * part.end_price);
+  if (const evaluation::Conversion* from = conversion_from(design, part.stated_currency))
+    json["stated_price"] = quantity(part.price / from->rate, from->currency);
   if (part.preferred) json["preferred"] = true;
   if (part.paper_only) json["known_from_paper_only"] = true;
   if (!part.supplier.empty()) json["supplier"] = part.supplier;
@@ -115,7 +119,7 @@ Json bars_of(const evaluation::BarPurchase& purchase, const std::string& currenc
 
 Json build_of(const Design& design) {
   Json parts = Json::array();
-  for (const evaluation::PartLine& part : design.parts) parts.push_back(part_of(part));
+  for (const evaluation::PartLine& part : design.parts) parts.push_back(part_of(design, part));
   Json dimensions = Json::array();
   for (const evaluation::DimensionLine& line : design.dimensions)
     dimensions.push_back(
@@ -127,13 +131,21 @@ Json build_of(const Design& design) {
                                     {"counterbalance_force", number(each.counterbalance_force)}});
   for (const evaluation::BarPurchase& purchase : design.bars)
     json["bars"].push_back(bars_of(purchase, design.currency));
-  for (const evaluation::ShopOrder& order : design.orders)
-    json["orders"].push_back({{"supplier", order.supplier},
-                              {"goods", number(order.goods)},
-                              {"shipping_fee", number(order.shipping_fee)},
-                              {"minimum_order", number(order.minimum_order)},
-                              {"top_up", number(order.top_up)},
-                              {"currency", design.currency}});
+  for (const evaluation::ShopOrder& order : design.orders) {
+    Json each{{"supplier", order.supplier},
+              {"goods", number(order.goods)},
+              {"shipping_fee", number(order.shipping_fee)},
+              {"minimum_order", number(order.minimum_order)},
+              {"top_up", number(order.top_up)},
+              {"currency", design.currency}};
+    if (!order.stated_currency.empty()) each["stated_currency"] = order.stated_currency;
+    json["orders"].push_back(std::move(each));
+  }
+  for (const evaluation::Conversion& each : design.conversions)
+    json["conversions"].push_back({{"currency", each.currency},
+                                   {"rate", number(each.rate)},
+                                   {"into", design.currency},
+                                   {"date", each.date.empty() ? Json(nullptr) : Json(each.date)}});
   return json;
 }
 

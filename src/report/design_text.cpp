@@ -8,6 +8,7 @@
 #include <cmath>
 #include <set>
 
+#include "report/conversion_text.h"
 #include "report/cut_text.h"
 #include "scalar/unit.h"
 
@@ -191,7 +192,7 @@ std::string parts_text(const MachineResult& result, const Design& design, const 
   }
   out += table.str(2, style) + made_to_measure(design) + work_text(design);
   out += preferred_text(design) + in_stock_text(design) + spares_text(design) + bars_lines(design, style) +
-         orders_text(design);
+         orders_text(design) + conversion_lines(design, style.width - 4);
   out += fmt::format("  Total: {}\n", totals_text(design));
   for (const std::string& line : stated_only_lines(design, Texts(Language::english)))
     out += "  " + style.bad("not included") + ": " + wrapped(line, style.width - 16, 4) + "\n";

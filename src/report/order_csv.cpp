@@ -47,11 +47,11 @@ std::vector<std::pair<std::string, double>> charges(const SupplierTotal& total, 
 std::string order_csv(const OrderList& list) {
   std::string out =
       "line,quantity,unit,description,manufacturer,part_number,supplier,unit_price,currency,price_date,price_is,total,"
-      "used_for,verify\n";
+      "used_for,verify,converted_at\n";
   const std::string currency = text_cell(list.currency);
   std::size_t number = 0;
   for (const OrderLine& line : list.lines)
-    out += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
+    out += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
                        ++number,
                        plain_number(line.quantity),
                        line.unit,
@@ -65,12 +65,14 @@ std::string order_csv(const OrderList& list) {
                        line.price_estimate ? "estimate" : "",
                        plain_number(line.total),
                        text_cell(line.used_for),
-                       line.paper_only ? paper_only_note : "");
-  const auto sum = [&](const std::string& label, double total) {
-    out += fmt::format(",,,{},,,,,{},,,{},,\n", text_cell(label), currency, plain_number(total));
+                       line.paper_only ? paper_only_note : "",
+                       text_cell(line.converted_at));
+  const auto sum = [&](const std::string& label, double total, const std::string& converted_at = {}) {
+    out += fmt::format(
+        ",,,{},,,,,{},,,{},,,{}\n", text_cell(label), currency, plain_number(total), text_cell(converted_at));
   };
   for (const SupplierTotal& each : list.supplier_totals) {
-    for (const auto& [label, charge] : charges(each, list.currency)) sum(label, charge);
+    for (const auto& [label, charge] : charges(each, list.currency)) sum(label, charge, each.converted_at);
     if (list.supplier_totals.size() > 1) sum(total_label(each), each.charged());
   }
   sum("Total", list.total);

@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "catalogue/family.h"
+#include "report/conversion_text.h"
 #include "report/cut_text.h"
 #include "scalar/unit.h"
 
@@ -89,7 +90,8 @@ bool same_price(double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(
 bool is_same(const OrderLine& a, const OrderLine& b) {
   return a.family == b.family && a.unit == b.unit && a.description == b.description &&
          a.manufacturer == b.manufacturer && a.part_number == b.part_number && a.supplier == b.supplier &&
-         a.price_date == b.price_date && a.price_estimate == b.price_estimate && same_price(a.unit_price, b.unit_price);
+         a.price_date == b.price_date && a.price_estimate == b.price_estimate && a.converted_at == b.converted_at &&
+         same_price(a.unit_price, b.unit_price);
 }
 
 void put(OrderList& list, OrderLine line) {
@@ -105,7 +107,7 @@ void put(OrderList& list, OrderLine line) {
 }
 
 /// Lengths by the metre, made to measure by the kilogram, the rest by the piece; of a guide two lines.
-void add_part(OrderList& list, const PartLine& part) {
+void add_part(OrderList& list, const Design& design, const PartLine& part) {
   OrderLine line;
   line.family = family_of(part);
   line.manufacturer = part.manufacturer;
@@ -116,6 +118,7 @@ void add_part(OrderList& list, const PartLine& part) {
   line.supplier = part.supplier;
   line.price_date = price_date(part.price_basis);
   line.price_estimate = part.price_estimate;
+  line.converted_at = rate_of(design, part.stated_currency);
   line.paper_only = part.paper_only;
   line.used_for = part.axis + "." + part.slot;
   if (part.spares > 0.0) line.used_for += fmt::format(" and {} spare", scalar::format_number(part.spares));
@@ -157,6 +160,7 @@ void add_part(OrderList& list, const PartLine& part) {
   // What is there is listed, so that nobody looks for it in vain, and costs nothing.
   line.supplier = in_stock;
   line.price_estimate = false;
+  line.converted_at.clear();
   line.paper_only = false;
   if (part.owned > 0.0) add(false, "pcs", part.owned, 0.0);
 }
@@ -304,6 +308,7 @@ SupplierTotal supplier_total(const Design& design, const std::string& supplier) 
     total.shipping_fee = order.shipping_fee;
     total.minimum_order = order.minimum_order;
     total.top_up = order.top_up;
+    total.converted_at = rate_of(design, order.stated_currency);
   }
   return total;
 }
@@ -337,7 +342,7 @@ OrderList order_list(const Design& design, const std::string& title) {
   list.currency = design.currency;
   list.total = design.cost;
   for (const PartLine& part : design.parts) {
-    add_part(list, part);
+    add_part(list, design, part);
     add_cuts(list, design, part);
   }
   for (const evaluation::Purchase& purchase : design.purchases) settle(list, purchase);

@@ -25,6 +25,7 @@ struct OrderLine {
   double total = 0.0;
   std::string price_date;       ///< "2026-09-03", "2024-2026", "2026"; empty where the catalogue does not say
   bool price_estimate = false;  ///< nobody has quoted this price
+  std::string converted_at;     ///< "1 EUR = 1.08 USD (2026-01-15)"; empty for what is stated in the list's currency
   std::string used_for;         ///< "x.motor, y.motor"
   bool paper_only = false;      ///< only a publication names the part: does any maker sell it?
   std::size_t family = 0;       ///< place of its kind in the order, as the catalogues'
@@ -35,7 +36,8 @@ struct SupplierTotal {
   double total = 0.0;    ///< of the lines
   double shipping_fee = 0.0;
   double minimum_order = 0.0;
-  double top_up = 0.0;  ///< what the lines lack of the minimum
+  double top_up = 0.0;       ///< what the lines lack of the minimum
+  std::string converted_at;  ///< of fee and minimum, as of a line
   [[nodiscard]] double charged() const { return total + shipping_fee + top_up; }
 };
 

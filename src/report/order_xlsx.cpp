@@ -99,7 +99,8 @@ void write_order(const OrderList& list, lxw_workbook* book, const Formats& forma
                                                         {"price is", 9},
                                                         {"total", 10},
                                                         {"used for", 40},
-                                                        {"verify", 24}};
+                                                        {"verify", 24},
+                                                        {"converted at", 28}};
   int at = 0;
   for (const auto& [title, width] : columns) sheet.column(at++, width, title, formats.bold);
   std::size_t row = 0;
@@ -119,6 +120,7 @@ void write_order(const OrderList& list, lxw_workbook* book, const Formats& forma
     sheet.formula(row, 11, fmt::format("=B{0}*H{0}", row + 1), line.total, formats.money);
     sheet.text(row, 12, line.used_for);
     if (line.paper_only) sheet.text(row, 13, paper_only_note);
+    if (!line.converted_at.empty()) sheet.text(row, 14, line.converted_at);
   }
   const auto sum = [&](std::size_t at_row, const std::string& label, const std::string& formula, double total) {
     sheet.text(at_row, 3, label, formats.bold);
@@ -138,6 +140,7 @@ void write_order(const OrderList& list, lxw_workbook* book, const Formats& forma
       sheet.text(row, 3, label);
       sheet.text(row, 8, list.currency);
       sheet.number(row, 11, charge, formats.money);
+      if (!each.converted_at.empty()) sheet.text(row, 14, each.converted_at);
       own += fmt::format("+L{}", row + 1);
       charged += fmt::format("+L{}", row + 1);
       ++row;

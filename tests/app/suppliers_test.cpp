@@ -54,6 +54,52 @@ TEST_CASE("An order from a shop is charged with shipping and minimum, and the or
   CHECK(cost(Json::parse(checked.out)) == Approx(cost(offered)));
 }
 
+// One EUR is 1.08 USD in the lifter's problem: 2.50 EUR are 2.70 USD, shipping of 1 EUR is 1.08 USD.
+TEST_CASE("What was converted is shown with its own price, the rate and its day") {
+  const Workshop shop;
+  const Json plain = solved(shop, {});
+  CHECK_FALSE(plain.at("build").contains("conversions"));
+  CHECK_FALSE(motor(plain).contains("stated_price"));
+  const std::string name = motor(plain).at("part_number");
+  shop.write("mine/suppliers.csv", "supplier,shipping_fee,minimum_order,currency\nShop A,1,,EUR\n");
+  shop.write("mine/offers.csv",
+             fmt::format("part_number,supplier,price,currency,price_basis\n{},Shop A,2.5,EUR,quoted\n", name));
+  const std::vector<std::string> offered{"--catalogue", "mine", "--order", "order.csv", "--report", "page.html"};
+  const Json result = solved(shop, offered);
+  REQUIRE(motor(result).at("supplier") == "Shop A");
+  CHECK(motor(result).at("price").get<double>() == Approx(2.7));
+  CHECK(motor(result).at("stated_price").at("value").get<double>() == Approx(2.5));
+  CHECK(motor(result).at("stated_price").at("unit") == "EUR");
+  CHECK(result.at("build").at("orders")[0].at("stated_currency") == "EUR");
+  CHECK(result.at("build").at("conversions") ==
+        Json::parse(R"([{"currency": "EUR", "rate": 1.08, "into": "USD", "date": "2026-01-15"}])"));
+  CHECK(shop.read("order.csv").find("z.motor,,1 EUR = 1.08 USD (2026-01-15)\n") != std::string::npos);
+  const std::string page = shop.read("page.html");
+  CHECK(page.find("Prices were converted at 1 EUR = 1.08 USD (2026-01-15)") != std::string::npos);
+  CHECK(page.find("2.50 EUR") != std::string::npos);
+  const Outcome text = shop.run({"solve", lifter, "--catalogue", "mine"});
+  CHECK(text.prints(
+      "Converted at 1 EUR = 1.08 USD (2026-01-15): z.motor 2.50 EUR, shipping from\n    Shop A 1.00 EUR\n"));
+  const Outcome undated = shop.run({"solve", lifter, "--catalogue", "mine", "--set", "currency.EUR=1.08"});
+  CHECK(undated.prints("Converted at 1 EUR = 1.08 USD (date not stated)"));
+}
+
+TEST_CASE("A reduction that the problem prices in another currency says so too") {
+  const Workshop shop;
+  std::ifstream file(MILLWRIGHT_SOURCE_DIR "/problems/rotary-table.toml");
+  std::string text((std::istreambuf_iterator<char>(file)), {});
+  for (std::size_t at = text.find(" USD\""); at != std::string::npos; at = text.find(" USD\"", at))
+    text.replace(at, 4, " EUR");
+  shop.write("table.toml", text);
+  const Outcome outcome = shop.run({"solve", "table.toml", "--json", "-"});
+  REQUIRE(outcome.exit_code == 0);
+  const Json chosen = part(Json::parse(outcome.out), "reduction");
+  const double stated = chosen.at("stated_price").at("value");
+  CHECK(text.find(fmt::format("name = \"{}\"", chosen.at("part_number").get<std::string>())) != std::string::npos);
+  CHECK(text.find(fmt::format("price = \"{:.0f} EUR\"", stated)) != std::string::npos);
+  CHECK(chosen.at("price").get<double>() == Approx(1.08 * stated));
+}
+
 TEST_CASE("A supplier who charges in a currency without a rate is an error") {
   const Workshop shop;
   shop.write("mine/suppliers.csv", "supplier,shipping_fee,currency\n,1,CHF\n");

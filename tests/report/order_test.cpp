@@ -6,6 +6,7 @@
 #include <map>
 
 #include "catch.h"
+#include "report/conversion_text.h"
 #include "report/order_files.h"
 #include "report/order_list.h"
 
@@ -164,10 +165,10 @@ TEST_CASE("Order list: shipping and what lacks of a minimum stand beside the lin
   CHECK(list.supplier_totals[1].total == Approx(28.5));
   CHECK(list.supplier_totals[1].charged() == Approx(45.0));
   const std::string csv = order_csv(list);
-  CHECK(csv.find(",,,\"Shipping, B shop\",,,,,USD,,,5,,\n") != std::string::npos);
-  CHECK(csv.find(",,,\"To the minimum order of 40 USD, B shop\",,,,,USD,,,11.5,,\n") != std::string::npos);
-  CHECK(csv.find(",,,\"Total, B shop\",,,,,USD,,,45,,\n") != std::string::npos);
-  CHECK(csv.find(",,,Total,,,,,USD,,,129.2,,\n") != std::string::npos);
+  CHECK(csv.find(",,,\"Shipping, B shop\",,,,,USD,,,5,,,\n") != std::string::npos);
+  CHECK(csv.find(",,,\"To the minimum order of 40 USD, B shop\",,,,,USD,,,11.5,,,\n") != std::string::npos);
+  CHECK(csv.find(",,,\"Total, B shop\",,,,,USD,,,45,,,\n") != std::string::npos);
+  CHECK(csv.find(",,,Total,,,,,USD,,,129.2,,,\n") != std::string::npos);
 }
 
 // One of a part with two spares from A shop, which sells packs of two at 18; one from B shop for 8.
@@ -235,8 +236,8 @@ TEST_CASE("Order and cutting list: whole bars, what is cut from each, and work o
         std::string::npos);
   CHECK(csv.find(",3,pcs,\"guide rail, cut to length\",Rails Ltd,R20,A shop,0.5,USD,2024-2026,estimate,1.5,") !=
         std::string::npos);
-  CHECK(csv.find(",0.502,m,lead screw,Maker,Tr10x2,,10,USD,,,5.02,x.screw,\n") != std::string::npos);
-  CHECK(csv.find(",2,pcs,\"lead screw, end machined\",Maker,Tr10x2,,4,USD,,,8,x.screw,\n") != std::string::npos);
+  CHECK(csv.find(",0.502,m,lead screw,Maker,Tr10x2,,10,USD,,,5.02,x.screw,,\n") != std::string::npos);
+  CHECK(csv.find(",2,pcs,\"lead screw, end machined\",Maker,Tr10x2,,4,USD,,,8,x.screw,,\n") != std::string::npos);
   CHECK(cutting_csv(list) ==
         "stock,manufacturer,part_number,axis,slot,section,count,length [mm],sum [mm],bar\n"
         "bar stock,generic,C45,x,spindle,diameter 12.5 mm,2,250,500,\n"
@@ -254,24 +255,48 @@ TEST_CASE("Order list as CSV: totals without a number, no text becomes a formula
   CHECK(
       csv ==
       "line,quantity,unit,description,manufacturer,part_number,supplier,unit_price,currency,price_date,price_is,total,"
-      "used_for,verify\n"
-      "1,6,pcs,guide carriage,Rails Ltd,R20,A shop,8,USD,2024-2026,estimate,48,\"x.guide, y.guide\",\n"
-      "2,1.55,m,guide rail,Rails Ltd,R20,A shop,20,USD,2024-2026,estimate,31,\"x.guide, y.guide\",\n"
-      "3,3,pcs,stepper motor,Maker,M1,B shop,9.5,USD,2026-09-27,,28.5,\"x.motor, y.motor\",\n"
+      "used_for,verify,converted_at\n"
+      "1,6,pcs,guide carriage,Rails Ltd,R20,A shop,8,USD,2024-2026,estimate,48,\"x.guide, y.guide\",,\n"
+      "2,1.55,m,guide rail,Rails Ltd,R20,A shop,20,USD,2024-2026,estimate,31,\"x.guide, y.guide\",,\n"
+      "3,3,pcs,stepper motor,Maker,M1,B shop,9.5,USD,2026-09-27,,28.5,\"x.motor, y.motor\",,\n"
       "4,1,pcs,lead screw nut,'-2+3,\"'=HYPERLINK(\"\"http://x\"\",\"\"y\"\")\",,4,USD,,,4,x.nut,known only from a "
-      "paper\n"
-      "5,0.8,kg,bar stock,generic,C45,,1.5,USD,,,1.2,x.spindle,\n"
-      ",,,\"Total, A shop\",,,,,USD,,,79,,\n"
-      ",,,\"Total, B shop\",,,,,USD,,,28.5,,\n"
-      ",,,\"Total, supplier not stated\",,,,,USD,,,5.2,,\n"
-      ",,,Total,,,,,USD,,,112.7,,\n");
+      "paper,\n"
+      "5,0.8,kg,bar stock,generic,C45,,1.5,USD,,,1.2,x.spindle,,\n"
+      ",,,\"Total, A shop\",,,,,USD,,,79,,,\n"
+      ",,,\"Total, B shop\",,,,,USD,,,28.5,,,\n"
+      ",,,\"Total, supplier not stated\",,,,,USD,,,5.2,,,\n"
+      ",,,Total,,,,,USD,,,112.7,,,\n");
+}
+
+// The motors are stated at 3.80 EUR and cost 9.50 USD each, at a rate of 2.5; so is the shipping of 2 EUR.
+TEST_CASE("Order list: what was converted says from which currency, at which rate of which day") {
+  evaluation::Design design = two_axes();
+  for (PartLine& line : design.parts)
+    if (line.slot == "motor") line.stated_currency = "EUR";
+  evaluation::ShopOrder order{"B shop", 28.5, 5.0, 0.0, 0.0};
+  order.stated_currency = "EUR";
+  design.orders = {order};
+  design.conversions = {{"EUR", 2.5, "2026-01-15"}};
+  const std::string csv = order_csv(order_list(design, ""));
+  CHECK(csv.find("28.5,\"x.motor, y.motor\",,1 EUR = 2.5 USD (2026-01-15)\n") != std::string::npos);
+  CHECK(csv.find("\"Shipping, B shop\",,,,,USD,,,5,,,1 EUR = 2.5 USD (2026-01-15)\n") != std::string::npos);
+  CHECK(csv.find("48,\"x.guide, y.guide\",,\n") != std::string::npos);
+  CHECK(conversion_lines(design, 200) ==
+        "  Converted at 1 EUR = 2.5 USD (2026-01-15): x.motor 3.80 EUR, y.motor 7.60 EUR, shipping from B shop 2.00 "
+        "EUR\n");
+  // The same motor, half of them from the same shop in its own currency: one line each, for each has its own rate.
+  design.parts[0].stated_currency.clear();
+  CHECK(order_list(design, "").lines.size() == 6);
+  design.conversions.front().date.clear();
+  CHECK(order_csv(order_list(design, "")).find("1 EUR = 2.5 USD (date not stated)") != std::string::npos);
+  CHECK(conversion_lines(two_axes(), 200).empty());
 }
 
 TEST_CASE("Nothing to buy is an empty list, not an error") {
   evaluation::Design nothing;
   nothing.currency = "EUR";
   const OrderList list = order_list(nothing, "");
-  CHECK(order_csv(list).find(",,,Total,,,,,EUR,,,0,,\n") != std::string::npos);
+  CHECK(order_csv(list).find(",,,Total,,,,,EUR,,,0,,,\n") != std::string::npos);
   text::Diagnostics diagnostics;
   CHECK(order_xlsx(list, diagnostics).has_value());
 }
