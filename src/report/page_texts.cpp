@@ -114,8 +114,6 @@ std::vector<PageText> report_texts() {
       {"parts.left_over", "Left over", "Sisa"},
       {"parts.shipping", "Shipping", "Ongkos kirim"},
       {"parts.top_up", "Filling up to the minimum order", "Penggenapan ke pesanan minimum"},
-      {"parts.converted", "Prices were converted at", "Harga dikonversi dengan kurs"},
-      {"parts.no_date", "date not stated", "tanggal tidak disebut"},
       {"parts.supplier", "Supplier", "Pemasok"},
       {"parts.no_supplier", "not stated", "tidak disebut"},
       {"parts.paper_only",

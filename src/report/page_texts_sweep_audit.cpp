@@ -46,6 +46,8 @@ std::vector<PageText> sweep_and_audit_texts() {
       {"audit.quantity", "Quantity", "Besaran"},
       {"audit.printed", "Printed", "Tercetak"},
       {"audit.computed", "Computed", "Dihitung"},
+      {"parts.converted", "Prices were converted at", "Harga dikonversi dengan kurs"},
+      {"parts.no_date", "date not stated", "tanggal tidak disebut"},
       {"audit.ratio", "Ratio", "Rasio"},
       {"audit.verdict", "Verdict", "Putusan"},
       {"audit.missing", "missing", "tidak ada"},
