@@ -34,6 +34,10 @@ struct AxisPlace {
   std::optional<machine::ToolPlace> tool;  ///< where compliance counts
   ToolStates states;                       ///< what is counted at the tool; empty where nothing is
   CountedResources counted;
+  /// Where joints of screws hold its motors or carriages: what one of them has to bear.
+  std::optional<std::size_t> motor_force_state, motor_torque_state, carriage_state;
+  /// N; motors that load their joints by less are alike to every screw that may be taken.
+  double harmless_motor_force = 0.0;
 };
 
 /// Adds what an element gives way under the tool: as compliance, or, where only the position error is asked for, as

@@ -79,6 +79,7 @@ void BeltDriveStage::answer(const Selection<T>& s, solver::Answer<T>& out) const
   count_cycle(place_, d, drives_, out);
   add_to_tool(place_, d, out);
   out.handed_on[power_state] = s.inherited[power_state] + (drives_ == 1.0 ? d.input_power : drives_ * d.input_power);
+  hand_on_flange(d, s, out);
   out.handed_on[place_.load_state] = T(0.0);
   if (place_.parent_load_state)
     out.handed_on[*place_.parent_load_state] =

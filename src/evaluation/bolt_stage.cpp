@@ -10,6 +10,7 @@ namespace millwright::evaluation {
 using catalogue::column;
 using catalogue::Family;
 using machine::BoltedJoint;
+using scalar::Interval;
 
 namespace {
 
@@ -30,12 +31,14 @@ bool chosen(const std::vector<std::string>& words, std::string_view word) {
 BoltStage::BoltStage(const machine::Axis& axis,
                      const machine::Member& member,
                      AxisPlace place,
+                     bool is_last,
                      const catalogue::Catalogue& catalogue,
                      const PriceBook& prices)
     : data_{.member = member,
             .require = axis.require,
             .riding_mass = member.rides ? 0.0 : machine::riding_mass_allowance(axis)},
-      place_(place) {
+      place_(place),
+      is_last_(is_last) {
   name_ = axis.name + "." + member.name;
   SlotTable table(member.name, machine::bolt_reading_fields);
   const catalogue::Table& t = catalogue.table(Family::screws);
@@ -81,15 +84,51 @@ BoltStage::BoltStage(const machine::Axis& axis,
 }
 
 template <class T>
-BoltedJoint<T> BoltStage::design(const Selection<T>& s) const {
+BoltedJoint<T> BoltStage::joint_of(const RowsAlive& screws) const {
   BoltedJoint<T> d;
   d.data = &data_;
   std::size_t field = 0;
   visit_bolt_reading(d.bolt, [&](T& x) {
-    x = tables_[0].template read<T>(s.rows[0], field);
+    x = tables_[0].template read<T>(screws, field);
     ++field;
   });
+  return d;
+}
+
+bool BoltStage::all_bear(double force, double torque) const {
+  for (solver::Row row = 0; row < tables_[0].rows(); ++row) {
+    BoltedJoint<Interval> d = joint_of<Interval>(RowsAlive(std::span(&row, 1)));
+    d.held_force = Interval(force);
+    d.held_torque = Interval(torque);
+    d.derive();
+    std::vector<Interval> used;
+    machine::bolted_joint_constraints(UtilisationVisitor<Interval, BoltedJoint<Interval>>(d, 0, used));
+    if (!std::all_of(used.begin(), used.end(), [](const Interval& each) { return each.upper <= 1.0; })) return false;
+  }
+  return true;
+}
+
+double BoltStage::harmless_force(double torque) const {
+  // More force and more torque only load a joint more: what bears both bears anything below.
+  constexpr double least = 1.0, most = 1e6, steps = 60.0;
+  if (!all_bear(least, torque)) return 0.0;
+  double borne = least, refused = most;
+  for (double step = 0.0; step < steps; step += 1.0) {
+    const double middle = std::sqrt(borne * refused);
+    (all_bear(middle, torque) ? borne : refused) = middle;
+  }
+  return borne;
+}
+
+template <class T>
+BoltedJoint<T> BoltStage::design(const Selection<T>& s) const {
+  BoltedJoint<T> d = joint_of<T>(s.rows[0]);
   d.carried_mass = s.inherited[place_.load_state];
+  if (data_.member.bolts.holds == machine::Held::carriage) d.held_force = s.inherited[*place_.carriage_state];
+  if (data_.member.bolts.holds == machine::Held::motor) {
+    d.held_force = s.inherited[*place_.motor_force_state];
+    d.held_torque = s.inherited[*place_.motor_torque_state];
+  }
   d.derive();
   return d;
 }
@@ -105,6 +144,11 @@ void BoltStage::answer(const Selection<T>& s, solver::Answer<T>& out) const {
     out.handed_on[place_.load_state] = d.carried_mass + mass;
   else if (place_.parent_load_state)
     out.handed_on[*place_.parent_load_state] = s.inherited[*place_.parent_load_state] + mass;
+  if (!is_last_) return;
+  // Nobody else asks: builds that differ only in that are one from here on.
+  if (data_.member.bolts.holds == machine::Held::carriage) out.handed_on[*place_.carriage_state] = T(0.0);
+  if (data_.member.bolts.holds == machine::Held::motor)
+    out.handed_on[*place_.motor_force_state] = out.handed_on[*place_.motor_torque_state] = T(0.0);
 }
 
 template BoltedJoint<double> BoltStage::design(const Selection<double>&) const;

@@ -119,6 +119,7 @@ void GuideStage::answer(const Selection<T>& s, solver::Answer<T>& out) const {
   out.resources[cost_resource] = total<T>(s, Total::price);
   out.resources[mass_resource] = total<T>(s, Total::mass);
   add_compliance(place_, d, out);
+  if (place_.carriage_state) out.handed_on[*place_.carriage_state] = d.largest_load;
   out.handed_on[place_.load_state] = d.carried_mass + total<T>(s, Total::riding_mass);
   if (place_.parent_load_state)
     out.handed_on[*place_.parent_load_state] =

@@ -320,6 +320,12 @@ Design MachineModel::design(const solver::Build& found, bool with_worksheet) con
     solver::Answer<double> answer;
     entry.as_stage().evaluate({build.shared, state, choice.rows, choice.variables}, answer);
     for (CountedTotal& each : design.counted) each.value += answer.resources[resource(each.quantity)];
+    std::visit(
+        [&](const auto& stage) {
+          if constexpr (requires { stage->tell_flange(selection, answer.handed_on); })
+            stage->tell_flange(selection, answer.handed_on);
+        },
+        entry.stage);
     state = answer.handed_on;
   }
   bill.finish();

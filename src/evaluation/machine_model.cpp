@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "evaluation/axis_stages.h"
 #include "evaluation/fixed_choices.h"
 #include "evaluation/held_parts.h"
 #include "evaluation/machine_stages.h"
@@ -296,34 +297,9 @@ void MachineModel::add_axis(std::size_t index, const PriceBook& prices) {
     place.tool = machine::tool_place(problem_, index);
     place.states = tool_states(problem_);
   }
-  const auto add_members = [&](bool riding) {
-    for (const machine::Member& member : axis.members)
-      if (member.rides == riding && member.kind == machine::MemberKind::bolts)
-        entries_.push_back(
-            {axis.name, member.name, std::make_unique<BoltStage>(axis, member, place, catalogue_, prices)});
-      else if (member.rides == riding)
-        entries_.push_back(
-            {axis.name, member.name, std::make_unique<MemberStage>(axis, member, place, catalogue_, prices)});
-  };
-  // What rides burdens the guide; what stands carries the carriages too.
-  add_members(true);
-  if (axis.guide)
-    entries_.push_back({axis.name, "guide", std::make_unique<GuideStage>(axis, place, catalogue_, prices)});
-  add_members(false);
-  const auto add_drive = [&]<class Stage>(std::type_identity<Stage>) {
-    entries_.push_back(
-        {axis.name, "drive", std::make_unique<Stage>(axis, place, problem_.supply_voltages, catalogue_, prices)});
-  };
-  switch (axis.mechanism.kind) {
-    case machine::MechanismKind::screw:
-      return add_drive(std::type_identity<ScrewDriveStage>{});
-    case machine::MechanismKind::belt:
-      return add_drive(std::type_identity<BeltDriveStage>{});
-    case machine::MechanismKind::rack:
-      return add_drive(std::type_identity<RackDriveStage>{});
-    case machine::MechanismKind::rotary:
-      return add_drive(std::type_identity<RotaryDriveStage>{});
-  }
+  for (StageEntry& entry :
+       axis_stages(axis, place, problem_.supply_voltages, catalogue_, prices, solver_problem_.first_state))
+    entries_.push_back(std::move(entry));
 }
 
 namespace {

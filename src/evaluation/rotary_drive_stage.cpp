@@ -52,6 +52,7 @@ void RotaryDriveStage::answer(const Selection<T>& s, solver::Answer<T>& out) con
   out.resources[mass_resource] = total<T>(s, Total::mass);
   count_cycle(place_, d, 1.0, out);
   out.handed_on[power_state] = s.inherited[power_state] + d.input_power;
+  hand_on_flange(d, s, out);
   out.handed_on[place_.load_state] = T(0.0);
   if (place_.parent_load_state)
     out.handed_on[*place_.parent_load_state] =

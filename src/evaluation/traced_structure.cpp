@@ -88,7 +88,18 @@ void write_calculation(const machine::BoltedJoint<double>& element, ElementWorks
   d.data = element.data;
   given.take_all(
       bolt_names, element.bolt, d.bolt, [](auto& r, auto&& visit) { machine::visit_bolt_reading(r, visit); });
-  d.carried_mass = given.take(carried, element.carried_mass);
+  switch (element.data->member.bolts.holds) {
+    case machine::Held::burden:
+      d.carried_mass = given.take(carried, element.carried_mass);
+      break;
+    case machine::Held::motor:
+      d.held_force = given.take({"F_m", "weight of the motor and pull at its shaft", "N"}, element.held_force);
+      d.held_torque = given.take({"T_m", "largest torque of the motor", "N.m"}, element.held_torque);
+      break;
+    case machine::Held::carriage:
+      d.held_force = given.take({"P_c", "load of the most loaded carriage", "N"}, element.held_force);
+      break;
+  }
   d.derive();
   machine::bolted_joint_constraints(CalculationVisitor(d, sheet));
 }

@@ -115,10 +115,27 @@ bool is_reserved(const std::string& name) {
   return std::find(std::begin(reserved), std::end(reserved), name) != std::end(reserved);
 }
 
+/// One joint for each motor, or for each carriage.
+void count_joints(const Axis& axis, const Node& node, Member& member, Diagnostics& diagnostics) {
+  if (member.kind != MemberKind::bolts || member.bolts.holds == Held::burden) return;
+  if (member.bolts.holds == Held::motor) {
+    member.count = axis.mechanism.drives;
+    return;
+  }
+  member.rides = true;  // the slide is screwed to its carriages
+  if (axis.guide)
+    member.count = axis.guide->carriages;
+  else
+    diagnostics.error(node.find("holds")->span(),
+                      fmt::format("holds: axis '{}' has no guide that is chosen here", axis.name),
+                      "add guide = { ... } to the axis, or say holds = \"axis\"");
+}
+
 void read_members(const Node& members, Axis& axis, Diagnostics& diagnostics) {
   std::map<std::string, SourceSpan> names;
   for (const Node& node : members.items()) {
     axis.members.push_back(read_member(node, axis.name, diagnostics));
+    count_joints(axis, node, axis.members.back(), diagnostics);
     const Node* name = node.find("name");
     if (name == nullptr || !check_name(*name, "a member", diagnostics)) continue;
     const std::string& word = axis.members.back().name;

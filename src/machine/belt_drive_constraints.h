@@ -146,7 +146,7 @@ void belt_constraints(Visit&& visit) {
         // The bearings of a reduction carry it.
         return d.data->require.known(motor_radial_load) && !d.reduction.present ? Applies::yes : Applies::no;
       },
-      [](const auto& d) { return bt::shaft_load(d.pretension, d.wrap); },
+      [](const auto& d) { return shaft_pull(d); },
       [](const auto& d) { return d.require(motor_radial_load, dimension::force); });
   visit(
       Declaration{.id = "F-PULLEY-BORE",

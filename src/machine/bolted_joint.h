@@ -4,9 +4,15 @@
 // along the face, a lateral force across it; both at a lever arm from the face, so that they shear the joint and tilt
 // it about its edges. What is checked is the worst screw, as if it were in the worst place of every load at once.
 //
+// A joint may hold a motor or a carriage instead. A motor turns its flange by the largest torque that it has, weighs on
+// it, and is pulled sideways by what a belt or a pinion at its shaft does. A carriage loads its screws as much as the
+// guide, straight off the slide and along it at once, for it may come from any side.
+//
 // Screws that do not fill their holes hold the shear by friction; fitted ones in their shanks.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "machine/constraint.h"
@@ -39,7 +45,9 @@ template <class T>
 struct BoltedJoint {
   const BoltedJointData* data = nullptr;
   BoltReading<T> bolt;
-  T carried_mass{};
+  T carried_mass{};  ///< read where the joint holds the burden of its axis
+  T held_force{};    ///< N, of a motor or a carriage, on one joint
+  T held_torque{};   ///< N.m, of a motor, on one joint
 
   T force{};    ///< N, down along the face, on one joint
   T preload{};  ///< N, of a screw
@@ -54,7 +62,12 @@ struct BoltedJoint {
  private:
   /// Places of the screws along one side of the pattern: of each screw, from `first` on.
   [[nodiscard]] std::vector<T> places(bool upwards, double first) const;
-  [[nodiscard]] bool loaded() const { return data->member.load_share > 0.0 || data->member.extra_force > 0.0; }
+  [[nodiscard]] Held holds() const { return data->member.bolts.holds; }
+  [[nodiscard]] bool loaded() const {
+    return holds() != Held::burden || data->member.load_share > 0.0 || data->member.extra_force > 0.0;
+  }
+  [[nodiscard]] T borne() const;
+  [[nodiscard]] T turning() const;
   void derive_tension(const T& lateral);
   void derive_shear(const T& lateral);
 };
@@ -83,7 +96,25 @@ void BoltedJoint<T>::derive_tension(const T& lateral) {
   };
   if (m.lever_arm > 0.0 && loaded()) add(force, true);
   if (m.lever_arm > 0.0 && m.lateral_force > 0.0) add(lateral, false);
+  if (holds() == Held::carriage) sum = sum + held_force / m.bolts.count();
   tension = named("P", sum);
+}
+
+/// What a torque adds to the shear of the outermost screw (N): M r / Σ r². Its direction may be any other's. [shigley,
+/// chapter 8, "Shear joints with eccentric loading"]
+template <class T>
+T BoltedJoint<T>::turning() const {
+  using namespace scalar;
+  const BoltPattern& p = data->member.bolts;
+  double farthest = 0.0, square_sum = 0.0;
+  for (int row = 0; row < static_cast<int>(p.rows); ++row)
+    for (int column = 0; column < static_cast<int>(p.columns); ++column) {
+      const double distance = std::hypot((column - 0.5 * (p.columns - 1.0)) * p.column_spacing,
+                                         (row - 0.5 * (p.rows - 1.0)) * p.row_spacing);
+      farthest = std::max(farthest, distance);
+      square_sum += distance * distance;
+    }
+  return held_torque / in_unit<T>(square_sum / farthest, dimension::length);
 }
 
 template <class T>
@@ -98,13 +129,26 @@ void BoltedJoint<T>::derive_shear(const T& lateral) {
     down = mechanics::bolt::group_shear(
         force, in_unit<T>(p.eccentricity, dimension::length), std::span<const T>(x), std::span<const T>(y));
   }
+  if (holds() == Held::motor) down = down + turning();
   const T across = lateral / p.count();
   if (m.lateral_force == 0.0)
     shear = named("F_k", down);
-  else if (p.eccentricity > 0.0)
+  else if (p.eccentricity > 0.0 || holds() == Held::motor)
     shear = named("F_k", down + across);  // the worst screw may be pushed just that way
   else
     shear = named("F_k", sqrt(square(down) + square(across)));
+}
+
+/// What pulls down along the face of one joint.
+template <class T>
+T BoltedJoint<T>::borne() const {
+  using namespace scalar;
+  const Member& m = data->member;
+  const T extra = in_unit<T>(m.extra_force, dimension::force);
+  if (holds() != Held::burden) return held_force + extra / m.count;
+  const T burden = carried_mass + in_unit<T>(data->riding_mass, dimension::mass);
+  const T weight = burden * in_unit<T>(standard_gravity, dimension::acceleration);
+  return (m.load_share * weight + extra) / m.count;
 }
 
 template <class T>
@@ -112,9 +156,7 @@ void BoltedJoint<T>::derive() {
   using namespace scalar;
   namespace bt = mechanics::bolt;
   const Member& m = data->member;
-  const T burden = carried_mass + in_unit<T>(data->riding_mass, dimension::mass);
-  const T weight = burden * in_unit<T>(standard_gravity, dimension::acceleration);
-  force = named("F", (m.load_share * weight + in_unit<T>(m.extra_force, dimension::force)) / m.count);
+  force = named("F", borne());
   const T lateral = in_unit<T>(m.lateral_force / m.count, dimension::force);
   derive_tension(lateral);
   derive_shear(lateral);

@@ -53,12 +53,40 @@ void read_pattern(TableReader& table, QuantityReader& q, Member& member, Diagnos
                       "add rows or columns, or leave it out");
 }
 
+/// Keys that a joint of motors or carriages does not have: what it holds says how many there are and what loads them.
+void refuse_of_held(TableReader& table, QuantityReader& q, const Member& member, Diagnostics& diagnostics) {
+  const BoltPattern& bolts = member.bolts;
+  if (bolts.holds == Held::burden) return;
+  const bool motor = bolts.holds == Held::motor;
+  q.refuse({"count"},
+           motor ? "there is a joint for each motor" : "there is a joint for each carriage",
+           "leave it out; rows and columns are the screws of one of them");
+  q.refuse({"load_share", "eccentricity"},
+           motor ? "the joint bears its motor" : "the joint bears what its carriage does",
+           "leave it out, or say holds = \"axis\"");
+  q.refuse({"rides"}, "that follows from what the joint holds", "leave it out");
+  if (!motor)
+    q.refuse({"lever_arm", "edge_distance"},
+             "the load of a carriage includes all moments",
+             "leave it out, or say holds = \"axis\"");
+  if (motor && bolts.count() == 1.0)
+    diagnostics.error(place(table.node(), "rows"),
+                      "rows: a single screw cannot keep the motor from turning",
+                      "flanges of stepper motors have rows = 2 and columns = 2");
+}
+
 }  // namespace
 
 void read_bolts(TableReader& table, Member& member, Diagnostics& diagnostics) {
   QuantityReader q(table, diagnostics);
-  read_pattern(table, q, member, diagnostics);
   BoltPattern& bolts = member.bolts;
+  const std::string holds = table.word_or(
+      {"holds", "what loads the joint: all that the axis carries, a motor at its flange, or a carriage of the guide"},
+      {"axis", "motor", "guide"},
+      "axis");
+  bolts.holds = holds == "motor" ? Held::motor : holds == "guide" ? Held::carriage : Held::burden;
+  read_pattern(table, q, member, diagnostics);
+  refuse_of_held(table, q, member, diagnostics);
   bolts.pull_force = q.quantity_or({"pull_force", "straight off the face, on all joints together"}, "N", 0.0);
   bolts.friction = q.quantity_or({"friction", "of the joint: steel 0.15 dry, aluminium 0.12, painted faces 0.10"},
                                  "1",

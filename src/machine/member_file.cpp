@@ -89,7 +89,8 @@ void refuse_others(QuantityReader& q, MemberKind kind) {
   only({section_beam, column, portal_frame}, {"sections", "section_kinds"}, "\"beam\", \"column\" or \"portal_frame\"");
   only({round_shaft, rectangular_bar, section_beam}, {"torque"}, "\"shaft\", \"bar\" or \"beam\"");
   only({bolts},
-       {"rows",
+       {"holds",
+        "rows",
         "columns",
         "row_spacing",
         "column_spacing",

@@ -152,9 +152,13 @@ enum class BeamSupport { supported, fixed, cantilever };
 /// How the surface of a shaft was made, for its endurance limit.
 enum class SurfaceFinish { ground, machined, hot_rolled, forged };
 
+/// What a joint of screws holds: all that its axis carries, each motor at its flange, or each carriage of the guide.
+enum class Held { burden, motor, carriage };
+
 /// A joint of a rectangular pattern of equal screws on an upright face: the load pulls down along the face at a lever
 /// arm from it, so that the joint is sheared and tilts about its lower edge; a lateral force does so sideways.
 struct BoltPattern {
+  Held holds = Held::burden;
   double rows = 2.0, columns = 2.0;           ///< upwards, across
   double row_spacing = 0.0;                   ///< m
   double column_spacing = 0.0;                ///< m

@@ -69,6 +69,13 @@ void RackDrive<T>::derive() {
   rack_stress = rk::lewis_stress(this->largest_force, face_width, rack.module, 0.154 * pi<T>());
 }
 
+/// What the teeth push at the motor's shaft [N]; nothing where the bearings of a reduction bear it.
+template <class T>
+T shaft_pull(const RackDrive<T>& d) {
+  using namespace scalar;
+  return d.reduction.present ? in_unit<T>(0.0, dimension::force) : T(d.largest_force / cos(d.pinion.pressure_angle));
+}
+
 /// Errors of the axis [m]. The pitch error counts over at least 0.3 m: that of a few teeth is no smaller share of it.
 /// The teeth are taken as rigid: what a force does is the wind-up of a reduction and the lag of the motor.
 template <class T>

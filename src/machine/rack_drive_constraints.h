@@ -131,7 +131,7 @@ void rack_shaft_constraints(Visit&& visit) {
         // The bearings of a reduction carry it.
         return d.data->require.known(motor_radial_load) && !d.reduction.present ? Applies::yes : Applies::no;
       },
-      [](const auto& d) { return d.largest_force / cos(d.pinion.pressure_angle); },
+      [](const auto& d) { return shaft_pull(d); },
       [](const auto& d) { return d.require(motor_radial_load, dimension::force); });
 }
 

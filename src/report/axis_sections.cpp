@@ -93,6 +93,8 @@ std::string checks_table(const Design& design, const std::string& axis, const Te
                   "checks verdicts of-axis");
   for (const Check* check : checks_of(design, axis)) {
     std::string title = escaped(t.said(check->title));
+    if (const std::string element = element_named(design, *check); !element.empty())
+      title += " (" + escaped(element) + ")";
     if (!worst_text(*check).empty()) title += "<small>" + escaped(t.worst(worst_text(*check))) + "</small>";
     if (!check->note.empty()) title += "<small class=\"note\">" + escaped(t.said(check->note)) + "</small>";
     const auto number = [](double value) {

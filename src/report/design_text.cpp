@@ -132,9 +132,21 @@ std::string worst_text(const Check& check) {
   return check.phase + (both ? "; " : "") + check.position;
 }
 
-std::string check_cell(const Check& check, const std::string& id) {
+std::string element_named(const Design& design, const Check& check) {
+  const bool several = std::any_of(design.checks.begin(), design.checks.end(), [&](const Check& each) {
+    return each.id == check.id && each.axis == check.axis && each.element != check.element;
+  });
+  return several ? check.element : std::string();
+}
+
+std::string title_of(const Design& design, const Check& check) {
+  const std::string element = element_named(design, check);
+  return element.empty() ? check.title : check.title + " (" + element + ")";
+}
+
+std::string check_cell(const Design& design, const Check& check, const std::string& id) {
   const std::string worst = worst_text(check);
-  return id + " " + check.title + (worst.empty() ? "" : "\n(" + worst + ")");
+  return id + " " + title_of(design, check) + (worst.empty() ? "" : "\n(" + worst + ")");
 }
 
 std::string utilisation_text(const Check& check) {
@@ -241,7 +253,7 @@ std::string governing_text(const MachineResult& result, const Design& design, co
   TextTable table({{""}, {""}, {""}, {"", Align::right}, {""}});
   for (const std::string& axis : checked_axes(result))
     if (const Check* check = design.governing(axis))
-      table.add({axis, check->id, check->title, utilisation_text(*check), verdict_text(*check, style)});
+      table.add({axis, check->id, title_of(design, *check), utilisation_text(*check), verdict_text(*check, style)});
   return table.empty() ? std::string()
                        : style.heading("Governing check of each axis") + "\n" + table.str(2, style) + "\n";
 }
@@ -276,7 +288,7 @@ std::string checks_text(const MachineResult& result, const Design& design, const
       if (!check->note.empty()) notes.insert(check->id + ": " + check->note);
       const std::string id = check->id + (is_soft ? "*" : "");
       table.add({wide ? id : "",
-                 wide ? check->title : check_cell(*check, id),
+                 wide ? title_of(design, *check) : check_cell(design, *check, id),
                  value_text(check->value),
                  value_text(check->limit),
                  unit_text(check->unit),
@@ -310,7 +322,8 @@ std::string closest_checks_text(const MachineResult& result,
     for (const Check* check : checks_of(design, axis)) {
       const bool violated = check->verdict == Verdict::violated;
       if (check->kind == ConstraintKind::soft) {
-        if (violated) over.add({count_over++ == 0 ? axis : "", check->id, check->title, utilisation_text(*check), ""});
+        if (violated)
+          over.add({count_over++ == 0 ? axis : "", check->id, title_of(design, *check), utilisation_text(*check), ""});
         continue;
       }
       if (violated && !with_failures) continue;
@@ -320,7 +333,7 @@ std::string closest_checks_text(const MachineResult& result,
       if (!violated && !counts) continue;
       table.add({count++ == 0 ? axis : "",
                  check->id,
-                 check->title,
+                 title_of(design, *check),
                  utilisation_text(*check),
                  violated ? verdict_text(*check, style) : ""});
     }

@@ -60,8 +60,12 @@ std::string least_text(const evaluation::UnmetCheck& check);
 /// Wide enough for tables of checks with a column for everything; below it id, title and where a check is worst share
 /// one.
 inline constexpr std::size_t wide_checks = 120;
+/// The element of a check, if its axis has the same check of another one too: "flange"; else empty.
+std::string element_named(const evaluation::Design& design, const evaluation::Check& check);
+/// "Proof load of the screws", where several elements have that check "Proof load of the screws (flange)".
+std::string title_of(const evaluation::Design& design, const evaluation::Check& check);
 /// "C-ACC-TOTAL Position error budget", below it "(constant speed)" where a check is worst.
-std::string check_cell(const evaluation::Check& check, const std::string& id);
+std::string check_cell(const evaluation::Design& design, const evaluation::Check& check, const std::string& id);
 /// Phase of the duty cycle and position of the travel where a check is worst.
 std::string worst_text(const evaluation::Check& check);
 

@@ -74,10 +74,12 @@ std::string totals_html(const Design& design, const Texts& t) {
 }
 
 /// Axis, check, value, limit and use: of a check in a table of the summary; its last cell is left to the caller.
-std::vector<std::string> check_cells(const std::string& axis, const Check& check, std::string last, const Texts& t) {
+std::vector<std::string> check_cells(
+    const Design& design, const std::string& axis, const Check& check, std::string last, const Texts& t) {
+  const std::string element = element_named(design, check);
   return {escaped(t.axis(axis)),
           fmt::format("<a href=\"#{}\">{}</a>", calculation_id(check), escaped(check.id)),
-          escaped(t.said(check.title)),
+          escaped(t.said(check.title)) + (element.empty() ? "" : " (" + escaped(element) + ")"),
           value_cell(check.value, check.unit),
           value_cell(check.limit, check.unit),
           utilisation_bar(check) + fmt::format("<span class=\"pct\">{}</span>", escaped(utilisation_text(check))),
@@ -93,7 +95,8 @@ HtmlTable check_table(const std::string& last, std::string_view css_class, const
 std::string governing_table(const MachineResult& result, const Design& design, const Texts& t) {
   HtmlTable table = check_table("", "checks verdicts", t);
   for (const std::string& axis : checked_axes(result))
-    if (const Check* check = design.governing(axis)) table.add(check_cells(axis, *check, verdict_mark(*check, t), t));
+    if (const Check* check = design.governing(axis))
+      table.add(check_cells(design, axis, *check, verdict_mark(*check, t), t));
   return table.empty() ? std::string() : "<h3>" + escaped(t("summary.governing")) + "</h3>\n" + table.str();
 }
 
@@ -101,7 +104,7 @@ std::string failures_table(const MachineResult& result, const Design& design, co
   HtmlTable table = check_table(t("check.worst"), "checks", t);
   for (const std::string& axis : checked_axes(result))
     for (const Check* check : checks_of(design, axis))
-      if (is_failure(*check)) table.add(check_cells(axis, *check, escaped(t.worst(worst_text(*check))), t));
+      if (is_failure(*check)) table.add(check_cells(design, axis, *check, escaped(t.worst(worst_text(*check))), t));
   return table.empty() ? std::string() : "<h3>" + escaped(t("summary.failures")) + "</h3>\n" + table.str();
 }
 

@@ -122,7 +122,7 @@ std::string failures_text(const MachineResult& result, const Design& design, con
       if (check->verdict == Verdict::violated && check->kind != machine::ConstraintKind::soft)
         table.add({axis,
                    wide ? check->id : "",
-                   wide ? check->title : check_cell(*check, check->id),
+                   wide ? title_of(design, *check) : check_cell(design, *check, check->id),
                    scalar::format_number(check->value),
                    fmt::format("> {}{}{}",
                                scalar::format_number(check->limit),

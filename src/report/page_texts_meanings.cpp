@@ -218,6 +218,7 @@ const std::vector<Saying>& meanings() {
       {"static roll moment rating", "kapasitas momen guling statis"},
       {"static pitch moment rating", "kapasitas momen angguk statis"},
       {"static yaw moment rating", "kapasitas momen geleng statis"},
+      {"load of the most loaded carriage", "beban kereta yang paling terbebani"},
       {"mass of the carriages", "massa kereta"},
       {"mass of the rails", "massa rel"},
       {"length of a rail", "panjang rel"},
@@ -281,6 +282,8 @@ const std::vector<Saying>& meanings() {
       {"permitted share of the available torque", "bagian torsi tersedia yang diizinkan"},
       {"shaft of the motor", "poros motor"},
       {"mass of the motor", "massa motor"},
+      {"weight of the motor and pull at its shaft", "berat motor dan tarikan pada porosnya"},
+      {"largest torque of the motor", "torsi terbesar motor"},
       {"time of a ramp", "waktu ramp"},
       {"pitch of the thread", "jarak puncak ulir"},
       {"lead of the screw", "kisar ulir"}};

@@ -157,6 +157,22 @@ column_spacing = "60 mm"
 extra_force = "200 N"
 tightening_torque = "5 N.m"
 rides = true
+[[axis.members]]
+name = "motor_flange"
+kind = "bolts"
+holds = "motor"
+row_spacing = "31 mm"
+column_spacing = "31 mm"
+edge_distance = "6 mm"
+lever_arm = "30 mm"
+lateral_force = "5 N"
+[[axis.members]]
+name = "carriages"
+kind = "bolts"
+holds = "guide"
+fitted = true
+row_spacing = "20 mm"
+column_spacing = "15 mm"
 )";
 
 /// A rack that lifts, one that stands while its motor rides, a table, screws and a belt on it: with reductions to

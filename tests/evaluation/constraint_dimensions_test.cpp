@@ -379,8 +379,9 @@ void check_member(
   machine::member_constraints(DimensionVisitor(d, seen));
 }
 
-void check_bolts(bool fitted, bool eccentric, std::set<std::string>& seen) {
+void check_bolts(bool fitted, bool eccentric, machine::Held holds, std::set<std::string>& seen) {
   machine::BoltedJointData data;
+  data.member.bolts.holds = holds;
   data.member.kind = machine::MemberKind::bolts;
   data.member.lateral_force = 20.0;
   data.member.lever_arm = 0.1;
@@ -395,6 +396,8 @@ void check_bolts(bool fitted, bool eccentric, std::set<std::string>& seen) {
   d.data = &data;
   d.bolt = {length(0.008), {36.6e-6, dimension::area}, pressure(600e6), pressure(640e6)};
   d.carried_mass = mass(20.0);
+  d.held_force = {30.0, dimension::force};
+  d.held_torque = {2.0, dimension::torque};
   d.derive();
   CHECK(d.preload.dimension == dimension::force);
   machine::bolted_joint_constraints(DimensionVisitor(d, seen));
@@ -429,7 +432,9 @@ TEST_CASE("Demand and capacity of every constraint have the dimension of its uni
       for (const bool steel : {true, false}) check_member(kind, support, false, steel, seen[3]);
   check_member(MemberKind::round_shaft, BeamSupport::fixed, true, true, seen[3]);
   for (const bool fitted : {false, true})
-    for (const bool eccentric : {false, true}) check_bolts(fitted, eccentric, seen[5]);
+    for (const bool eccentric : {false, true})
+      for (const auto holds : {machine::Held::burden, machine::Held::motor, machine::Held::carriage})
+        check_bolts(fitted, eccentric, holds, seen[5]);
   evaluation::supply_constraints(DimensionVisitor(evaluation::Supply<Dimensioned>{nullptr,
                                                                                   {120.0, dimension::power_output},
                                                                                   {350.0, dimension::power_output},

@@ -68,7 +68,8 @@ class RandomMachine {
         draw_.of({2, 4, 8, 16}),
         draw_.chance(0.15) ? ", current = [\"0.8 A\", \"1.5 A\", \"2.5 A\"]" : "",
         upright_ && draw_.chance(0.8) ? ", brake_torque = \"2 N.m\"" : "");
-    if (!rotary_ && (tool_ || draw_.chance(0.6))) guide();
+    has_guide_ = !rotary_ && (tool_ || draw_.chance(0.6));
+    if (has_guide_) guide();
     const int moves = draw_.of({1, 1, 2});
     for (int i = 0; i < moves; ++i) move();
     axis_requirements();
@@ -193,11 +194,12 @@ class RandomMachine {
   void member(int index) {
     add("[[axis.members]]\nname = \"m{}\"\n", index);
     const bool rides = draw_.chance(0.5);
-    if (rides) add("rides = true\n");
     // Dimensions that move cost and mass only on small machines: the enumeration has them on a grid.
     const bool free_dimension = count_ <= 2 && !has_dimension_ && draw_.chance(0.8);
     const double length = draw_.between(100.0, 500.0);
     const double kind = draw_.uniform();
+    if (kind >= 0.88) return held_joint();
+    if (rides) add("rides = true\n");
     const auto support = [&] { return draw_.of({"supported", "fixed", "cantilever"}); };
     if (kind < 0.35 || (!free_dimension && kind < 0.6)) {
       add("kind = \"beam\"\nsupport = \"{}\"\nlength = \"{:.4g} mm\"\nmaterial = \"steel\"\nsections = "
@@ -232,6 +234,15 @@ class RandomMachine {
     if (draw_.chance(0.4)) add("extra_force = \"{:.4g} N\"\n", draw_.scale(10.0, 1000.0));
   }
 
+  /// Of motors or carriages: tightened so little that which motor or guide it is matters.
+  void held_joint() {
+    add("kind = \"bolts\"\nholds = \"{}\"\nrow_spacing = \"31 mm\"\ncolumn_spacing = \"31 mm\"\ntightening_torque = "
+        "\"{:.3g} N.m\"\n",
+        has_guide_ && draw_.chance(0.5) ? "guide" : "motor",
+        draw_.scale(0.05, 2.0));
+    if (draw_.chance(0.4)) add("extra_force = \"{:.4g} N\"\n", draw_.scale(1.0, 100.0));
+  }
+
   void size(const char* kind, const char* support, double length, const char* dimension, double least, double times) {
     add("kind = \"{}\"\nsupport = \"{}\"\nlength = \"{:.4g} mm\"\nmaterial = \"{}\"\n",
         kind,
@@ -257,6 +268,7 @@ class RandomMachine {
   std::string text_;
   int count_ = 1;
   bool tool_ = false, rotary_ = false, upright_ = false, has_dimension_ = false;
+  bool has_guide_ = false;
   double stroke_ = 100.0, mass_ = 1.0, ramp_ = 0.0, shortest_ = 0.1;
 };
 

@@ -109,6 +109,37 @@ TEST_CASE("Bolted joints are read") {
   CHECK(full.bolts.property_classes == std::vector<std::string>{"8.8"});
 }
 
+// Axis x of the sound problem has one drive and a guide of four carriages, axis y none.
+TEST_CASE("Joints of motors and carriages count themselves and take no load by hand") {
+  CHECK(member(bolts).bolts.holds == machine::Held::burden);
+  const machine::Member flange = member(bolts + "holds = \"motor\"\n");
+  CHECK(flange.bolts.holds == machine::Held::motor);
+  CHECK(flange.count == 1.0);
+  const machine::Member slide = member(bolts + "holds = \"guide\"\n");
+  CHECK(slide.bolts.holds == machine::Held::carriage);
+  CHECK(slide.count == 4.0);
+  CHECK(slide.rides);
+  check_all({
+      {beam, bolts + "holds = «\"gear\"»\n", "'holds' cannot be 'gear'", "motor"},
+      {beam, bolts + "holds = \"motor\"\n«count» = 2\n", "count: there is a joint for each motor", "leave it out"},
+      {beam, bolts + "holds = \"guide\"\n«count» = 4\n", "count: there is a joint for each carriage", "leave it out"},
+      {beam,
+       bolts + "holds = \"motor\"\n«load_share» = 0.5\n",
+       "load_share: the joint bears its motor",
+       "holds = \"axis\""},
+      {beam, bolts + "holds = \"guide\"\n«rides» = true\n", "rides: that follows from what the joint holds", "leave"},
+      {beam,
+       bolts + "holds = \"guide\"\n«lever_arm» = \"0 mm\"\n",
+       "lever_arm: the load of a carriage includes all moments",
+       "holds = \"axis\""},
+      {beam,
+       "kind = \"bolts\"\nholds = \"motor\"\nrows = «1»\ncolumns = 1\n",
+       "rows: a single screw cannot keep the motor from turning",
+       "rows = 2"},
+      {beam, plate + "«holds» = \"motor\"\n", "holds: this kind of member has none", "\"bolts\""},
+  });
+}
+
 TEST_CASE("What bushings need is read") {
   const std::string spacing = "rail_spacing = \"250 mm\" }";
   const machine::GuideChoice usual = sound_with(spacing, spacing).axes[0].guide.value();
