@@ -144,10 +144,7 @@ bool Frontier::advance(std::size_t stage, const Comparison& comparison) {
   if (!control_.while_there_is_time([&] { sharpen_planes(stage, chunks); })) return false;
   for (std::size_t i = 0; i < chunks.size(); ++i) {
     control_.nodes += chunks[i].set.nodes;
-    combine(stage, static_cast<std::uint32_t>(i), chunks[i], comparison);
-    if (combinations_.size() > patience_) return false;
-    if (combinations_.size() > most_combinations) compact(stage, chunks, comparison);
-    if (control_.time_is_up()) return false;
+    if (!combine(stage, static_cast<std::uint32_t>(i), chunks, comparison)) return false;
   }
   sort_combinations(comparison);
   Archive known(comparison.dimensions());
@@ -181,13 +178,27 @@ bool Frontier::may_matter(std::size_t stage, std::span<const double> score, std:
               {score[0], criteria_.second(score)}, [&](std::size_t c) { return state[c]; }, useful_.back()));
 }
 
-void Frontier::combine(std::size_t stage, std::uint32_t index, const Chunk& chunk, const Comparison& comparison) {
-  const auto keep = [&](std::uint32_t label, std::uint32_t candidate, const auto& score, const auto&... states) {
+/// Adds the combinations of one chunk. False: there are too many, or time is up.
+bool Frontier::combine(std::size_t stage,
+                       std::uint32_t index,
+                       const std::vector<Chunk>& chunks,
+                       const Comparison& comparison) {
+  const Chunk& chunk = chunks[index];
+  std::uint32_t label = 0;
+  const auto keep = [&](std::uint32_t candidate, const auto& score, const auto&... states) {
     combinations_.push_back({index, label, candidate, keys_.size()});
     keys_.resize(keys_.size() + comparison.dimensions());
     comparison.best_key(score, states..., keys_.data() + combinations_.back().key);
   };
-  sums(stage, chunk, 1, keep);
+  std::size_t most = std::max(most_combinations, 2 * combinations_.size());
+  for (; label < chunk.labels.size(); ++label) {
+    sums(stage, chunk, label, 1, keep);
+    if (combinations_.size() > patience_ || control_.time_is_up()) return false;
+    if (combinations_.size() <= most) continue;
+    compact(stage, chunks, comparison);
+    most = std::max(most_combinations, 2 * combinations_.size());
+  }
+  return true;
 }
 
 /// Ascending in the first coordinate, among equals in the second, ...: nothing is dominated by what comes after it.

@@ -140,7 +140,7 @@ class Frontier {
   bool restrict_stages();
   void sharpen_planes(std::size_t stage, const std::vector<Chunk>& chunks);
   template <class Found>
-  void sums(std::size_t stage, const Chunk& chunk, std::size_t stride, Found&& found) const;
+  void sums(std::size_t stage, const Chunk& chunk, std::uint32_t label, std::size_t stride, Found&& found) const;
   void update_useful();
   std::vector<Chunk> make_chunks(std::size_t stage, const Comparison& comparison) const;
   void ask(std::size_t stage, const Comparison& comparison, Chunk& chunk) const;
@@ -148,7 +148,7 @@ class Frontier {
   template <class Priced>
   void ask_vectors(std::size_t stage, Chunk& chunk, Priced&& priced) const;
   [[nodiscard]] bool may_matter(std::size_t stage, std::span<const double> score, std::span<const double> state) const;
-  void combine(std::size_t stage, std::uint32_t index, const Chunk& chunk, const Comparison& comparison);
+  bool combine(std::size_t stage, std::uint32_t index, const std::vector<Chunk>& chunks, const Comparison& comparison);
   void sort_combinations(const Comparison& comparison);
   void compact(std::size_t stage, const std::vector<Chunk>& chunks, const Comparison& comparison);
   void worst_key(std::size_t stage,

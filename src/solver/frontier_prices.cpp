@@ -233,10 +233,10 @@ void Frontier::sharpen_planes(std::size_t stage, const std::vector<Chunk>& chunk
     std::vector<double> score, state;
   };
   std::vector<Sample> sampled;
+  const auto take = [&](auto, const auto& score, const auto& state, const auto&) { sampled.push_back({score, state}); };
   for (const Chunk& chunk : chunks)
-    sums(stage, chunk, number / samples, [&](auto, auto, const auto& score, const auto& state, const auto&) {
-      sampled.push_back({score, state});
-    });
+    for (std::uint32_t label = 0; label < chunk.labels.size(); ++label)
+      sums(stage, chunk, label, number / samples, take);
   const std::vector<double> most = highest_scores();
   for (std::size_t round = 0; round < rounds * criteria_.objectives && !sampled.empty(); ++round) {
     const std::size_t k = round % criteria_.objectives;
