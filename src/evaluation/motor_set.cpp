@@ -2,6 +2,7 @@
 #include "evaluation/motor_set.h"
 
 #include <algorithm>
+#include <map>
 
 namespace millwright::evaluation {
 
@@ -16,6 +17,13 @@ MotorSet::MotorSet(MotorTable motors,
       require_(require),
       speeds_(std::move(speeds)),
       torque_table_(voltages * motors_.pairs.size()) {
+  std::map<std::pair<int, double>, solver::Row> first_with;  // (motor, current)
+  for (solver::Row row = 0; row < motors_.pairs.size(); ++row) {
+    const machine::MotorFigures<double>& figures = motors_.pairs[row].at_voltage.front();
+    const int motor = motors_.table.candidate(row).parts.front().row;
+    const double current = std::min(figures.driver_peak_current, figures.asked_current);
+    torque_row_.push_back(first_with.try_emplace({motor, current}, row).first->second);
+  }
   readings_.resize(voltages);
   for (std::size_t v = 0; v < voltages; ++v) {
     for (const MotorPair& pair : motors_.pairs) {
@@ -33,7 +41,8 @@ MotorSet::MotorSet(MotorTable motors,
   }
 }
 
-const std::vector<Interval>& MotorSet::torque_ranges(std::size_t voltage, solver::Row row) const {
+const std::vector<Interval>& MotorSet::torque_ranges(std::size_t voltage, solver::Row any_row) const {
+  const solver::Row row = torque_row_[any_row];
   TorqueRanges& of_motor = torque_table_[voltage * motors_.pairs.size() + row];
   std::call_once(of_motor.known, [&] {
     for (std::size_t r = 0; r + 1 < speeds_.size(); ++r)

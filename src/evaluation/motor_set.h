@@ -158,6 +158,7 @@ class MotorSet {
                                                  std::size_t voltage,
                                                  std::size_t range) const;
   mutable std::vector<TorqueRanges> torque_table_;  ///< voltage * rows + row
+  std::vector<solver::Row> torque_row_;             ///< [row]: the first with the same motor at the same current
 };
 
 }  // namespace millwright::evaluation

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Motors with the drivers that can run them and the currents that may be set there. Drivers that give a motor the same
-// current differ only in price, mass and the voltages they bear: for one motor those that are dearer or heavier than
-// another that bears at least the same voltages are left out, or marked as covered by it.
+// Motors with the drivers that are worth keeping for them and the currents that may be set there.
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
+#include <tuple>
 
 #include "evaluation/drive_tables.h"
+#include "evaluation/driver_choices.h"
 
 namespace millwright::evaluation {
 
@@ -104,57 +104,12 @@ std::shared_ptr<const mechanics::PullOutCurve> governing_curve(
   return key ? std::make_shared<const mechanics::PullOutCurve>(curve_of(curves, maker, part, *key)) : nullptr;
 }
 
-struct Driver {
-  int row;
-  double peak_current, largest_voltage, least_voltage, price, mass;
-  double preference = 1.0;                        ///< of its price, where builds are compared
-  const catalogue::Supplier* supplier = nullptr;  ///< where an order costs more than the driver
-};
-
-std::vector<Driver> eligible_drivers(const Table& t, const machine::Axis& axis, const PriceBook& prices) {
-  std::vector<Driver> drivers;
-  for (int row = 0; row < t.rows(); ++row) {
-    if (t.flag(column(Family::drivers, "closed_loop"), row).value_or(false)) continue;  // needs a motor with an encoder
-    if (!(t.number(column(Family::drivers, "maximum_microsteps"), row) >= axis.motor.microsteps)) continue;
-    Driver d{row,
-             t.number(column(Family::drivers, "peak_current"), row),
-             t.number(column(Family::drivers, "maximum_voltage"), row),
-             t.number(column(Family::drivers, "minimum_voltage"), row),
-             prices.line(t, row, 1.0, 0.0),
-             t.number(column(Family::drivers, "mass"), row),
-             prices.preference(t, row),
-             prices.charging_supplier(t, row)};
-    if (std::isnan(d.peak_current + d.largest_voltage + d.least_voltage + d.price + d.mass)) continue;
-    drivers.push_back(d);
-  }
-  return drivers;
-}
-
-bool runs_at(const Driver& d, double voltage, double voltage_factor) {
-  return d.least_voltage <= voltage && voltage <= voltage_factor * d.largest_voltage;
-}
-
 /// The currents that may be set for a motor, the largest first.
 std::vector<double> settable_currents(const machine::Axis& axis, double rated_current) {
   if (axis.motor.currents.empty()) return {axis.require(machine::Requirement::current_factor) * rated_current};
   std::vector<double> currents = axis.motor.currents;
   std::sort(currents.begin(), currents.end(), std::greater<>());
   return currents;
-}
-
-/// b is never better than a at this current: it gives the same, and is at least as dear, as heavy and as fussy about
-/// the voltage.
-bool is_never_better(
-    const Driver& b, const Driver& a, double current, const std::vector<double>& voltages, double voltage_factor) {
-  if (std::min(a.peak_current, current) != std::min(b.peak_current, current)) return false;
-  if (a.price > b.price || a.mass > b.mass) return false;
-  if (a.preference * a.price > b.preference * b.price) return false;
-  // An order more is not for nothing, and what is bought may help to reach a minimum.
-  if (a.supplier != nullptr && a.supplier != b.supplier) return false;
-  if (b.supplier != nullptr && b.supplier->minimum_order > 0.0) return false;
-  for (const double v : voltages)
-    if (runs_at(b, v, voltage_factor) && !runs_at(a, v, voltage_factor)) return false;
-  return a.price < b.price || a.mass < b.mass || a.preference * a.price < b.preference * b.price || a.row < b.row;
 }
 
 constexpr catalogue::Column curve_torque = column(Family::stepper_curves, "torque");
@@ -209,40 +164,25 @@ class MotorPairs {
         voltages_(voltages),
         driver_table_(catalogue.table(Family::drivers)),
         curve_table_(catalogue.table(Family::stepper_curves)),
-        drivers_(eligible_drivers(driver_table_, axis, prices)),
-        curves_(read_curves(curve_table_, [&](int row) { return curve_table_.number(curve_torque, row); })),
-        voltage_factor_(axis.require(machine::Requirement::driver_voltage_factor)) {}
+        drivers_(driver_table_, axis, voltages, prices),
+        curves_(read_curves(curve_table_, [&](int row) { return curve_table_.number(curve_torque, row); })) {}
 
   void add(const Motor& motor) {
     for (const double current : settable_currents(axis_, motor.figures.rated_current)) {
       const std::size_t first = table.table.rows();
-      std::vector<const Driver*> kept;
-      for (const Driver& driver : drivers_) {
-        if (!axis_.keep_every_candidate && !worth_keeping(driver, current)) continue;
-        add(motor, driver, current);
-        kept.push_back(&driver);
+      const DriverChoices::Choice& choice = drivers_.at(current);
+      for (const Driver* driver : choice.kept) add(motor, *driver, current);
+      for (std::size_t i = 0; i < choice.covered_by.size(); ++i) {
+        std::vector<solver::Row> by;
+        for (const std::size_t k : choice.covered_by[i]) by.push_back(static_cast<solver::Row>(first + k));
+        table.table.cover(first + i, std::move(by));
       }
-      if (axis_.keep_covered_candidates && !axis_.keep_every_candidate) note_covers(first, kept, current);
     }
   }
 
   MotorTable table{SlotTable("motor", 0), {}};
 
  private:
-  [[nodiscard]] bool covers(const Driver& a, const Driver& b, double current) const {
-    return a.row != b.row && is_never_better(b, a, current, voltages_, voltage_factor_);
-  }
-  [[nodiscard]] bool possible(const Driver& d, double current) const {
-    if (!axis_.motor.currents.empty() && d.peak_current < current) return false;  // it cannot be set there
-    return std::any_of(voltages_.begin(), voltages_.end(), [&](double v) { return runs_at(d, v, voltage_factor_); });
-  }
-  /// A driver that a bill names is judged, not passed over (C-DR-VOLT, F-DRIVER-VOLTAGE-MIN, C-DR-CURRENT).
-  [[nodiscard]] bool worth_keeping(const Driver& d, double current) const {
-    return possible(d, current) &&
-           (axis_.keep_covered_candidates ||
-            std::none_of(drivers_.begin(), drivers_.end(), [&](const Driver& a) { return covers(a, d, current); }));
-  }
-
   void add(const Motor& motor, const Driver& driver, double current) {
     MotorPair pair;
     pair.shaft = motor.shaft;
@@ -255,7 +195,7 @@ class MotorPairs {
     for (const double v : voltages_) {
       f.voltage = v;
       pair.at_voltage.push_back(f);
-      pair.fits_voltage.push_back(runs_at(driver, v, voltage_factor_));
+      pair.fits_voltage.push_back(drivers_.runs_at(driver, v));
       pair.curve.push_back(governing_curve(curves_, maker, part, v, std::min(driver.peak_current, current)));
       if (pair.curve.back() != nullptr) pair.torque_is_estimate = false;
     }
@@ -312,23 +252,13 @@ class MotorPairs {
     }
   }
 
-  void note_covers(std::size_t first, const std::vector<const Driver*>& kept, double current) {
-    for (std::size_t i = 0; i < kept.size(); ++i) {
-      std::vector<solver::Row> by;
-      for (std::size_t k = 0; k < kept.size(); ++k)
-        if (covers(*kept[k], *kept[i], current)) by.push_back(static_cast<solver::Row>(first + k));
-      table.table.cover(first + i, std::move(by));
-    }
-  }
-
   const Table& motors_;
   const machine::Axis& axis_;
   const std::vector<double>& voltages_;
   const Table& driver_table_;
   const Table& curve_table_;
-  std::vector<Driver> drivers_;
+  DriverChoices drivers_;
   Curves curves_;
-  double voltage_factor_;
 };
 
 }  // namespace

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "evaluation/driver_choices.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace millwright::evaluation {
+
+using catalogue::column;
+using catalogue::Family;
+
+DriverChoices::DriverChoices(const catalogue::Table& drivers,
+                             const machine::Axis& axis,
+                             const std::vector<double>& voltages,
+                             const PriceBook& prices)
+    : axis_(axis), voltages_(voltages), voltage_factor_(axis.require(machine::Requirement::driver_voltage_factor)) {
+  const catalogue::Table& t = drivers;
+  for (int row = 0; row < t.rows(); ++row) {
+    if (t.flag(column(Family::drivers, "closed_loop"), row).value_or(false)) continue;  // needs a motor with an encoder
+    if (!(t.number(column(Family::drivers, "maximum_microsteps"), row) >= axis.motor.microsteps)) continue;
+    const Driver d{row,
+                   t.number(column(Family::drivers, "peak_current"), row),
+                   t.number(column(Family::drivers, "maximum_voltage"), row),
+                   t.number(column(Family::drivers, "minimum_voltage"), row),
+                   prices.line(t, row, 1.0, 0.0),
+                   t.number(column(Family::drivers, "mass"), row),
+                   prices.preference(t, row),
+                   prices.charging_supplier(t, row)};
+    if (!std::isnan(d.peak_current + d.largest_voltage + d.least_voltage + d.price + d.mass)) drivers_.push_back(d);
+  }
+}
+
+bool DriverChoices::runs_at(const Driver& driver, double voltage) const {
+  return driver.least_voltage <= voltage && voltage <= voltage_factor_ * driver.largest_voltage;
+}
+
+/// b is never better than a at this current: it gives the same, and is at least as dear, as heavy and as fussy about
+/// the voltage.
+bool DriverChoices::covers(const Driver& a, const Driver& b, double current) const {
+  if (a.row == b.row) return false;
+  if (std::min(a.peak_current, current) != std::min(b.peak_current, current)) return false;
+  if (a.price > b.price || a.mass > b.mass) return false;
+  if (a.preference * a.price > b.preference * b.price) return false;
+  // An order more is not for nothing, and what is bought may help to reach a minimum.
+  if (a.supplier != nullptr && a.supplier != b.supplier) return false;
+  if (b.supplier != nullptr && b.supplier->minimum_order > 0.0) return false;
+  for (const double v : voltages_)
+    if (runs_at(b, v) && !runs_at(a, v)) return false;
+  return a.price < b.price || a.mass < b.mass || a.preference * a.price < b.preference * b.price || a.row < b.row;
+}
+
+/// A driver that a bill names is judged, not passed over (C-DR-VOLT, F-DRIVER-VOLTAGE-MIN, C-DR-CURRENT).
+bool DriverChoices::possible(const Driver& driver, double current) const {
+  if (axis_.keep_every_candidate) return true;
+  if (!axis_.motor.currents.empty() && driver.peak_current < current) return false;  // it cannot be set there
+  return std::any_of(voltages_.begin(), voltages_.end(), [&](double v) { return runs_at(driver, v); });
+}
+
+const DriverChoices::Choice& DriverChoices::at(double current) {
+  const auto [place, is_new] = choices_.try_emplace(current);
+  if (is_new) place->second = choice_at(current);
+  return place->second;
+}
+
+DriverChoices::Choice DriverChoices::choice_at(double current) const {
+  Choice choice;
+  for (const Driver& driver : drivers_)
+    if (possible(driver, current)) choice.kept.push_back(&driver);
+  if (axis_.keep_every_candidate) return choice;
+  if (!axis_.keep_covered_candidates) {
+    drop_covered(choice.kept, current);
+    return choice;
+  }
+  for (const Driver* driver : choice.kept) {
+    choice.covered_by.emplace_back();
+    for (std::size_t k = 0; k < choice.kept.size(); ++k)
+      if (covers(*choice.kept[k], *driver, current)) choice.covered_by.back().push_back(k);
+  }
+  return choice;
+}
+
+/// One that covers another comes before it in the order taken, and what covers the one covers the other: a driver has
+/// to be compared with those kept so far only.
+void DriverChoices::drop_covered(std::vector<const Driver*>& drivers, double current) const {
+  const auto key = [](const Driver* d) { return std::tuple(d->price, d->mass, d->preference * d->price, d->row); };
+  std::sort(drivers.begin(), drivers.end(), [&](const Driver* a, const Driver* b) { return key(a) < key(b); });
+  std::vector<const Driver*> kept;
+  for (const Driver* driver : drivers)
+    if (std::none_of(kept.begin(), kept.end(), [&](const Driver* a) { return covers(*a, *driver, current); }))
+      kept.push_back(driver);
+  std::sort(kept.begin(), kept.end(), [](const Driver* a, const Driver* b) { return a->row < b->row; });
+  drivers = std::move(kept);
+}
+
+}  // namespace millwright::evaluation

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The drivers of the catalogue that are worth keeping for motors of an axis. Drivers that give a motor the same current
+// differ only in price, mass and the voltages they bear: those that are dearer or heavier than another that bears at
+// least the same voltages are left out, or marked as covered by it.
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "catalogue/catalogue.h"
+#include "evaluation/price_book.h"
+#include "machine/problem.h"
+
+namespace millwright::evaluation {
+
+struct Driver {
+  int row;
+  double peak_current, largest_voltage, least_voltage, price, mass;
+  double preference = 1.0;                        ///< of its price, where builds are compared
+  const catalogue::Supplier* supplier = nullptr;  ///< where an order costs more than the driver
+};
+
+class DriverChoices {
+ public:
+  /// Axis and voltages have to outlive it.
+  DriverChoices(const catalogue::Table& drivers,
+                const machine::Axis& axis,
+                const std::vector<double>& voltages,
+                const PriceBook& prices);
+
+  struct Choice {
+    std::vector<const Driver*> kept;                   ///< by their rows
+    std::vector<std::vector<std::size_t>> covered_by;  ///< [kept], where covered ones are kept; else empty
+  };
+  /// For motors that this current [A] is set for; found once, since most motors have the current of some other one.
+  const Choice& at(double current);
+
+  /// Whether a driver bears this voltage [V].
+  [[nodiscard]] bool runs_at(const Driver& driver, double voltage) const;
+
+ private:
+  [[nodiscard]] bool covers(const Driver& a, const Driver& b, double current) const;
+  [[nodiscard]] bool possible(const Driver& driver, double current) const;
+  [[nodiscard]] Choice choice_at(double current) const;
+  void drop_covered(std::vector<const Driver*>& drivers, double current) const;
+
+  const machine::Axis& axis_;
+  const std::vector<double>& voltages_;
+  double voltage_factor_;
+  std::vector<Driver> drivers_;
+  std::map<double, Choice> choices_;  ///< [current]
+};
+
+}  // namespace millwright::evaluation
