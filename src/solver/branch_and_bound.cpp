@@ -175,9 +175,7 @@ void BranchAndBound::merge(Node& node, Outcome& outcome) {
   for (std::size_t k = 0; k < score.size(); ++k) {
     score[k] = below(below(label.score_lower[k], score[k]), plans_[label.stage].rest[k]);
   }
-  if (incumbents_.hopeless(score, node.utilisation)) return;
-  undecided_ = true;
-  undecided_bound_ = std::min(undecided_bound_, score[0]);
+  leave_undecided(score, node.utilisation);
 }
 
 /// A design of a stage becomes a label of the next, or a build.
@@ -219,6 +217,15 @@ void BranchAndBound::finish(const Label& label) {
   ranked.score = label.score;
   ranked.build = build_of(label);
   incumbents_.offer(std::move(ranked));
+  // What the points stand for may be better than they are: it may keep a limit that they do not, or be more than the
+  // tolerance better where several stages gave up a part of it.
+  if (!label.exact) leave_undecided(label.score_lower, 0.0);
+}
+
+void BranchAndBound::leave_undecided(std::span<const double> score_lower, double utilisation) {
+  if (incumbents_.hopeless(score_lower, utilisation)) return;
+  undecided_ = true;
+  undecided_bound_ = std::min(undecided_bound_, score_lower[0]);
 }
 
 Build BranchAndBound::build_of(const Label& last) const {

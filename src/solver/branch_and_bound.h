@@ -88,6 +88,8 @@ class BranchAndBound {
   void merge(Node& node, Outcome& outcome);
   void arrive(const Node& node, const StagePoint& point);
   void finish(const Label& label);
+  /// Unless the incumbents settle designs with these lower bounds.
+  void leave_undecided(std::span<const double> score_lower, double utilisation);
   bool make_stream(std::uint32_t label, std::size_t region, Node& node) const;
   [[nodiscard]] Build build_of(const Label& last) const;
   [[nodiscard]] double open_bound() const;

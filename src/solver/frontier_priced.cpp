@@ -77,7 +77,11 @@ bool Frontier::advance_priced(std::size_t stage, const Comparison& comparison) {
     for (const StagePoint& point : group.answer.points) {
       for (const std::uint32_t parent : group.labels) {
         Label label;
-        if (!evaluate(stage, parent, {}, point.variables, label)) continue;
+        if (!evaluate(stage, parent, {}, point.variables, label)) {
+          // It breaks a limit; what it stands for may keep it.
+          undecided_ = undecided_ || !point.exact;
+          continue;
+        }
         if (below_staircase(useful, label.score[0], label.score[1])) arrived.push_back(std::move(label));
       }
     }

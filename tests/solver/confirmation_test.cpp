@@ -98,4 +98,26 @@ TEST_CASE("A bar of free width and height has the area derived by hand and both 
   }
 }
 
+TEST_CASE("A limit on the objective that is closer to its least than the tolerance leaves a design") {
+  const Bar bar(2.0, 0.5, 1.7), other(1.0, 1.5, 2.2);
+  const double least = bar.least_area() + other.least_area();
+  Problem problem;
+  problem.stages = {&bar, &other};
+  problem.first_state = {0.0};
+  for (const double above : {1e-7, 1e-9, 1e-10, 1e-11}) {
+    const double limit = least * (1.0 + above);
+    problem.resources = {{"area", limit}};
+    const Summary within = solve(problem, Options{});
+    INFO("above: " << above << ", seconds: " << within.seconds);
+    CHECK(within.status != Status::infeasible);
+    CHECK(within.lower_bound <= limit);
+    if (above >= 1e-7) REQUIRE(within.status == Status::optimal);
+    for (const Build& build : within.builds) CHECK(build.resources[0] <= limit);
+  }
+  problem.resources = {{"area", least * (1.0 - 1e-7)}};
+  const Summary beyond = solve(problem, Options{});
+  CHECK(beyond.builds.empty());
+  CHECK(beyond.status == Status::infeasible);
+}
+
 }  // namespace
