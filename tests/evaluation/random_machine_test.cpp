@@ -61,8 +61,9 @@ Synthesis solved(const MachineModel& model,
   options.time_limit_seconds = limit;
   Synthesis found = evaluation::synthesise(model, options);
   if (looks_at_one())
-    fmt::print("{}: {} designs in {:.3f} s, {} nodes\n",
+    fmt::print("{}: {}, {} designs in {:.3f} s, {} nodes\n",
                fmt::join(options.objectives, ","),
+               found.status == solver::Status::limit ? "not finished" : "finished",
                found.designs.size(),
                found.seconds,
                found.nodes);
