@@ -168,8 +168,10 @@ class Solve {
 
   /// A point that stands for designs a little better than itself may be too heavy for a later stage where they are not.
   /// What stays undecided for that reason is decided with points that stand for less.
+  /// All stages together give up less than what incumbents settle (set_tolerance), or every build would be undecided.
   [[nodiscard]] double first_leaf_tolerance() const {
-    return 0.25 * (criteria_.objectives > 1 ? front_tolerance() : control_.options().gap);
+    const auto priced = static_cast<double>(std::count(priced_stages_.begin(), priced_stages_.end(), true));
+    return std::min(0.25, 0.45 / std::max(priced, 1.0)) * tolerated();
   }
 
   std::unique_ptr<BranchAndBound> label_by_label(std::vector<StagePlan>& plans, double leaf_tolerance) {
@@ -263,10 +265,7 @@ class Solve {
     if (!result.complete) leave_open(result.lower_bound);
   }
 
-  void set_tolerance() {
-    const double gap = criteria_.objectives > 1 ? front_tolerance() : control_.options().gap;
-    incumbents_.tolerance = priced_ ? 0.5 * gap : 0.0;
-  }
+  void set_tolerance() { incumbents_.tolerance = priced_ ? 0.5 * tolerated() : 0.0; }
 
   /// One or two objectives by frontier.h; false when that method does not apply or leaves something undecided.
   bool stage_by_stage(std::vector<StagePlan>& plans, double lower_bound) {
@@ -282,6 +281,10 @@ class Solve {
     return true;
   }
 
+  /// What an answer with priced variables may fall short of the best.
+  [[nodiscard]] double tolerated() const {
+    return criteria_.objectives > 1 ? front_tolerance() : control_.options().gap;
+  }
   [[nodiscard]] double front_tolerance() const {
     return std::max(control_.options().front_tolerance, control_.options().gap);
   }
