@@ -2,7 +2,8 @@
 //
 // The designs of one stage that can matter to any of many labels, found once for all of them.
 //
-// H is a range of states that contains those of all the labels. Branch and bound over row sets, with bounds over H:
+// The labels come in groups of alike states; H is the range of states of a group. Branch and bound over row sets, with
+// bounds over H:
 //   - a region is dropped when it is infeasible at every state in H, or when what it adds to the first two scores is
 //     too much for every label (`useful`; `corners`, with what must follow on what it hands on: rest_curve.h);
 //   - a design is *universal* when some fixed values of its variables (or all of them) keep every utilisation <= 1 over
@@ -11,6 +12,11 @@
 //     dominates is always found before what it dominates;
 //   - a design that is neither infeasible nor universal is kept: whether it is feasible is decided label by label.
 // Nothing about feasibility is assumed between one state and another; the wider H, the more designs are not universal.
+//
+// What is true of a region at the states of several groups is found once for all of them: a region is bounded over the
+// hull of the ranges of those groups that it may still matter to, and dropped group by group. Only a single design that
+// is not proved feasible over all of that is looked at for fewer groups. (candidate_groups.h carries bounds over a hull
+// to each of its groups.)
 #pragma once
 
 #include <functional>
@@ -62,10 +68,9 @@ struct CandidateSet {
   bool complete = true;
 };
 
-CandidateSet find_candidates(const CandidateQuestion& question, Desk& desk);
-
-/// A lower staircase of what a stage adds to the first two scores, whatever label arrives: the same search at the best
-/// state that can arrive, where every design that is not proved infeasible counts. Valid at any node limit.
-std::vector<Pair> least_front(const StagePlan& plan, std::size_t node_limit, Desk& desk);
+/// One set for each question. The questions are about one stage; they differ in the labels (their states, scores, and
+/// what must follow on them), neighbours least. Patience, node limit (of one question; twice that for several), mix and
+/// order are those of the first. The first set says how many nodes were looked at for all.
+std::vector<CandidateSet> find_candidates(std::span<const CandidateQuestion* const> questions, Desk& desk);
 
 }  // namespace millwright::solver

@@ -2,12 +2,12 @@
 #include "solver/frontier.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 
 #include "solver/archive.h"
 #include "solver/frontier_sums.h"
 #include "solver/leaf_point.h"
+#include "solver/least_front.h"
 #include "solver/rest_curve.h"
 
 namespace millwright::solver {
@@ -130,15 +130,20 @@ bool Frontier::pass(const Pass& pass) {
   return true;
 }
 
+/// False: it was given up.
+bool Frontier::find_candidates_of(std::vector<Chunk>& chunks) {
+  if (chunks.empty()) return true;
+  std::vector<const CandidateQuestion*> questions;
+  for (const Chunk& chunk : chunks) questions.push_back(&chunk.question);
+  std::vector<CandidateSet> sets = find_candidates(questions, control_.desk(0));
+  for (std::size_t i = 0; i < chunks.size(); ++i) chunks[i].set = std::move(sets[i]);
+  return chunks.front().set.complete;
+}
+
 /// All labels before one stage to those before the next; false when time is up.
 bool Frontier::advance(std::size_t stage, const Comparison& comparison) {
   std::vector<Chunk> chunks = make_chunks(stage, comparison);
-  std::atomic<bool> given_up = false;  // with one chunk the whole pass is
-  control_.crew().run(chunks.size(), [&](std::size_t i, unsigned thread) {
-    if (!given_up) chunks[i].set = find_candidates(chunks[i].question, control_.desk(thread));
-    if (!chunks[i].set.complete) given_up = true;
-  });
-  if (given_up) return false;
+  if (!find_candidates_of(chunks)) return false;
   combinations_.clear();
   keys_.clear();
   if (!control_.while_there_is_time([&] { sharpen_planes(stage, chunks); })) return false;

@@ -129,6 +129,7 @@ class Frontier {
   bool is_narrow(const Section& section) const;
   std::vector<Pair> corners() const;
   bool advance(std::size_t stage, const Comparison& comparison);
+  bool find_candidates_of(std::vector<Chunk>& chunks);
   bool advance_priced(std::size_t stage, const Comparison& comparison);
   bool advance_each(std::size_t stage, const Comparison& comparison);
   void find_rest();

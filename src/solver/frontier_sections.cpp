@@ -37,7 +37,8 @@ bool Frontier::by_sections() {
   if (!control_.while_there_is_time([&] { settled_ = !find_vectors(); })) return false;
   if (settled_) return true;
   planes_->keep_regions();
-  if (pass({.patience = section_patience()})) return !undecided_;
+  // It was too much before; unless far less is left now, it is done section by section.
+  if (pass({.patience = section_patience() / 4})) return !undecided_;
   if (control_.time_is_up()) return false;
   undecided_ = false;
   const std::vector<StagePlan> plans = plans_;

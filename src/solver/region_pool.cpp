@@ -11,8 +11,7 @@ namespace millwright::solver {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t node_limit = 200;  // refined for one weighing
-constexpr std::size_t proof_boxes = 60;
+constexpr std::size_t node_limit = 200;    // refined for one weighing
 constexpr std::size_t most_refined = 100;  // before what is left is told: the search does the rest with all it knows
 
 }  // namespace
@@ -45,7 +44,7 @@ void RegionPool::refine(std::size_t index, const Useful& useful, Desk& desk, Off
     return;
   }
   if (parts_[index].open.region.one_design_per_slot()) {
-    parts_[index].alive = !proves_infeasible(*plan_, inherited_, parts_[index].open.region, proof_boxes, desk);
+    parts_[index].alive = !proves_infeasible(*plan_, inherited_, parts_[index].open.region, usual_proof_boxes, desk);
     parts_[index].settled = true;
     if (parts_[index].alive) offer(index);
     return;

@@ -24,14 +24,13 @@ class Search {
   Relaxation run(std::size_t node_limit) {
     Region root = plan_.region;
     offer(std::move(root));
-    constexpr std::size_t proof_limit = 60;
     for (std::size_t nodes = 0; !open_.empty() && nodes < node_limit; ++nodes) {
       if (open_.first().refined) break;
       const double value = open_.first_key().value;
       Node node = open_.pop();
       if (!node.part.region.one_design_per_slot()) {
         branch(node.part);
-      } else if (!proves_infeasible(plan_, plan_.best_inherited, node.part.region, proof_limit, desk_)) {
+      } else if (!proves_infeasible(plan_, plan_.best_inherited, node.part.region, usual_proof_boxes, desk_)) {
         node.refined = true;
         open_.push(value, std::move(node));
       }

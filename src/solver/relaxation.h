@@ -34,6 +34,7 @@ bool narrow_one_by_one(const StagePlan& plan,
                        std::size_t most_pieces,
                        Desk& desk);
 
+inline constexpr std::size_t usual_proof_boxes = 60;
 /// Whether bisection of the variables proves, within `limit` boxes, that a region has no feasible design.
 bool proves_infeasible(
     const StagePlan& plan, std::span<const Interval> inherited, const Region& region, std::size_t limit, Desk& desk);

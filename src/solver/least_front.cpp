@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/least_front.h"
+
+#include "solver/archive.h"
+#include "solver/best_first.h"
+#include "solver/region_order.h"
+#include "solver/relaxation.h"
+
+namespace millwright::solver {
+
+std::vector<Pair> least_front(const StagePlan& plan, std::size_t node_limit, Desk& desk) {
+  struct Node {
+    Region region;
+    Bounds bounds;
+    std::vector<double> key;
+  };
+  const RegionOrder order(plan);
+  BestFirst<Node> open;
+  Archive known(2);
+  std::vector<Pair> found;
+  const auto offer = [&](Region region) {
+    Node node;
+    node.region = std::move(region);
+    read_bounds(plan, desk.bound(*plan.stage, plan.shared, plan.best_inherited, node.region), node.bounds);
+    if (node.bounds.utilisation > 1.0) return;
+    node.key = {node.bounds.score[0], plan.criteria->second(node.bounds.score)};
+    if (known.dominates(node.key)) return;
+    note_kept(node.bounds, node.region);
+    if (cut_variables(plan, plan.best_inherited, node.region, node.bounds, desk)) {
+      note_kept(node.bounds, node.region);
+      const double value = order.value_of(node.key);
+      open.push(value, std::move(node));
+    }
+  };
+  offer(plan.region);
+  for (std::size_t nodes = 0; !open.empty() && nodes < node_limit; ++nodes) {
+    const Node node = open.pop();
+    if (known.dominates(node.key)) continue;
+    if (!node.region.one_design_per_slot()) {
+      branch(plan, node, offer);
+    } else if (!proves_infeasible(plan, plan.best_inherited, node.region, usual_proof_boxes, desk)) {
+      known.add(node.key);
+      found.push_back({node.key[0], node.key[1]});
+    }
+  }
+  open.for_each([&](const Node& node) { found.push_back({node.key[0], node.key[1]}); });
+  return lower_staircase(std::move(found));
+}
+
+}  // namespace millwright::solver

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// How the designs of a stage are gone through: regions in the ascending order of what they add, and in halves.
+#pragma once
+
+#include <cmath>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "solver/stage_plan.h"
+
+namespace millwright::solver {
+
+/// A positive sum of a region's coordinates, in the ascending order of which regions are taken.
+class RegionOrder {
+ public:
+  explicit RegionOrder(const StagePlan& plan) {
+    for (std::size_t k = 0; k < plan.criteria->size(); ++k) weight_.push_back(1.0 / (std::fabs(plan.least[k]) + 1e-6));
+  }
+  /// Of a mix of scores.
+  RegionOrder(const StagePlan& plan, const Mix& mix) : RegionOrder(plan) {
+    const double unit = std::fabs(mix.of(plan.least)) + 1e-6;
+    weight_[0] = mix.first / unit;
+    weight_[1] = mix.second / unit;
+  }
+  [[nodiscard]] double value_of(std::span<const double> key, double weighed_state = 0.0) const {
+    constexpr double state_weight = 1e-4;  // decides between equal scores
+    double value = weighed_state;
+    for (std::size_t i = 0; i < key.size(); ++i) value += key[i] * (i < weight_.size() ? weight_[i] : state_weight);
+    return value;
+  }
+
+ private:
+  std::vector<double> weight_;
+};
+
+/// The two halves of a region, less rows without a partner.
+template <class Node, class Offer>
+void branch(const StagePlan& plan, const Node& node, Offer&& offer) {
+  const RowProfile::Split split = plan.profile.split(node.region, node.bounds.open);
+  for (const RowSet& half : {split.left, split.right}) {
+    Region region = node.region;
+    region.rows[split.slot] = half;
+    if (plan.fits.filter(region, split.slot)) offer(std::move(region));
+  }
+}
+
+}  // namespace millwright::solver
