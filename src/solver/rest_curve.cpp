@@ -12,17 +12,22 @@ namespace millwright::solver {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t steps = 10;        // of a curve
-constexpr std::size_t node_limit = 200;  // looked at for one curve: more tells little more
-constexpr std::size_t proof_boxes = 60;  // spent on a single design
-constexpr double worth_keeping = 1e-6;   // relative rise of a curve below which it says nothing
+constexpr double halvings = 10.0;       // of the range of states, down to the first step
+constexpr double worth_keeping = 1e-6;  // relative rise of a curve below which it says nothing
 
 /// R_i(s) for one stage, component and score, for rising s. What is infeasible or dear at one s is so at the next, so
 /// the search goes on from where it stood: regions are bounded again only when they come up.
 class LeastFrom {
  public:
-  LeastFrom(const StagePlan& plan, std::size_t score, std::size_t component, double most, Desk& desk)
-      : plan_(plan), score_(score), component_(component), most_(most), desk_(desk), inherited_(plan.best_inherited) {
+  LeastFrom(
+      const StagePlan& plan, std::size_t score, std::size_t component, double most, std::size_t node_limit, Desk& desk)
+      : plan_(plan),
+        score_(score),
+        component_(component),
+        most_(most),
+        node_limit_(node_limit),
+        desk_(desk),
+        inherited_(plan.best_inherited) {
     for (const OpenRegion& region : plan_.frontier) {
       Node node;
       node.known = &region;
@@ -33,7 +38,7 @@ class LeastFrom {
   double at(double state) {
     inherited_[component_] = state;
     ++step_;
-    while (!open_.empty() && nodes_ < node_limit) {
+    while (!open_.empty() && nodes_ < node_limit_) {
       if (open_.first().settled && open_.first().step == step_) break;
       const double value = open_.first_key().value;
       if (value > most_) break;
@@ -70,7 +75,7 @@ class LeastFrom {
       return offer(std::move(node.part.region), value);
     }
     if (node.part.region.one_design_per_slot()) {
-      if (proves_infeasible(plan_, inherited_, node.part.region, proof_boxes, desk_)) return;
+      if (proves_infeasible(plan_, inherited_, node.part.region, usual_proof_boxes, desk_)) return;
       node.settled = true;
       return open_.push(value, std::move(node));
     }
@@ -85,6 +90,7 @@ class LeastFrom {
   const StagePlan& plan_;
   std::size_t score_, component_;
   double most_;
+  std::size_t node_limit_;
   Desk& desk_;
   std::vector<Interval> inherited_;
   BestFirst<Node> open_;
@@ -94,8 +100,8 @@ class LeastFrom {
 /// The curve before a stage of few designs, nearly exactly: between two states where it differs it is asked half way.
 class FineCurve {
  public:
-  FineCurve(const StagePlan& plan, double most, double upper, RestCurve coarse, Desk& desk)
-      : plan_(plan), most_(most), upper_(upper), coarse_(std::move(coarse)), desk_(desk) {}
+  FineCurve(const StagePlan& plan, double most, double upper, RestCurve coarse, const CurveEffort& effort, Desk& desk)
+      : plan_(plan), most_(most), upper_(upper), coarse_(std::move(coarse)), effort_(effort), desk_(desk) {}
 
   RestCurve run() {
     curve_ = {coarse_.score, coarse_.component, {coarse_.from.front()}, {coarse_.least.front()}};
@@ -113,7 +119,7 @@ class FineCurve {
  private:
   double at(double state) {
     ++asked_;
-    return LeastFrom(plan_, coarse_.score, coarse_.component, most_, desk_).at(state);
+    return LeastFrom(plan_, coarse_.score, coarse_.component, most_, effort_.nodes, desk_).at(state);
   }
   void keep(double from, double least) {
     const double known = curve_.least.back();
@@ -135,21 +141,28 @@ class FineCurve {
   const StagePlan& plan_;
   double most_, upper_;
   RestCurve coarse_, curve_;
+  const CurveEffort& effort_;
   Desk& desk_;
   std::size_t asked_ = 0;
 };
 
 /// The curve before a stage, up to `most`; empty where the component tells nothing.
-RestCurve curve_before(
-    const StagePlan& plan, std::size_t score, std::size_t component, double rest, double most, Desk& desk) {
+RestCurve curve_before(const StagePlan& plan,
+                       std::size_t score,
+                       std::size_t component,
+                       double rest,
+                       double most,
+                       const CurveEffort& effort,
+                       Desk& desk) {
   RestCurve curve{score, component, {}, {}};
   const Interval& whole = plan.inherited[component];
   const double best = plan.best_inherited[component].lower;
   if (!(whole.upper > best) || !std::isfinite(whole.upper)) return curve;
-  LeastFrom least(plan, score, component, most, desk);
+  LeastFrom least(plan, score, component, most, effort.nodes, desk);
   double known = rest;
-  for (std::size_t i = 0; i < steps && known < infinity && known <= most; ++i) {
-    const double share = i == 0 ? 0.0 : std::exp2(static_cast<double>(i) - static_cast<double>(steps));
+  const auto steps = static_cast<double>(effort.steps);
+  for (std::size_t i = 0; i < effort.steps && known < infinity && known <= most; ++i) {
+    const double share = i == 0 ? 0.0 : std::exp2(halvings * (static_cast<double>(i) - steps) / steps);
     const double state = best + share * (whole.upper - best);
     const double from_here = least.at(state);
     if (!(from_here > known + worth_keeping * std::fabs(known))) continue;
@@ -158,12 +171,15 @@ RestCurve curve_before(
     curve.least.push_back(known);
   }
   if (curve.from.empty() || !has_few_designs(plan)) return curve;
-  return FineCurve(plan, most, whole.upper, std::move(curve), desk).run();
+  return FineCurve(plan, most, whole.upper, std::move(curve), effort, desk).run();
 }
 
 }  // namespace
 
-void find_rest_curves(std::vector<StagePlan>& plans, std::span<const double> most, Desk& desk) {
+void find_rest_curves(std::vector<StagePlan>& plans,
+                      std::span<const double> most,
+                      const CurveEffort& effort,
+                      Desk& desk) {
   if (plans.empty()) return;
   const Criteria& criteria = *plans.front().criteria;
   // What may be left for a stage and all after it: the stages before it take their least at least.
@@ -184,7 +200,7 @@ void find_rest_curves(std::vector<StagePlan>& plans, std::span<const double> mos
       before.rest[score] = std::max(before.rest[score], rest);
       for (std::size_t component = 0; component < plan.before.size(); ++component) {
         if (plan.before[component] != Direction::smaller_is_better) continue;
-        RestCurve curve = curve_before(plan, score, component, before.rest[score], left[i][score], desk);
+        RestCurve curve = curve_before(plan, score, component, before.rest[score], left[i][score], effort, desk);
         if (!curve.from.empty()) before.curves.push_back(std::move(curve));
       }
     }

@@ -22,9 +22,20 @@ namespace millwright::solver {
 
 inline constexpr double rest_slack = 1e-11;  // a state is the same sum in another order in the end
 
+/// What a curve may take: `steps` states, each further from the best by the same factor, and so many nodes for all.
+struct CurveEffort {
+  std::size_t steps = 10, nodes = 200;
+  /// Where a search is long. Catalogues with many rows have many designs that differ little, by loads and powers that
+  /// lie between the steps of a coarse curve.
+  static constexpr CurveEffort thorough() { return {80, 2000}; }
+};
+
 /// Fills StagePlan::curves of all stages, for the objectives. `most[score]` is a total above which nothing matters: a
 /// curve need not be known where it leads beyond that (infinity: everything matters).
-void find_rest_curves(std::vector<StagePlan>& plans, std::span<const double> most, Desk& desk);
+void find_rest_curves(std::vector<StagePlan>& plans,
+                      std::span<const double> most,
+                      const CurveEffort& effort,
+                      Desk& desk);
 
 /// What a plane or a staircase says of what is handed on; infinity where no later design is feasible.
 template <class Lower>

@@ -220,15 +220,15 @@ class Solve {
   }
 
   /// What is to come at least, by what has been handed on; the curves that there was no time for are left out.
-  void sharpen(std::vector<StagePlan>& plans) {
-    control_.while_there_is_time([&] { find_rest_curves(plans, what_matters(), control_.desk(0)); });
+  void sharpen(std::vector<StagePlan>& plans, const CurveEffort& effort = {}) {
+    control_.while_there_is_time([&] { find_rest_curves(plans, what_matters(), effort, control_.desk(0)); });
   }
 
   /// Searches a single objective label by label while that costs no more than `share` times what preparing it did: what
   /// is not done then is better done stage by stage. True when it is settled.
-  bool settle_briefly(OpenSearch& open, std::uint64_t share) {
+  bool settle_briefly(OpenSearch& open, std::uint64_t share, const CurveEffort& effort = {}) {
     if (control_.time_is_up()) return false;
-    sharpen(*open.plans);
+    sharpen(*open.plans, effort);
     open.search = label_by_label(*open.plans, first_leaf_tolerance());
     constexpr std::uint64_t nodes_at_once = 500;
     const std::uint64_t before = control_.evaluations();
@@ -246,6 +246,7 @@ class Solve {
     if (criteria_.objectives == 1) {
       const bool again = open.tried && incumbents_.builds().empty();
       if (!again && settle_briefly(open, 1)) return;
+      if (settle_briefly(open, 1, CurveEffort::thorough())) return;
       if (stage_by_stage(*open.plans, open.score[0])) return;
       // Regions may have been left out: a search that was begun before counts them by numbers that are no longer
       // theirs.

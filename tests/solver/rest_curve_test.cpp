@@ -56,8 +56,10 @@ TEST_CASE("No completion of a design costs less than the rest curves say") {
     std::vector<StagePlan>& plans = prepared.plans;
     if (plans.empty()) continue;
     const std::vector<StagePlan> plain = plans;
-    find_rest_curves(
-        plans, std::vector<double>(prepared.criteria.size(), std::numeric_limits<double>::infinity()), prepared.desk);
+    find_rest_curves(plans,
+                     std::vector<double>(prepared.criteria.size(), std::numeric_limits<double>::infinity()),
+                     seed % 2 == 0 ? CurveEffort{} : CurveEffort::thorough(),
+                     prepared.desk);
     for (const StagePlan& plan : plans) curves += plan.curves.size();
     Chains(prepared.problem)
         .run(prepared.shared, [&](std::size_t stage, const std::vector<double>& state, double later, double) {
@@ -78,8 +80,10 @@ TEST_CASE("No completion of a design costs less than the planes say, nor is any 
     if (plans.empty()) continue;
     const std::vector<StagePlan> plain = plans;
     if (seed % 2 == 0)
-      find_rest_curves(
-          plans, std::vector<double>(prepared.criteria.size(), std::numeric_limits<double>::infinity()), prepared.desk);
+      find_rest_curves(plans,
+                       std::vector<double>(prepared.criteria.size(), std::numeric_limits<double>::infinity()),
+                       {},
+                       prepared.desk);
     std::vector<StateForm> forms;
     for (const StagePlan& plan : plans) forms.push_back(find_state_form(plan, prepared.desk));
     double best = std::numeric_limits<double>::infinity();

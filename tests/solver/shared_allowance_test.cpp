@@ -211,7 +211,7 @@ TEST_CASE("Nothing that is left costs less than the staircases of a binding allo
       std::vector<StagePlan> plans = make_plans(problem, {}, criteria, desk);
       if (plans.empty()) continue;
       const std::vector<StagePlan> plain = plans;
-      if (seed % 2 == 0) find_rest_curves(plans, std::vector<double>(criteria.size(), infinity), desk);
+      if (seed % 2 == 0) find_rest_curves(plans, std::vector<double>(criteria.size(), infinity), {}, desk);
       std::vector<StateForm> forms;
       for (const StagePlan& plan : plans) forms.push_back(find_state_form(plan, desk));
       double best = infinity;
