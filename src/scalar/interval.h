@@ -213,7 +213,7 @@ inline Interval operator-(const Interval& a) { return Interval::of(-a.upper, -a.
 }
 
 /// Exact for a power of two as long as nothing overflows or becomes subnormal.
-inline Interval operator*(const Interval& a, double b) {
+[[gnu::noinline]] inline Interval product_with_any_number(const Interval& a, double b) {
   const bool power_of_two = (std::bit_cast<std::uint64_t>(b) & 0x000fffffffffffffULL) == 0;
   if (power_of_two) {
     const auto exact = [](double product, double factor) {
@@ -225,6 +225,12 @@ inline Interval operator*(const Interval& a, double b) {
     if (exact(first, a.lower) && exact(second, a.upper) && b != 0.0) return Interval::between(first, second);
   }
   return a * Interval(b);
+}
+[[gnu::always_inline]] inline Interval operator*(const Interval& a, double b) {
+  const bool power_of_two = (std::bit_cast<std::uint64_t>(b) & 0x000fffffffffffffULL) == 0;
+  if (a.lower > 0.0 && b > 0.0 && !power_of_two) [[likely]]
+    return a * Interval::of(b, b);
+  return product_with_any_number(a, b);
 }
 inline Interval operator*(double a, const Interval& b) { return b * a; }
 
