@@ -17,7 +17,7 @@ CandidateGroups::CandidateGroups(std::span<const CandidateQuestion* const> quest
 
 const CandidateGroups::View& CandidateGroups::view(GroupSet groups) {
   const int first = std::countr_zero(groups);
-  const int last = std::bit_width(groups) - 1;
+  const int last = static_cast<int>(std::bit_width(groups)) - 1;
   std::unique_ptr<const View>& known = views_[{first, last}];
   if (known == nullptr) {
     auto view = std::make_unique<View>();
