@@ -161,7 +161,7 @@ inline bool possibly_below(const Interval& a, const Interval& b) { return a.lowe
 
 inline Interval operator+(const Interval& a) { return a; }
 inline Interval operator-(const Interval& a) { return Interval::of(-a.upper, -a.lower); }
-// Left to itself the compiler calls these four operators; inlined, a search (the front of the router) is a twentieth
+// Left to itself the compiler calls these operators; inlined, a search (the front of the router) is a twentieth
 // faster and the program a hundredth larger.
 
 /// Where a sum is near the ends of the range of double, or 0.

@@ -28,6 +28,12 @@ const CandidateGroups::View& CandidateGroups::view(GroupSet groups) {
       for (std::size_t c = 0; c < view->states.size(); ++c)
         view->states[c] = hull(view->states[c], questions_[group]->states[c]);
     for (std::size_t group = view->first; group < end; ++group) view->carried.push_back(carry(group, view->states));
+    const std::vector<double> nothing(view->states.size(), 0.0);
+    const auto& to_reference = view->carried.front().to_reference;
+    for (std::size_t h = 0; h < to_reference.size(); ++h) {
+      const double inherited = questions_[view->first]->form->change(h, nothing, references_[view->first]);
+      view->to_own_share.emplace_back(to_reference[h].first - inherited, to_reference[h].second - inherited);
+    }
     known = std::move(view);
   }
   return *known;
@@ -54,81 +60,74 @@ CandidateGroups::Carried CandidateGroups::carry(std::size_t group, std::span<con
     carried.to_reference.emplace_back(low, high);
     carried.to_own_states.push_back(least);
   }
-  // What is handed on over the states, as if nothing had been inherited.
-  std::vector<double> own(states.size());
-  const std::vector<double> nothing(states.size(), 0.0);
-  for (std::size_t h = 0; h < own.size(); ++h)
-    own[h] = carried.to_reference[h].first - question.form->change(h, nothing, reference);
-  const auto priced = [&](const std::vector<double>& weight) {
-    double sum = 0.0;
-    for (std::size_t h = 0; h < own.size(); ++h)
-      if (weight[h] != 0.0) sum += weight[h] * own[h];
-    return sum;
-  };
-  carried.totals = question.totals;
-  carried.total_stairs = question.total_stairs;
-  carried.total_vectors = question.total_vectors;
-  for (RestPlane& plane : carried.totals) plane.constant += priced(plane.weight);
-  for (RestStairs& stairs : carried.total_stairs) {
-    stairs.constant += priced(stairs.weight);
-    stairs.limit -= priced(stairs.use);
-  }
-  RestVectors& vectors = carried.total_vectors;
-  for (std::size_t a = 0; a < vectors.limit.size(); ++a) vectors.limit[a] -= priced(vectors.use[a]);
   return carried;
 }
 
 bool CandidateGroups::may_matter(std::size_t group, const View& view, const Bounds& bounds) const {
   const CandidateQuestion& question = *questions_[group];
   return below_staircase(question.useful, bounds.score[0], question.plan->criteria->second(bounds.score)) &&
-         may_lead_on(question, view.of(group), bounds);
+         may_lead_on(group, view, bounds);
 }
 
 /// Whether the cheapest label with a design of these bounds, and what must follow then, is below some corner.
-bool CandidateGroups::may_lead_on(const CandidateQuestion& question,
-                                  const Carried& carried,
-                                  const Bounds& bounds) const {
+bool CandidateGroups::may_lead_on(std::size_t group, const View& view, const Bounds& bounds) const {
+  const CandidateQuestion& question = *questions_[group];
   const StagePlan& plan = *question.plan;
   if ((plan.curves.empty() && plan.planes.empty()) || question.corners.empty()) return true;
-  const auto own_lower = [&](std::size_t h) { return bounds.handed_on[h].lower + carried.to_own_states[h]; };
+  const Carried& carried = view.of(group);
+  const auto at_own_states = [&](std::size_t h) { return bounds.handed_on[h].lower + carried.to_own_states[h]; };
   double second = question.least.second + plan.criteria->second(bounds.score);
-  if (plan.criteria->objectives > 1) second += rest_given(plan, 1, own_lower);
-  LeastTotals totals(question.least.first + bounds.score[0] + rest_given(plan, 0, own_lower), second);
-  const auto lower = [&](std::size_t h) { return bounds.handed_on[h].lower; };
+  if (plan.criteria->objectives > 1) second += rest_given(plan, 1, at_own_states);
+  LeastTotals totals(question.least.first + bounds.score[0] + rest_given(plan, 0, at_own_states), second);
+  const auto own_share = [&](std::size_t h) { return bounds.handed_on[h].lower + view.to_own_share[h].first; };
   const auto add_all = [&](const auto& all) {
-    for (const auto& each : all) totals.add(each.mix, each.mix.of(bounds.score) + rest_by(each, lower));
+    for (const auto& each : all) totals.add(each.mix, each.mix.of(bounds.score) + rest_by(each, own_share));
   };
-  add_all(carried.totals);
-  add_all(carried.total_stairs);
-  const RestVectors& vectors = carried.total_vectors;
+  add_all(question.totals);
+  add_all(question.total_stairs);
+  const RestVectors& vectors = question.total_vectors;
   return totals.below(question.corners) &&
          (vectors.add.empty() ||
-          vectors.reach({bounds.score[0], plan.criteria->second(bounds.score)}, lower, question.corners));
+          vectors.reach({bounds.score[0], plan.criteria->second(bounds.score)}, own_share, question.corners));
 }
 
 double CandidateGroups::least_total(std::size_t group, const View& view, const Bounds& bounds) const {
   const CandidateQuestion& question = *questions_[group];
-  return view.of(group).total_vectors.least(
+  return question.total_vectors.least(
       *question.mix,
       {bounds.score[0], question.plan->criteria->second(bounds.score)},
-      [&](std::size_t h) { return bounds.handed_on[h].lower; },
+      [&](std::size_t h) { return bounds.handed_on[h].lower + view.to_own_share[h].first; },
       question.corners);
 }
+
+namespace {
+
+/// Of bounds to which something is added.
+void key_of_sum(const Comparison& comparison,
+                const Bounds& bounds,
+                std::span<const std::pair<double, double>> add,
+                std::vector<double>& key) {
+  thread_local std::vector<Interval> handed_on;
+  handed_on.assign(bounds.handed_on.begin(), bounds.handed_on.end());
+  for (std::size_t h = 0; h < add.size(); ++h) {
+    handed_on[h].lower += add[h].first;
+    handed_on[h].upper += add[h].second;
+  }
+  key.resize(comparison.dimensions());
+  comparison.best_key(bounds.score, handed_on, key.data());
+}
+
+}  // namespace
 
 void CandidateGroups::best_key(std::size_t group,
                                const View& view,
                                const Bounds& bounds,
                                std::vector<double>& key) const {
-  thread_local std::vector<Interval> handed_on;
-  const auto& to_reference = view.of(group).to_reference;
-  handed_on.assign(bounds.handed_on.begin(), bounds.handed_on.end());
-  for (std::size_t h = 0; h < to_reference.size(); ++h) {
-    handed_on[h].lower += to_reference[h].first;
-    handed_on[h].upper += to_reference[h].second;
-  }
-  const Comparison& comparison = *questions_[group]->comparison;
-  key.resize(comparison.dimensions());
-  comparison.best_key(bounds.score, handed_on, key.data());
+  key_of_sum(*questions_[group]->comparison, bounds, view.of(group).to_reference, key);
+}
+
+void CandidateGroups::best_own_key(const View& view, const Bounds& bounds, std::vector<double>& key) const {
+  key_of_sum(*questions_[view.first]->comparison, bounds, view.to_own_share, key);
 }
 
 }  // namespace millwright::solver

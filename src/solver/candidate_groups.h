@@ -5,6 +5,7 @@
 #pragma once
 
 #include <bit>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <span>
@@ -26,8 +27,8 @@ void for_each_group(GroupSet groups, Visit&& visit) {
 
 class CandidateGroups {
  public:
-  /// The questions, one a group and no more than `most_groups`, are about one stage, and outlive this. Neighbours are
-  /// alike in their states.
+  /// The questions, one a group, at least one and no more than `most_groups`, are about one stage, and outlive this.
+  /// Neighbours are alike in their states.
   explicit CandidateGroups(std::span<const CandidateQuestion* const> questions);
 
   /// What bounds over a range of states say for one group that lies in it.
@@ -36,14 +37,12 @@ class CandidateGroups {
     std::vector<std::pair<double, double>> to_reference;
     /// [handed-on component]: to add to its lower bound for that over the group's own states.
     std::vector<double> to_own_states;
-    /// Of the question, as functions of handed-on states as they are bounded.
-    std::vector<RestPlane> totals;
-    std::vector<RestStairs> total_stairs;
-    RestVectors total_vectors;
   };
   /// Of neighbouring groups.
   struct View {
     std::vector<Interval> states;  ///< that hold those of all
+    /// [handed-on component]: to add to its lower and its upper bound for that as if nothing had been inherited.
+    std::vector<std::pair<double, double>> to_own_share;
     std::size_t first = 0;
     std::vector<Carried> carried;  ///< [group - first]
     [[nodiscard]] const Carried& of(std::size_t group) const { return carried[group - first]; }
@@ -63,10 +62,12 @@ class CandidateGroups {
   [[nodiscard]] double least_total(std::size_t group, const View& view, const Bounds& bounds) const;
   /// The key of the best that a region with these bounds may be at the group's reference.
   void best_key(std::size_t group, const View& view, const Bounds& bounds, std::vector<double>& key) const;
+  /// The same of what it adds: one for all groups.
+  void best_own_key(const View& view, const Bounds& bounds, std::vector<double>& key) const;
 
  private:
   [[nodiscard]] Carried carry(std::size_t group, std::span<const Interval> states) const;
-  [[nodiscard]] bool may_lead_on(const CandidateQuestion& question, const Carried& carried, const Bounds& bounds) const;
+  [[nodiscard]] bool may_lead_on(std::size_t group, const View& view, const Bounds& bounds) const;
 
   std::vector<const CandidateQuestion*> questions_;
   std::vector<std::vector<double>> references_;

@@ -71,9 +71,13 @@ class Search {
     if (!leave_out_dominated(node)) return;
     if (node.region.one_design_per_slot())
       settle(node);
+    else if (nodes_ > nodes_together && !std::has_single_bit(node.groups))
+      divide_groups(node);
     else
       branch(plan_, node, [&](Region region) { offer(std::move(region), node.groups); });
   }
+  /// Regions that are feasible for no group, each for its own reason, may be many: then groups are asked about apart.
+  static constexpr std::uint64_t nodes_together = 20000;
 
   /// The same region for either half of the groups.
   void divide_groups(const Node& node) {
@@ -108,7 +112,8 @@ class Search {
         branch(plan_, node, offer_here);
       else
         for_each_group(node.groups, [&](std::size_t group) { settle_alone(node, group); });
-      if (sets_.front().candidates.size() >= enough) return;
+      const auto has_enough = [](const CandidateSet& set) { return set.candidates.size() >= enough; };
+      if (std::any_of(sets_.begin(), sets_.end(), has_enough)) return;
     }
   }
 
@@ -153,19 +158,17 @@ class Search {
   }
 
   double value_of(const Node& node) {
-    const auto first = static_cast<std::size_t>(std::countr_zero(node.groups));
-    if (question_.mix && !groups_.question(first).total_vectors.add.empty()) {
+    if (question_.mix && !question_.total_vectors.add.empty()) {
       double least = std::numeric_limits<double>::infinity();
       for_each_group(node.groups, [&](std::size_t group) {
         least = std::min(least, groups_.least_total(group, *node.view, node.bounds));
       });
       return least;
     }
-    groups_.best_key(first, *node.view, node.bounds, key_);
+    groups_.best_own_key(*node.view, node.bounds, key_);
     double weighed_state = 0.0;
     for (std::size_t h = 0; h < question_.state_weight.size(); ++h)
-      weighed_state +=
-          question_.state_weight[h] * (node.bounds.handed_on[h].lower + node.view->of(first).to_reference[h].first);
+      weighed_state += question_.state_weight[h] * (node.bounds.handed_on[h].lower + node.view->to_own_share[h].first);
     return order_.value_of(key_, weighed_state);
   }
 

@@ -6,7 +6,7 @@
 //
 //   labels before a stage (scores so far, state)
 //     -> sorted by the state component that decides most about feasibility, and cut into chunks of alike states
-//     -> per chunk, the designs of the stage that can matter to any of its labels (candidates.h), found once
+//     -> for each chunk the designs of the stage that can matter to any of its labels (candidates.h), found together
 //     -> labels x candidates, as sums; what cannot reach the known front any more is dropped (staircase.h)
 //     -> in ascending order of all coordinates: dropped if a kept one is at least as good in every coordinate, else
 //        its feasibility is decided at the label's own state, and it is evaluated exactly: a label before the next

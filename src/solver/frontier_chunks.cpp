@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/candidate_groups.h"
 #include "solver/frontier.h"
 
 namespace millwright::solver {
@@ -11,7 +12,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t most_chunks = 8;  // of the labels before one stage
-constexpr double narrow = 0.02;         // relative width of a chunk's states
+static_assert(most_chunks + 1 < most_groups, "rounding may make one more");
+constexpr double narrow = 0.02;  // relative width of a chunk's states
 
 }  // namespace
 

@@ -246,7 +246,7 @@ class Solve {
     if (criteria_.objectives == 1) {
       const bool again = open.tried && incumbents_.builds().empty();
       if (!again && settle_briefly(open, 1)) return;
-      if (settle_briefly(open, 1, CurveEffort::thorough())) return;
+      if (settle_briefly(open, 1, CurveEffort::thorough())) return;  // its curves serve all that follows
       if (stage_by_stage(*open.plans, open.score[0])) return;
       // Regions may have been left out: a search that was begun before counts them by numbers that are no longer
       // theirs.
@@ -263,7 +263,7 @@ class Solve {
       if (result.complete || control_.time_is_up()) break;
       leaf_tolerance *= finer;
     }
-    if (!result.complete) leave_open(result.lower_bound);
+    if (!result.complete) leave_open(std::max(open.score[0], result.lower_bound));
   }
 
   void set_tolerance() { incumbents_.tolerance = priced_ ? 0.5 * tolerated() : 0.0; }
