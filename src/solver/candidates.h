@@ -15,8 +15,8 @@
 //
 // What is true of a region at the states of several groups is found once for all of them: a region is bounded over the
 // hull of the ranges of those groups that it may still matter to, and dropped group by group. Only a single design that
-// is not proved feasible over all of that is looked at for fewer groups. (candidate_groups.h carries bounds over a hull
-// to each of its groups.)
+// is not proved feasible over all of that, or any region after very many, is looked at for fewer groups.
+// (candidate_groups.h carries bounds over a hull to each of its groups.)
 #pragma once
 
 #include <functional>
