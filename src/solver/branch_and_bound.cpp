@@ -2,6 +2,7 @@
 #include "solver/branch_and_bound.h"
 
 #include <algorithm>
+#include <array>
 
 #include "solver/rest_curve.h"
 
@@ -28,6 +29,7 @@ BranchAndBound::BranchAndBound(const Problem& problem,
       leaf_tolerance_(leaf_tolerance) {
   for (const StagePlan& plan : plans_) {
     label_sets_.emplace_back(criteria_, plan.before, labels_);
+    worth_.emplace_back(plan.region.rows.size());
     auto& tail = tail_.emplace_back();
     for (const OpenRegion& part : plan.frontier) {
       auto& least = tail.emplace_back(criteria_.size());
@@ -41,10 +43,12 @@ BranchAndBound::BranchAndBound(const Problem& problem,
   }
 }
 
-void BranchAndBound::push(Node node) {
-  if (useless(node)) return;
+/// False: it is useless.
+bool BranchAndBound::push(Node node) {
+  if (useless(node)) return false;
   const Key key{rounded(node.score[0]), node.depth, ++order_};
   open_.push(key, std::move(node));
+  return true;
 }
 
 bool BranchAndBound::useless(const Node& node) const {
@@ -127,8 +131,10 @@ void BranchAndBound::expand_stream(const Node& node, Outcome& outcome, Desk& des
 }
 
 void BranchAndBound::branch(const Node& node, Outcome& outcome, Desk& desk) const {
-  const StagePlan& plan = plans_[labels_[node.label].stage];
-  const RowProfile::Split split = plan.profile.split(node.region, node.open);
+  const std::size_t stage = labels_[node.label].stage;
+  const StagePlan& plan = plans_[stage];
+  const RowProfile::Split split = plan.profile.split(node.region, node.open, worth_[stage].of_slots());
+  outcome.divided = split.slot;
   for (const RowSet& half : {split.left, split.right}) {
     Node child;
     child.label = node.label;
@@ -166,7 +172,14 @@ void BranchAndBound::expand(const Node& node, Outcome& outcome, Desk& desk) cons
 }
 
 void BranchAndBound::merge(Node& node, Outcome& outcome) {
-  for (Node& child : outcome.nodes) push(std::move(child));
+  std::array<std::optional<Reached>, 2> parts;  // that a region was divided into
+  for (std::size_t i = 0; i < outcome.nodes.size(); ++i) {
+    const Reached reached{outcome.nodes[i].utilisation, outcome.nodes[i].score[0]};
+    if (push(std::move(outcome.nodes[i]))) parts.at(i) = reached;
+  }
+  if (outcome.divided)
+    for (const std::optional<Reached>& part : parts)
+      worth_[labels_[node.label].stage].count(*outcome.divided, {node.utilisation, node.score[0]}, part);
   if (!outcome.is_leaf) return;
   for (const StagePoint& point : outcome.leaf.points) arrive(node, point);
   if (!outcome.leaf.undecided) return;

@@ -19,6 +19,7 @@
 #pragma once
 
 #include <deque>
+#include <optional>
 #include <vector>
 
 #include "solver/best_first.h"
@@ -26,6 +27,7 @@
 #include "solver/dominance.h"
 #include "solver/incumbents.h"
 #include "solver/search_control.h"
+#include "solver/split_worth.h"
 
 namespace millwright::solver {
 
@@ -75,10 +77,11 @@ class BranchAndBound {
     std::vector<Node> nodes;
     LeafAnswer leaf;
     bool is_leaf = false;
+    std::optional<std::size_t> divided = {};  ///< the slot in which a region was divided
   };
 
   void start();
-  void push(Node node);
+  bool push(Node node);
   [[nodiscard]] bool useless(const Node& node) const;
   [[nodiscard]] bool useless(const Label& label, std::size_t stage, const Worth& own) const;
   void expand(const Node& node, Outcome& outcome, Desk& desk) const;
@@ -104,6 +107,7 @@ class BranchAndBound {
   std::vector<LabelSet> label_sets_;  ///< [stage]: labels before it
   /// [stage][region][score]: least of the regions from this one on, with all stages after.
   std::vector<std::vector<std::vector<double>>> tail_;
+  std::vector<SplitWorth> worth_;  ///< [stage]
   BestFirst<Node, Key> open_;
   std::uint64_t order_ = 0;
   bool undecided_ = false;

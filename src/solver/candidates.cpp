@@ -22,6 +22,7 @@ class Search {
         plan_(*question_.plan),
         comparison_(*question_.comparison),
         desk_(desk),
+        worth_(plan_.region.rows.size()),
         order_(question_.mix ? RegionOrder(plan_, *question_.mix) : RegionOrder(plan_)),
         groups_(questions),
         known_(questions.size(), Archive(comparison_.dimensions())),
@@ -74,7 +75,11 @@ class Search {
     else if (nodes_ > nodes_together && !std::has_single_bit(node.groups))
       divide_groups(node);
     else
-      branch(plan_, node, [&](Region region) { offer(std::move(region), node.groups); });
+      divide(node, [&](Region part) { return offer(std::move(part), node.groups); });
+  }
+  template <class Offer>
+  void divide(const Node& node, Offer&& offer) {
+    branch(plan_, node.region, node.bounds.open, {node.bounds.utilisation, node.value}, worth_, offer);
   }
   /// Regions that are feasible for no group, each for its own reason, may be many: then groups are asked about apart.
   static constexpr std::uint64_t nodes_together = 20000;
@@ -99,17 +104,19 @@ class Search {
   void look_with(double strain_weight) {
     constexpr std::size_t enough = 4, fewest_nodes = 400;
     BestFirst<Node> open;
-    const auto offer_here = [&](Region region) {
+    const auto offer_here = [&](Region region) -> std::optional<Reached> {
       std::optional<Node> node = assess_region(std::move(region), groups_.all());
-      if (!node) return;
+      if (!node) return std::nullopt;
+      const Reached reached{node->bounds.utilisation, node->value};
       const double value = node->value + strain_weight * strain(*node);
       open.push(value, std::move(*node));
+      return reached;
     };
     offer_here(plan_.region);
     for (std::size_t nodes = 0; nodes < std::max(node_limit_, fewest_nodes) && !open.empty() && count(); ++nodes) {
       const Node node = open.pop();
       if (!node.region.one_design_per_slot())
-        branch(plan_, node, offer_here);
+        divide(node, offer_here);
       else
         for_each_group(node.groups, [&](std::size_t group) { settle_alone(node, group); });
       const auto has_enough = [](const CandidateSet& set) { return set.candidates.size() >= enough; };
@@ -131,11 +138,13 @@ class Search {
     return sum;
   }
 
-  void offer(Region region, GroupSet groups) {
+  /// Nothing when it can be left out.
+  std::optional<Reached> offer(Region region, GroupSet groups) {
     std::optional<Node> node = assess_region(std::move(region), groups);
-    if (!node) return;
-    const double value = node->value;
-    open_.push(value, std::move(*node));
+    if (!node) return std::nullopt;
+    const Reached reached{node->bounds.utilisation, node->value};
+    open_.push(reached.value, std::move(*node));
+    return reached;
   }
 
   /// The region with its bounds and its value; nothing when it can be left out for all of these groups.
@@ -277,6 +286,7 @@ class Search {
   const StagePlan& plan_;
   const Comparison& comparison_;
   Desk& desk_;
+  SplitWorth worth_;
   RegionOrder order_;
   BestFirst<Node> open_;
   CandidateGroups groups_;

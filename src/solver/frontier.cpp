@@ -44,7 +44,8 @@ Frontier::Frontier(const Problem& problem,
   leaf_tolerance_ = 0.9 * tolerance / static_cast<double>(std::max<std::size_t>(priced, 1));
 }
 
-bool Frontier::run(bool shared_allowances) {
+bool Frontier::run(bool shared_allowances, double least_total) {
+  least_total_ = least_total;
   find_rest();
   if (!pass({.with_states = false, .patience = quick_patience()}) && control_.time_is_up()) return false;
   // Where what is cheap first leaves too little of a shared allowance to what comes later, nothing is found that way.

@@ -57,8 +57,9 @@ class Frontier {
   /// Whether the method can do this problem at all.
   [[nodiscard]] bool applicable() const { return applicable_; }
   /// True when the incumbents are the front. False: time limit, or something undecided (then `undecided()`).
-  /// `shared_allowances`: prices for them have been of use elsewhere in the problem.
-  bool run(bool shared_allowances);
+  /// `shared_allowances`: prices for them have been of use elsewhere in the problem. `least_total`: of the first score,
+  /// as far as it is known.
+  bool run(bool shared_allowances, double least_total);
   enum class Difficulty { out_of_time, easy, hard };
   /// Whether to prove things takes so long that it is worth looking for any build first (else it is easy: `run` does
   /// it). To be called before `look`.
@@ -177,7 +178,7 @@ class Frontier {
   std::vector<StateForm> forms_;
   std::unique_ptr<RestPlanes> planes_;
   std::vector<Mix> mixes_;                  ///< of the objectives that have planes
-  double least_total_ = 0.0;                ///< of the first score, by planes
+  double least_total_ = 0.0;                ///< of the first score
   std::vector<std::vector<Pair>> rest_;     ///< [stage]: least added by this and all later stages
   std::vector<std::vector<Pair>> useful_;   ///< [stage]: what a label before it must be below
   std::vector<std::vector<Label>> labels_;  ///< [stage]

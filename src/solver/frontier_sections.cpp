@@ -12,18 +12,21 @@
 
 namespace millwright::solver {
 /// A single objective: looks for builds that come to no more than a little above what every build comes to at least.
-/// There is little to look at below that, and the best of what is found is the best of all. True when one is found.
+/// There is little to look at below that, and the best of what is found is the best of all. Where it is too much, less
+/// is looked at. True when one is found.
 bool Frontier::aim() {
+  constexpr double first_share = 0.1, largest_share = 0.4, least_share = 0.01;
   double least = std::max(least_total_, rest_.front().front().first);
   bool found = false;
-  for (const double share : {0.1, 0.2, 0.4}) {
+  for (double share = first_share; !found && share > least_share && share <= largest_share;) {
     const double known = incumbents_.best();
     if (!std::isfinite(known) || !(known > least)) break;
     section_.to = least + share * (known - least);
-    if (!pass({.patience = 10 * control_.options().stage_patience})) break;
-    found = incumbents_.best() <= section_.to;
-    if (found) break;
-    least = section_.to;
+    const bool done = pass({.patience = 10 * control_.options().stage_patience});
+    if (control_.time_is_up()) break;
+    found = done && incumbents_.best() <= section_.to;
+    if (done) least = section_.to;
+    share *= done ? 2.0 : 0.25;
   }
   section_ = Section{};
   return found;

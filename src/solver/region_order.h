@@ -4,10 +4,12 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "solver/split_worth.h"
 #include "solver/stage_plan.h"
 
 namespace millwright::solver {
@@ -35,14 +37,22 @@ class RegionOrder {
   std::vector<double> weight_;
 };
 
-/// The two halves of a region, less rows without a partner.
-template <class Node, class Offer>
-void branch(const StagePlan& plan, const Node& node, Offer&& offer) {
-  const RowProfile::Split split = plan.profile.split(node.region, node.bounds.open);
+/// The two halves of a region, less rows without a partner. `open`: as for RowProfile::split; `offer(part)` says what
+/// was reached with a part, or nothing when it is left out.
+template <class Offer>
+void branch(const StagePlan& plan,
+            const Region& region,
+            std::uint64_t open,
+            const Reached& reached,
+            SplitWorth& worth,
+            Offer&& offer) {
+  const RowProfile::Split split = plan.profile.split(region, open, worth.of_slots());
   for (const RowSet& half : {split.left, split.right}) {
-    Region region = node.region;
-    region.rows[split.slot] = half;
-    if (plan.fits.filter(region, split.slot)) offer(std::move(region));
+    Region part = region;
+    part.rows[split.slot] = half;
+    std::optional<Reached> of_part;
+    if (plan.fits.filter(part, split.slot)) of_part = offer(std::move(part));
+    worth.count(split.slot, reached, of_part);
   }
 }
 

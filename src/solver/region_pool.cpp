@@ -14,10 +14,12 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t node_limit = 200;    // refined for one weighing
 constexpr std::size_t most_refined = 100;  // before what is left is told: the search does the rest with all it knows
 
+Reached reached(const OpenRegion& part) { return {part.bounds.utilisation, part.bounds.score[0]}; }
+
 }  // namespace
 
 RegionPool::RegionPool(const StagePlan& plan, std::vector<Interval> inherited)
-    : plan_(&plan), inherited_(std::move(inherited)) {
+    : plan_(&plan), inherited_(std::move(inherited)), worth_(plan.region.rows.size()) {
   const auto same = [](const Interval& a, const Interval& b) { return a.lower == b.lower && a.upper == b.upper; };
   const bool at_best = std::equal(inherited_.begin(), inherited_.end(), plan.best_inherited.begin(), same);
   for (const OpenRegion& open : plan.frontier) parts_.push_back({open, at_best});
@@ -50,14 +52,16 @@ void RegionPool::refine(std::size_t index, const Useful& useful, Desk& desk, Off
     return;
   }
   const OpenRegion whole = std::move(parts_[index].open);
-  const RowProfile::Split split = plan_->profile.split(whole.region, whole.bounds.open);
+  const RowProfile::Split split = plan_->profile.split(whole.region, whole.bounds.open, worth_.of_slots());
   parts_[index].alive = false;
   std::size_t place = index;
   for (const RowSet& half : {split.left, split.right}) {
     Part part;
     part.open.region = whole.region;
     part.open.region.rows[split.slot] = half;
-    if (!plan_->fits.filter(part.open.region, split.slot) || !bound(part, useful, desk)) continue;
+    const bool left = plan_->fits.filter(part.open.region, split.slot) && bound(part, useful, desk);
+    worth_.count(split.slot, reached(whole), left ? std::optional(reached(part.open)) : std::nullopt);
+    if (!left) continue;
     if (place == parts_.size()) parts_.emplace_back();
     parts_[place] = std::move(part);
     offer(place);

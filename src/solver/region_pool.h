@@ -7,6 +7,7 @@
 
 #include <functional>
 
+#include "solver/split_worth.h"
 #include "solver/stage_plan.h"
 
 namespace millwright::solver {
@@ -77,6 +78,7 @@ class RegionPool {
 
   const StagePlan* plan_;
   std::vector<Interval> inherited_;
+  SplitWorth worth_;
   std::vector<Part> parts_;
 };
 

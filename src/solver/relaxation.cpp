@@ -2,6 +2,7 @@
 #include "solver/relaxation.h"
 
 #include "solver/best_first.h"
+#include "solver/region_order.h"
 
 namespace millwright::solver {
 namespace {
@@ -19,7 +20,8 @@ double value_of(const StagePlan& plan, RelaxedTarget target, const Bounds& bound
 
 class Search {
  public:
-  Search(const StagePlan& plan, RelaxedTarget target, Desk& desk) : plan_(plan), target_(target), desk_(desk) {}
+  Search(const StagePlan& plan, RelaxedTarget target, Desk& desk)
+      : plan_(plan), target_(target), desk_(desk), worth_(plan.region.rows.size()) {}
 
   Relaxation run(std::size_t node_limit) {
     Region root = plan_.region;
@@ -29,7 +31,7 @@ class Search {
       const double value = open_.first_key().value;
       Node node = open_.pop();
       if (!node.part.region.one_design_per_slot()) {
-        branch(node.part);
+        divide(node.part, value);
       } else if (!proves_infeasible(plan_, plan_.best_inherited, node.part.region, usual_proof_boxes, desk_)) {
         node.refined = true;
         open_.push(value, std::move(node));
@@ -39,21 +41,19 @@ class Search {
   }
 
  private:
-  void offer(Region region) {
+  std::optional<Reached> offer(Region region) {
     Node node;
     node.part.region = std::move(region);
-    if (!assess(plan_, plan_.best_inherited, node.part.region, node.part.bounds, desk_)) return;
+    if (!assess(plan_, plan_.best_inherited, node.part.region, node.part.bounds, desk_)) return std::nullopt;
     note_kept(node.part.bounds, node.part.region);
-    const double value = value_of(plan_, target_, node.part.bounds);
-    open_.push(value, std::move(node));
+    const Reached reached{node.part.bounds.utilisation, value_of(plan_, target_, node.part.bounds)};
+    open_.push(reached.value, std::move(node));
+    return reached;
   }
-  void branch(const OpenRegion& part) {
-    const RowProfile::Split split = plan_.profile.split(part.region, part.bounds.open);
-    for (const RowSet& half : {split.right, split.left}) {
-      Region region = part.region;
-      region.rows[split.slot] = half;
-      if (plan_.fits.filter(region, split.slot)) offer(std::move(region));
-    }
+  void divide(const OpenRegion& part, double value) {
+    branch(plan_, part.region, part.bounds.open, {part.bounds.utilisation, value}, worth_, [&](Region half) {
+      return offer(std::move(half));
+    });
   }
   Relaxation result() {
     Relaxation relaxation;
@@ -69,6 +69,7 @@ class Search {
   const StagePlan& plan_;
   RelaxedTarget target_;
   Desk& desk_;
+  SplitWorth worth_;
   BestFirst<Node> open_;
 };
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "solver/best_first.h"
+#include "solver/region_order.h"
 #include "solver/relaxation.h"
 
 namespace millwright::solver {
@@ -27,7 +28,8 @@ class LeastFrom {
         most_(most),
         node_limit_(node_limit),
         desk_(desk),
-        inherited_(plan.best_inherited) {
+        inherited_(plan.best_inherited),
+        worth_(plan.region.rows.size()) {
     for (const OpenRegion& region : plan_.frontier) {
       Node node;
       node.known = &region;
@@ -59,31 +61,31 @@ class LeastFrom {
   [[nodiscard]] double value_of(const Bounds& bounds) const {
     return scalar::rounding::sum_down(bounds.score[score_], rest_after(plan_, score_, bounds.handed_on));
   }
-  void offer(Region region, double at_least) {
+  std::optional<Reached> offer(Region region, double at_least) {
     Node node;
     node.part.region = std::move(region);
-    if (!assess(plan_, inherited_, node.part.region, node.part.bounds, desk_)) return;
+    if (!assess(plan_, inherited_, node.part.region, node.part.bounds, desk_)) return std::nullopt;
     note_kept(node.part.bounds, node.part.region);
     node.step = step_;
-    const double value = std::max(at_least, value_of(node.part.bounds));
-    if (value < infinity) open_.push(value, std::move(node));
+    const Reached reached{node.part.bounds.utilisation, std::max(at_least, value_of(node.part.bounds))};
+    if (!(reached.value < infinity)) return std::nullopt;
+    open_.push(reached.value, std::move(node));
+    return reached;
   }
   void look_at(Node node, double value) {
-    if (node.known != nullptr) return offer(node.known->region, value);
-    if (node.step != step_) {
+    if (node.known != nullptr) {
+      offer(node.known->region, value);
+    } else if (node.step != step_) {
       node.part.region.kept = 0;
-      return offer(std::move(node.part.region), value);
-    }
-    if (node.part.region.one_design_per_slot()) {
-      if (proves_infeasible(plan_, inherited_, node.part.region, usual_proof_boxes, desk_)) return;
+      offer(std::move(node.part.region), value);
+    } else if (!node.part.region.one_design_per_slot()) {
+      const Bounds& bounds = node.part.bounds;
+      branch(plan_, node.part.region, bounds.open, {bounds.utilisation, value}, worth_, [&](Region part) {
+        return offer(std::move(part), value);
+      });
+    } else if (!proves_infeasible(plan_, inherited_, node.part.region, usual_proof_boxes, desk_)) {
       node.settled = true;
-      return open_.push(value, std::move(node));
-    }
-    const RowProfile::Split split = plan_.profile.split(node.part.region, node.part.bounds.open);
-    for (const RowSet& half : {split.right, split.left}) {
-      Region region = node.part.region;
-      region.rows[split.slot] = half;
-      if (plan_.fits.filter(region, split.slot)) offer(std::move(region), value);
+      open_.push(value, std::move(node));
     }
   }
 
@@ -93,6 +95,7 @@ class LeastFrom {
   std::size_t node_limit_;
   Desk& desk_;
   std::vector<Interval> inherited_;
+  SplitWorth worth_;
   BestFirst<Node> open_;
   std::size_t step_ = 0, nodes_ = 0;
 };

@@ -116,9 +116,10 @@ void RowProfile::finish(const Region& region, std::span<const double> score_scal
   }
 }
 
-RowProfile::Cut RowProfile::best_cut(const Region& region, std::uint64_t open) const {
+RowProfile::Cut RowProfile::best_cut(const Region& region, std::uint64_t open, std::span<const double> worth) const {
   thread_local Ranges here;
   Cut best{region.rows.size(), 0, 0.0F, 0.0};
+  double best_size = 0.0;
   for (std::size_t slot = 0; slot < region.rows.size(); ++slot) {
     const Rows& rows = *region.rows[slot];
     if (rows.size() < 2) continue;
@@ -138,7 +139,10 @@ RowProfile::Cut RowProfile::best_cut(const Region& region, std::uint64_t open) c
       const std::size_t index = features.index[i];
       if (index >= scores_ && ((open >> (((index - scores_) / 2) % 64)) & 1U) == 0) continue;
       const double size = weight_[index] * (static_cast<double>(ranges.high[i]) - static_cast<double>(ranges.low[i]));
-      if (size > best.size) best = {slot, i, 0.5F * ranges.low[i] + 0.5F * ranges.high[i], size};
+      if (size * worth[slot] > best_size) {
+        best_size = size * worth[slot];
+        best = {slot, i, 0.5F * ranges.low[i] + 0.5F * ranges.high[i], size};
+      }
     }
   }
   return best;
@@ -164,8 +168,8 @@ RowProfile::Split RowProfile::halves(const Rows& rows, const Cut& cut) const {
           make_rows(*stage_, shared_, cut.slot, std::move(right))};
 }
 
-RowProfile::Split RowProfile::split(const Region& region, std::uint64_t open) const {
-  const Cut cut = best_cut(region, open);
+RowProfile::Split RowProfile::split(const Region& region, std::uint64_t open, std::span<const double> worth) const {
+  const Cut cut = best_cut(region, open, worth);
   const Rows& rows = *region.rows[cut.slot];
   if (rows.size() < worth_notes || !(cut.size > 0.0)) return halves(rows, cut);
   const std::shared_ptr<const RowNotes> notes = rows.notes.load();

@@ -30,8 +30,9 @@ class RowProfile {
     std::size_t slot = 0;
     RowSet left = nullptr, right = nullptr;
   };
-  /// Not to be called on a region with a single row in every slot. `open` are the constraints still undecided.
-  [[nodiscard]] Split split(const Region& region, std::uint64_t open) const;
+  /// Not to be called on a region with a single row in every slot. `open` are the constraints still undecided; `worth`
+  /// weighs the slots.
+  [[nodiscard]] Split split(const Region& region, std::uint64_t open, std::span<const double> worth) const;
 
  private:
   /// The numbers of one slot's rows, row by row; `finish` keeps those that differ between rows.
@@ -47,7 +48,7 @@ class RowProfile {
     float at = 0.0F;
     double size = 0.0;  ///< weighed; 0: no number differs
   };
-  [[nodiscard]] Cut best_cut(const Region& region, std::uint64_t open) const;
+  [[nodiscard]] Cut best_cut(const Region& region, std::uint64_t open, std::span<const double> worth) const;
   [[nodiscard]] Split halves(const Rows& rows, const Cut& cut) const;
 
   const Stage* stage_ = nullptr;

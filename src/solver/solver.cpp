@@ -274,7 +274,7 @@ class Solve {
     Frontier frontier(problem_, criteria_, plans, incumbents_, control_);
     if (!frontier.applicable()) return false;
     stagewise_ = true;
-    const bool settled = frontier.run(allowances_priced_);
+    const bool settled = frontier.run(allowances_priced_, lower_bound);
     allowances_priced_ = allowances_priced_ || frontier.used_prices();
     if (settled) return true;
     if (frontier.undecided() && !control_.time_is_up()) return false;

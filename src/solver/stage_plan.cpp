@@ -133,16 +133,30 @@ class Partners {
 bool shave(StagePlan& plan, std::span<const Interval> inherited, Desk& desk, const RowSeen& seen) {
   const std::size_t slots = plan.region.rows.size();
   std::vector<Interval> readings;
+  const auto ask_alone = [&](std::size_t slot, const Row& row) -> const Answer<Interval>& {
+    const std::span<const Row> alone(&row, 1);
+    plan.stage->read(plan.shared, slot, alone, readings);
+    return desk.bound_with(*plan.stage, plan.shared, inherited, plan.region, slot, {alone, readings});
+  };
+  // A long table of which no row in a sample is without hope is not worth asking about row by row.
+  const auto seems_hopeful = [&](std::size_t slot) {
+    constexpr std::size_t sample = 128, long_table = 1024;
+    const std::vector<Row>& rows = plan.region.rows[slot]->all();
+    if (rows.size() < long_table) return false;
+    for (std::size_t i = 0; i < sample; ++i)
+      if (hopeless(plan, ask_alone(slot, rows[i * rows.size() / sample]))) return false;
+    return true;
+  };
+  bool all_told = !seen;
   for (bool again = true; again;) {
     again = false;
     for (std::size_t slot = 0; slot < slots; ++slot) {
+      if (all_told && seems_hopeful(slot)) continue;
       const RowSet all = plan.region.rows[slot];
       std::vector<Row> kept;
       Partners partners(plan, slot);
       for (const Row& row : *all) {
-        const std::span<const Row> alone(&row, 1);
-        plan.stage->read(plan.shared, slot, alone, readings);
-        const auto& answer = desk.bound_with(*plan.stage, plan.shared, inherited, plan.region, slot, {alone, readings});
+        const auto& answer = ask_alone(slot, row);
         if (hopeless(plan, answer)) continue;
         if (seen) seen(slot, row, answer);
         if (partners.of(row, readings)) kept.push_back(row);
@@ -154,6 +168,7 @@ bool shave(StagePlan& plan, std::span<const Interval> inherited, Desk& desk, con
       plan.region.rows[slot] = make_rows(*plan.stage, plan.shared, slot, std::move(kept));
       if (!plan.fits.filter(plan.region, slot)) return false;
     }
+    all_told = true;
   }
   return !hopeless(plan, inherited, plan.region, desk);
 }
