@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
 #include <numbers>
-#include <numeric>
 
 namespace millwright::solver {
 namespace {
@@ -18,10 +16,10 @@ double nearly_log2(double x) {
   return static_cast<double>(std::bit_cast<std::int64_t>(x)) * fraction - bias;
 }
 
+double nearly_log(double x) { return std::numbers::ln2 * nearly_log2(x); }
+
 /// Utilisations are compared as logarithms, between one per mille and a thousand.
-float log_utilisation(double u) {
-  return static_cast<float>(std::numbers::ln2 * nearly_log2(std::clamp(u == u ? u : 1e3, 1e-3, 1e3)));
-}
+double log_utilisation(double u) { return nearly_log(std::clamp(u == u ? u : 1e3, 1e-3, 1e3)); }
 
 /// Numbers are kept and compared four at a time.
 using Four = Eigen::Array4f;
@@ -53,7 +51,7 @@ struct Ranges {
 /// Smaller sets are looked at again sooner than their notes are found.
 constexpr std::size_t worth_notes = 12;
 
-float finite(double x) { return static_cast<float>(std::clamp(x == x ? x : 0.0, -1e30, 1e30)); }
+double finite(double x) { return std::clamp(x == x ? x : 0.0, -1e30, 1e30); }
 
 }  // namespace
 
@@ -64,54 +62,91 @@ struct RowNotes {
   RowSet left = nullptr, right = nullptr;
 };
 
-RowProfile::RowProfile(const Stage& stage, std::span<const Row> shared, std::size_t scores)
-    : stage_(&stage),
-      shared_(shared),
-      scores_(scores),
-      width_(scores + 2 * stage.constraints()),
-      features_(stage.slots().size()) {}
+RowProfile::RowProfile(const Stage& stage, std::span<const Row> shared)
+    : stage_(&stage), shared_(shared), features_(stage.slots().size()) {}
 
-void RowProfile::record(
-    std::size_t slot, Row row, std::size_t rows, std::span<const double> score, const Answer<Interval>& answer) {
-  Features& features = features_[slot];
-  if (features.index.empty()) {
-    features.index.resize(width_);
-    std::iota(features.index.begin(), features.index.end(), std::uint16_t{0});
-    features.width = in_fours(width_);
-    features.numbers.resize(rows * features.width);
-  }
-  float* out = features.numbers.data() + row * features.width;
-  for (const double value : score) *out++ = finite(value);
+namespace {
+
+/// What is compared of an answer: scores, then of each constraint the least and the largest utilisation as logarithms.
+void compare(std::span<const double> score, const Answer<Interval>& answer, std::vector<double>& numbers) {
+  numbers.clear();
+  for (const double value : score) numbers.push_back(finite(value));
   for (const Interval& u : answer.utilisation) {
-    *out++ = log_utilisation(u.lower);
-    *out++ = log_utilisation(u.upper);
+    numbers.push_back(log_utilisation(u.lower));
+    numbers.push_back(log_utilisation(u.upper));
   }
 }
 
-void RowProfile::finish(const Region& region, std::span<const double> score_scale) {
-  // A doubling of a utilisation weighs as much as two thirds of the whole score.
-  constexpr double score_weight = 1.0;
-  weight_.assign(width_, 1.0);
-  for (std::size_t k = 0; k < scores_; ++k) {
-    weight_[k] = score_weight / std::max(std::fabs(score_scale[k]), 1e-12);
-    if (k > 0) weight_[k] *= 0.25;
-  }
-  Ranges ranges;
+/// What a change of 1 in each of them weighs. A utilisation's least value decides whether a set can be left out, its
+/// largest only whether a constraint need not be looked at any more. (Of machines and stacks tried, these ask least.)
+std::vector<double> weights(std::span<const double> score_scale, std::size_t constraints) {
+  constexpr double of_score = 0.5, of_other_scores = 0.125, of_least = 1.0, of_largest = 0.25;
+  std::vector<double> weights;
+  for (const double scale : score_scale)
+    weights.push_back((weights.empty() ? of_score : of_other_scores) / std::max(std::fabs(scale), 1e-12));
+  for (std::size_t c = 0; c < constraints; ++c) weights.insert(weights.end(), {of_least, of_largest});
+  return weights;
+}
+
+}  // namespace
+
+void RowProfile::find(const Region& region, std::span<const double> score_scale, const Asked& asked) {
+  const std::vector<double> weight = weights(score_scale, stage_->constraints());
   for (std::size_t slot = 0; slot < features_.size(); ++slot) {
-    const Features all = std::move(features_[slot]);
-    Features& relevant = features_[slot];
-    relevant = {};
-    ranges.find(all.numbers, all.width, *region.rows[slot]);
-    for (std::size_t i = 0; i < all.index.size(); ++i) {
-      const double spread = static_cast<double>(ranges.high[i]) - static_cast<double>(ranges.low[i]);
-      if (weight_[i] * spread > 1e-6) relevant.index.push_back(all.index[i]);
+    Features& features = features_[slot];
+    features = {};
+    weigh(features, slot, *region.rows[slot], weight, score_scale.size(), asked);
+    take_numbers(features, slot, *region.rows[slot]);
+  }
+}
+
+void RowProfile::weigh(Features& features,
+                       std::size_t slot,
+                       const Rows& rows,
+                       std::span<const double> weight,
+                       std::size_t scores,
+                       const Asked& asked) const {
+  constexpr double little = 1e-6;
+  std::vector<Interval> readings(rows.alive().readings.begin(), rows.alive().readings.end());
+  std::vector<double> score(scores), low, high;
+  for (std::size_t r = 0; r < readings.size(); ++r) {
+    const Interval whole = readings[r];
+    if (!(whole.upper > whole.lower) || !std::isfinite(whole.upper - whole.lower)) continue;
+    Number number{r, whole.lower > 0.0};
+    const double cut = number.logarithmic ? std::sqrt(whole.lower) * std::sqrt(whole.upper) : middle(whole);
+    readings[r] = {whole.lower, cut};
+    compare(score, asked(slot, {rows.all(), readings}, score), low);
+    readings[r] = {cut, whole.upper};
+    compare(score, asked(slot, {rows.all(), readings}, score), high);
+    readings[r] = whole;
+    double most = 0.0;
+    for (std::size_t i = 0; i < low.size(); ++i) {
+      const double change = weight[i] * std::fabs(high[i] - low[i]);
+      if (!(change > little)) continue;
+      most = std::max(most, change);
+      if (i < scores)
+        number.of_score = true;
+      else
+        number.constraints |= std::uint64_t{1} << (((i - scores) / 2) % 64);
     }
-    relevant.width = in_fours(relevant.index.size());
-    relevant.numbers.resize((region.rows[slot]->all().back() + std::size_t{1}) * relevant.width);
-    for (const Row row : *region.rows[slot]) {
-      const float* const from = all.numbers.data() + row * all.width;
-      float* const to = relevant.numbers.data() + row * relevant.width;
-      for (std::size_t i = 0; i < relevant.index.size(); ++i) to[i] = from[relevant.index[i]];
+    if (!(most > 0.0)) continue;
+    const double spread =
+        number.logarithmic ? nearly_log(whole.upper) - nearly_log(whole.lower) : whole.upper - whole.lower;
+    number.weight = most / (0.5 * spread);
+    features.of.push_back(number);
+  }
+}
+
+void RowProfile::take_numbers(Features& features, std::size_t slot, const Rows& rows) const {
+  features.width = in_fours(features.of.size());
+  features.numbers.resize((rows.all().back() + std::size_t{1}) * features.width);
+  std::vector<Interval> readings;
+  for (const Row& row : rows) {
+    stage_->read(shared_, slot, std::span(&row, 1), readings);
+    float* out = features.numbers.data() + row * features.width;
+    for (const Number& number : features.of) {
+      const double value = middle(readings[number.reading]);
+      *out++ = static_cast<float>(number.logarithmic ? nearly_log(value) : value);
     }
   }
 }
@@ -135,10 +170,10 @@ RowProfile::Cut RowProfile::best_cut(const Region& region, std::uint64_t open, s
       rows.notes.store(notes);
     }
     const Ranges& ranges = notes != nullptr ? notes->ranges : here;
-    for (std::size_t i = 0; i < features.index.size(); ++i) {
-      const std::size_t index = features.index[i];
-      if (index >= scores_ && ((open >> (((index - scores_) / 2) % 64)) & 1U) == 0) continue;
-      const double size = weight_[index] * (static_cast<double>(ranges.high[i]) - static_cast<double>(ranges.low[i]));
+    for (std::size_t i = 0; i < features.of.size(); ++i) {
+      const Number& number = features.of[i];
+      if (!number.of_score && (number.constraints & open) == 0) continue;
+      const double size = number.weight * (static_cast<double>(ranges.high[i]) - static_cast<double>(ranges.low[i]));
       if (size * worth[slot] > best_size) {
         best_size = size * worth[slot];
         best = {slot, i, 0.5F * ranges.low[i] + 0.5F * ranges.high[i], size};

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // How to split a set of rows in two so that the halves differ in what matters. The search does not know what a column
-// means; it knows what each row does to the answers: with the row fixed and everything else left open, `bound` gives
-// the least score, the state handed on and the range of each utilisation. These numbers are the row's profile. A region
-// is split in the slot and the number with the largest spread among the rows still alive, at the middle of the spread:
-// scores raise the bound of one half, utilisations make sets of alike parts, over which intervals are tight.
+// means; it has what the stage reads of each row (Stage::read), and finds out what each reading matters to: with
+// everything left open `bound` is asked about its lower and about its upper part, and what changes in scores and in
+// utilisations is what a reading weighs. (Nothing is proved from such an answer.) A region is split in the slot and the
+// reading with the largest weighed spread among the rows still alive, at the middle of the spread: scores raise the
+// bound of one half, utilisations make sets of alike parts, over which intervals are tight.
+//
+// Rows of a stage that tells no readings are split in the order of the table.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -18,28 +22,36 @@ namespace millwright::solver {
 class RowProfile {
  public:
   RowProfile() = default;
-  RowProfile(const Stage& stage, std::span<const Row> shared, std::size_t scores);
+  RowProfile(const Stage& stage, std::span<const Row> shared);
 
-  /// Records what `bound` answered with only this row alive in the slot.
-  void record(
-      std::size_t slot, Row row, std::size_t rows, std::span<const double> score, const Answer<Interval>& answer);
-  /// To be called once when all rows are recorded: `score_scale` is what a spread in each score is compared with.
-  void finish(const Region& region, std::span<const double> score_scale);
+  /// What `bound` says of the region with these readings of one slot's rows, and its least scores.
+  using Asked =
+      std::function<const Answer<Interval>&(std::size_t slot, const RowsAlive& rows, std::span<double> score)>;
+  /// Weighs the readings of all slots. `score_scale`: what a spread in each score is compared with.
+  void find(const Region& region, std::span<const double> score_scale, const Asked& asked);
 
   struct Split {
     std::size_t slot = 0;
     RowSet left = nullptr, right = nullptr;
   };
-  /// Not to be called on a region with a single row in every slot. `open` are the constraints still undecided; `worth`
+  /// Not to be called on a region with a single row in every slot. `open` are the constraints still undecided, `worth`
   /// weighs the slots.
   [[nodiscard]] Split split(const Region& region, std::uint64_t open, std::span<const double> worth) const;
 
  private:
-  /// The numbers of one slot's rows, row by row; `finish` keeps those that differ between rows.
+  /// A reading that rows differ in.
+  struct Number {
+    std::size_t reading = 0;
+    bool logarithmic = false;
+    bool of_score = false;          ///< it matters to one
+    double weight = 0.0;            ///< of a spread of 1
+    std::uint64_t constraints = 0;  ///< (modulo 64) that it matters to
+  };
+  /// The numbers of one slot's rows, row by row.
   struct Features {
-    std::vector<std::uint16_t> index;  ///< what each is: a score, or a constraint's least or largest utilisation
-    std::size_t width = 0;             ///< index.size(), rounded up to what is compared at once
-    std::vector<float> numbers;        ///< [row * width + i]
+    std::vector<Number> of;
+    std::size_t width = 0;       ///< of.size(), rounded up to what is compared at once
+    std::vector<float> numbers;  ///< [row * width + i]
   };
   /// Numbers to tell whether a region has to be split there.
   struct Cut {
@@ -48,15 +60,19 @@ class RowProfile {
     float at = 0.0F;
     double size = 0.0;  ///< weighed; 0: no number differs
   };
+  void weigh(Features& features,
+             std::size_t slot,
+             const Rows& rows,
+             std::span<const double> weight,
+             std::size_t scores,
+             const Asked& asked) const;
+  void take_numbers(Features& features, std::size_t slot, const Rows& rows) const;
   [[nodiscard]] Cut best_cut(const Region& region, std::uint64_t open, std::span<const double> worth) const;
   [[nodiscard]] Split halves(const Rows& rows, const Cut& cut) const;
 
   const Stage* stage_ = nullptr;
   std::span<const Row> shared_;
-  std::size_t scores_ = 0;
-  std::size_t width_ = 0;
   std::vector<Features> features_;  ///< [slot]
-  std::vector<double> weight_;      ///< [index]
 };
 
 }  // namespace millwright::solver

@@ -118,7 +118,8 @@ class Stage {
 
   /// Intervals that contain what this stage reads of every one of these rows (a column's smallest and largest number,
   /// say). The search asks once for each set of rows that it makes and hands the answer back with every question about
-  /// it; how many intervals there are, and what they mean, is the stage's own affair. Default: none.
+  /// it; how many intervals there are, and what they mean, is the stage's own affair. To find out what each matters to,
+  /// `bound` is asked about parts of them too (row_profile.h); of such answers nothing is proved. Default: none.
   virtual void read(std::span<const Row> /*shared*/,
                     std::size_t /*slot*/,
                     std::span<const Row> /*rows*/,

@@ -130,13 +130,13 @@ class Partners {
 
 }  // namespace
 
-bool shave(StagePlan& plan, std::span<const Interval> inherited, Desk& desk, const RowSeen& seen) {
+bool shave(StagePlan& plan, std::span<const Interval> inherited, Desk& desk) {
   const std::size_t slots = plan.region.rows.size();
   std::vector<Interval> readings;
-  const auto ask_alone = [&](std::size_t slot, const Row& row) -> const Answer<Interval>& {
+  const auto hopeless_alone = [&](std::size_t slot, const Row& row) {
     const std::span<const Row> alone(&row, 1);
     plan.stage->read(plan.shared, slot, alone, readings);
-    return desk.bound_with(*plan.stage, plan.shared, inherited, plan.region, slot, {alone, readings});
+    return hopeless(plan, desk.bound_with(*plan.stage, plan.shared, inherited, plan.region, slot, {alone, readings}));
   };
   // A long table of which no row in a sample is without hope is not worth asking about row by row.
   const auto seems_hopeful = [&](std::size_t slot) {
@@ -144,23 +144,18 @@ bool shave(StagePlan& plan, std::span<const Interval> inherited, Desk& desk, con
     const std::vector<Row>& rows = plan.region.rows[slot]->all();
     if (rows.size() < long_table) return false;
     for (std::size_t i = 0; i < sample; ++i)
-      if (hopeless(plan, ask_alone(slot, rows[i * rows.size() / sample]))) return false;
+      if (hopeless_alone(slot, rows[i * rows.size() / sample])) return false;
     return true;
   };
-  bool all_told = !seen;
   for (bool again = true; again;) {
     again = false;
     for (std::size_t slot = 0; slot < slots; ++slot) {
-      if (all_told && seems_hopeful(slot)) continue;
+      if (seems_hopeful(slot)) continue;
       const RowSet all = plan.region.rows[slot];
       std::vector<Row> kept;
       Partners partners(plan, slot);
-      for (const Row& row : *all) {
-        const auto& answer = ask_alone(slot, row);
-        if (hopeless(plan, answer)) continue;
-        if (seen) seen(slot, row, answer);
-        if (partners.of(row, readings)) kept.push_back(row);
-      }
+      for (const Row& row : *all)
+        if (!hopeless_alone(slot, row) && partners.of(row, readings)) kept.push_back(row);
       if (kept.empty()) return false;
       if (kept.size() == all->size()) continue;
       // Fewer rows here may leave others without hope; a few fewer are not worth asking about all others again.
@@ -168,26 +163,26 @@ bool shave(StagePlan& plan, std::span<const Interval> inherited, Desk& desk, con
       plan.region.rows[slot] = make_rows(*plan.stage, plan.shared, slot, std::move(kept));
       if (!plan.fits.filter(plan.region, slot)) return false;
     }
-    all_told = true;
   }
   return !hopeless(plan, inherited, plan.region, desk);
 }
 
 namespace {
 
-/// Drops rows without hope at the best state that can arrive, and keeps what the others' bounds were.
+/// Drops rows without hope at the best state that can arrive, and finds out what tells the others apart.
 bool shave_and_profile(StagePlan& plan, Desk& desk) {
-  const auto slots = plan.stage->slots();
-  plan.profile = RowProfile(*plan.stage, plan.shared, plan.criteria->size());
+  if (!shave(plan, plan.best_inherited, desk)) return false;
   Bounds bounds;
-  const bool feasible =
-      shave(plan, plan.best_inherited, desk, [&](std::size_t slot, Row row, const Answer<Interval>& answer) {
-        read_bounds(plan, answer, bounds);
-        plan.profile.record(slot, row, slots[slot].rows, bounds.score, answer);
-      });
-  if (!feasible) return false;
   read_bounds(plan, desk.bound(*plan.stage, plan.shared, plan.best_inherited, plan.region), bounds);
-  plan.profile.finish(plan.region, bounds.score);
+  plan.profile = RowProfile(*plan.stage, plan.shared);
+  plan.profile.find(plan.region,
+                    bounds.score,
+                    [&](std::size_t slot, const RowsAlive& rows, std::span<double> score) -> const Answer<Interval>& {
+                      const auto& answer =
+                          desk.bound_with(*plan.stage, plan.shared, plan.best_inherited, plan.region, slot, rows);
+                      plan.criteria->least_scores(answer.resources, score);
+                      return answer;
+                    });
   return true;
 }
 
@@ -260,7 +255,7 @@ bool find_limits(std::vector<StagePlan>& plans, Desk& desk) {
     const bool changed = narrower(state, plan.inherited);
     plan.inherited = state;
     state = desk.bound(*plan.stage, plan.shared, plan.inherited, plan.region).handed_on;
-    if ((changed || limits(plan, state)) && !shave(plan, plan.inherited, desk, {})) return false;
+    if ((changed || limits(plan, state)) && !shave(plan, plan.inherited, desk)) return false;
     state = bearable_part(plan, desk.bound(*plan.stage, plan.shared, plan.inherited, plan.region).handed_on);
   }
   return true;

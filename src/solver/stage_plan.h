@@ -136,11 +136,9 @@ bool cut_variables(
 /// Asks `bound`, then cuts the variables' intervals.
 bool assess(const StagePlan& plan, std::span<const Interval> inherited, Region& region, Bounds& bounds, Desk& desk);
 
-/// Told of every row that is kept: what `bound` said with only this row alive in its slot.
-using RowSeen = std::function<void(std::size_t slot, Row row, const Answer<Interval>& answer)>;
 /// Removes rows that cannot be in a feasible design at any of the inherited states: all that `bound` shows to be so,
 /// but for those of long tables that have next to none. False when a slot is empty.
-bool shave(StagePlan& plan, std::span<const Interval> inherited, Desk& desk, const RowSeen& seen);
+bool shave(StagePlan& plan, std::span<const Interval> inherited, Desk& desk);
 
 /// The states that can arrive and the directions once more, after rows have been left out of the regions.
 void look_again(const Problem& problem, std::vector<StagePlan>& plans, Desk& desk);
