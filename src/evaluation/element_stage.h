@@ -164,11 +164,15 @@ class ElementStage : public solver::Stage {
   static void read_numbers(const SlotTable& table,
                            std::span<const solver::Row> rows,
                            std::vector<scalar::Interval>& readings) {
-    for (std::size_t field = 0; field < table.fields(); ++field)
-      readings.push_back(range_of(rows, [&](solver::Row row) { return table.reading(row, field); }));
-    for (std::size_t i = 0; i < total_count; ++i)
-      readings.push_back(
-          range_of(rows, [&](solver::Row row) { return total_of(table.candidate(row), static_cast<Total>(i)); }));
+    append_ranges(
+        rows, table.fields(), [&](solver::Row row) { return table.readings(row); }, readings);
+    std::array<double, total_count> totals{};
+    const auto totals_of = [&](solver::Row row) {
+      const Candidate& candidate = table.candidate(row);
+      for (std::size_t i = 0; i < total_count; ++i) totals[i] = total_of(candidate, static_cast<Total>(i));
+      return totals.data();
+    };
+    append_ranges(rows, total_count, totals_of, readings);
   }
 
   static void read_ranges(const SlotTable& table,

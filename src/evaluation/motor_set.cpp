@@ -79,10 +79,12 @@ void MotorSet::read(std::size_t voltage, std::span<const solver::Row> rows, std:
     readings.push_back(range_of_total(motors_.table.candidate(rows.front()), Total::standing_mass));
     return;
   }
-  for (std::size_t field = 0; field < fields; ++field)
-    readings.push_back(range_of(rows, [&](solver::Row row) { return readings_[voltage][row * fields + field]; }));
-  readings.push_back(range_of(rows, [&](solver::Row row) { return motors_.pairs[row].shaft; }));
-  readings.push_back(range_of(rows, [&](solver::Row row) { return motors_.table.candidate(row).standing_mass; }));
+  append_ranges(
+      rows, fields, [&](solver::Row row) { return readings_[voltage].data() + row * fields; }, readings);
+  append_ranges(
+      rows, 1, [&](solver::Row row) { return &motors_.pairs[row].shaft; }, readings);
+  append_ranges(
+      rows, 1, [&](solver::Row row) { return &motors_.table.candidate(row).standing_mass; }, readings);
   // Motor by motor: what is known of one lies together.
   const std::vector<Interval>& of_first = torque_ranges(voltage, rows.front());
   const std::size_t first = readings.size();

@@ -148,6 +148,8 @@ class SlotTable {
   [[nodiscard]] std::size_t rows() const { return candidates_.size(); }
   [[nodiscard]] const Candidate& candidate(std::size_t row) const { return candidates_[row]; }
   [[nodiscard]] double reading(std::size_t row, std::size_t field) const { return readings_[row * fields_ + field]; }
+  /// All readings of a row, side by side.
+  [[nodiscard]] const double* readings(std::size_t row) const { return readings_.data() + row * fields_; }
   /// The interval of a reading: the number itself where no range is given.
   [[nodiscard]] scalar::Interval range(std::size_t row, std::size_t field) const {
     const auto& ranges = candidates_[row].ranges;
@@ -206,6 +208,26 @@ scalar::Interval range_of(std::span<const solver::Row> rows, Value&& value) {
     upper = std::max(upper, x);
   }
   return {lower, upper};
+}
+
+/// Appends the smallest and the largest of each of `width` quantities; `numbers(row)` is where those of a row lie side
+/// by side. One pass over the rows: long tables do not fit into the processor's cache.
+template <class Numbers>
+void append_ranges(std::span<const solver::Row> rows,
+                   std::size_t width,
+                   Numbers&& numbers,
+                   std::vector<scalar::Interval>& ranges) {
+  const std::size_t first = ranges.size();
+  const auto* const of_first = numbers(rows.front());
+  for (std::size_t i = 0; i < width; ++i) ranges.emplace_back(of_first[i]);
+  scalar::Interval* const out = ranges.data() + first;
+  for (const solver::Row row : rows.subspan(1)) {
+    const auto* const own = numbers(row);
+    for (std::size_t i = 0; i < width; ++i) {
+      out[i].lower = std::min(out[i].lower, own[i]);
+      out[i].upper = std::max(out[i].upper, own[i]);
+    }
+  }
 }
 
 /// The same of a quantity that is an interval of each row.

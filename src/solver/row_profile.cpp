@@ -90,14 +90,11 @@ std::vector<double> weights(std::span<const double> score_scale, std::size_t con
 
 }  // namespace
 
-void RowProfile::find(const Region& region, std::span<const double> score_scale, const Asked& asked) {
-  const std::vector<double> weight = weights(score_scale, stage_->constraints());
-  for (std::size_t slot = 0; slot < features_.size(); ++slot) {
-    Features& features = features_[slot];
-    features = {};
-    weigh(features, slot, *region.rows[slot], weight, score_scale.size(), asked);
-    take_numbers(features, slot, *region.rows[slot]);
-  }
+void RowProfile::find(const Region& region, std::size_t slot, std::span<const double> score_scale, const Asked& asked) {
+  Features& features = features_[slot];
+  features = {};
+  weigh(features, slot, *region.rows[slot], weights(score_scale, stage_->constraints()), score_scale.size(), asked);
+  take_numbers(features, slot, *region.rows[slot]);
 }
 
 void RowProfile::weigh(Features& features,
@@ -145,7 +142,8 @@ void RowProfile::take_numbers(Features& features, std::size_t slot, const Rows& 
     stage_->read(shared_, slot, std::span(&row, 1), readings);
     float* out = features.numbers.data() + row * features.width;
     for (const Number& number : features.of) {
-      const double value = middle(readings[number.reading]);
+      // Of a single row a stage may read less (what it works out exactly when it is asked).
+      const double value = number.reading < readings.size() ? middle(readings[number.reading]) : 1.0;
       *out++ = static_cast<float>(number.logarithmic ? nearly_log(value) : value);
     }
   }

@@ -27,8 +27,8 @@ class RowProfile {
   /// What `bound` says of the region with these readings of one slot's rows, and its least scores.
   using Asked =
       std::function<const Answer<Interval>&(std::size_t slot, const RowsAlive& rows, std::span<double> score)>;
-  /// Weighs the readings of all slots. `score_scale`: what a spread in each score is compared with.
-  void find(const Region& region, std::span<const double> score_scale, const Asked& asked);
+  /// Weighs the readings of a slot's rows. `score_scale`: what a spread in each score is compared with.
+  void find(const Region& region, std::size_t slot, std::span<const double> score_scale, const Asked& asked);
 
   struct Split {
     std::size_t slot = 0;

@@ -130,41 +130,119 @@ class Partners {
 
 }  // namespace
 
-bool shave(StagePlan& plan, std::span<const Interval> inherited, Desk& desk) {
-  const std::size_t slots = plan.region.rows.size();
-  std::vector<Interval> readings;
-  const auto hopeless_alone = [&](std::size_t slot, const Row& row) {
+namespace {
+
+/// Finds out what tells a slot's rows apart at these states.
+void find_profile(
+    const StagePlan& plan, std::span<const Interval> inherited, std::size_t slot, RowProfile& profile, Desk& desk) {
+  Bounds bounds;
+  read_bounds(plan, desk.bound(*plan.stage, plan.shared, inherited, plan.region), bounds);
+  profile.find(plan.region,
+               slot,
+               bounds.score,
+               [&](std::size_t, const RowsAlive& rows, std::span<double> score) -> const Answer<Interval>& {
+                 const auto& answer = desk.bound_with(*plan.stage, plan.shared, inherited, plan.region, slot, rows);
+                 plan.criteria->least_scores(answer.resources, score);
+                 return answer;
+               });
+}
+
+/// Removes rows that have no hope at any of the inherited states.
+class Shaving {
+ public:
+  Shaving(StagePlan& plan, std::span<const Interval> inherited, Desk& desk)
+      : plan_(plan), inherited_(inherited), desk_(desk) {}
+
+  /// False: nothing is left.
+  bool run() {
+    const std::size_t slots = plan_.region.rows.size();
+    for (bool again = true; again;) {
+      again = false;
+      for (std::size_t slot = 0; slot < slots; ++slot) {
+        const RowSet all = plan_.region.rows[slot];
+        const bool is_long = all->size() >= long_table;
+        if (is_long && sample_has_hope(slot)) continue;
+        std::vector<Row> kept = is_long ? sieved(slot) : hopeful_rows(slot);
+        if (kept.empty()) return false;
+        if (kept.size() == all->size()) continue;
+        // Fewer rows here may leave others without hope; a few fewer are not worth asking about all others again.
+        again = again || 2 * kept.size() <= all->size();
+        plan_.region.rows[slot] = make_rows(*plan_.stage, plan_.shared, slot, std::move(kept));
+        if (!plan_.fits.filter(plan_.region, is_long ? slots : slot)) return false;
+      }
+    }
+    return !hopeless(plan_, inherited_, plan_.region, desk_);
+  }
+
+ private:
+  static constexpr std::size_t long_table = 1024;
+
+  const Answer<Interval>& ask(std::size_t slot, const RowsAlive& rows) {
+    return desk_.bound_with(*plan_.stage, plan_.shared, inherited_, plan_.region, slot, rows);
+  }
+  bool hopeless_alone(std::size_t slot, const Row& row) {
     const std::span<const Row> alone(&row, 1);
-    plan.stage->read(plan.shared, slot, alone, readings);
-    return hopeless(plan, desk.bound_with(*plan.stage, plan.shared, inherited, plan.region, slot, {alone, readings}));
-  };
-  // A long table of which no row in a sample is without hope is not worth asking about row by row.
-  const auto seems_hopeful = [&](std::size_t slot) {
-    constexpr std::size_t sample = 128, long_table = 1024;
-    const std::vector<Row>& rows = plan.region.rows[slot]->all();
-    if (rows.size() < long_table) return false;
+    plan_.stage->read(plan_.shared, slot, alone, readings_);
+    return hopeless(plan_, ask(slot, {alone, readings_}));
+  }
+
+  std::vector<Row> hopeful_rows(std::size_t slot) {
+    std::vector<Row> kept;
+    Partners partners(plan_, slot);
+    for (const Row& row : *plan_.region.rows[slot])
+      if (!hopeless_alone(slot, row) && partners.of(row, readings_)) kept.push_back(row);
+    return kept;
+  }
+
+  /// A long table of which no row in a sample is without hope is left as it is.
+  bool sample_has_hope(std::size_t slot) {
+    constexpr std::size_t sample = 128;
+    const std::vector<Row>& rows = plan_.region.rows[slot]->all();
     for (std::size_t i = 0; i < sample; ++i)
       if (hopeless_alone(slot, rows[i * rows.size() / sample])) return false;
     return true;
-  };
-  for (bool again = true; again;) {
-    again = false;
-    for (std::size_t slot = 0; slot < slots; ++slot) {
-      if (seems_hopeful(slot)) continue;
-      const RowSet all = plan.region.rows[slot];
-      std::vector<Row> kept;
-      Partners partners(plan, slot);
-      for (const Row& row : *all)
-        if (!hopeless_alone(slot, row) && partners.of(row, readings)) kept.push_back(row);
-      if (kept.empty()) return false;
-      if (kept.size() == all->size()) continue;
-      // Fewer rows here may leave others without hope; a few fewer are not worth asking about all others again.
-      again = again || 2 * kept.size() <= all->size();
-      plan.region.rows[slot] = make_rows(*plan.stage, plan.shared, slot, std::move(kept));
-      if (!plan.fits.filter(plan.region, slot)) return false;
-    }
   }
-  return !hopeless(plan, inherited, plan.region, desk);
+
+  /// Of any other, sets of rows that are alike are asked about instead of rows.
+  std::vector<Row> sieved(std::size_t slot) {
+    constexpr std::size_t few = 16;
+    RowProfile profile(*plan_.stage, plan_.shared);
+    find_profile(plan_, inherited_, slot, profile, desk_);
+    Region region = plan_.region;
+    for (std::size_t other = 0; other < region.rows.size(); ++other)
+      if (other != slot) region.rows[other] = only(*plan_.stage, plan_.shared, other, region.rows[other]->front());
+    const std::vector<double> worth(region.rows.size(), 1.0);
+    std::vector<RowSet> open{plan_.region.rows[slot]};
+    std::vector<Row> kept;
+    Bounds bounds;
+    while (!open.empty()) {
+      region.rows[slot] = std::move(open.back());
+      open.pop_back();
+      const auto& answer = ask(slot, region.rows[slot]->alive());
+      if (hopeless(plan_, answer)) continue;
+      if (region.rows[slot]->size() <= few) {
+        kept.insert(kept.end(), region.rows[slot]->begin(), region.rows[slot]->end());
+        continue;
+      }
+      read_bounds(plan_, answer, bounds);
+      RowProfile::Split split = profile.split(region, bounds.open, worth);
+      open.push_back(std::move(split.left));
+      open.push_back(std::move(split.right));
+    }
+    std::sort(kept.begin(), kept.end());
+    return kept;
+  }
+
+  StagePlan& plan_;
+  std::span<const Interval> inherited_;
+  Desk& desk_;
+  std::vector<Interval> readings_;  ///< of the row asked about last
+};
+
+}  // namespace
+
+bool shave(StagePlan& plan, std::span<const Interval> inherited, Desk& desk) {
+  return Shaving(plan, inherited, desk).run();
 }
 
 namespace {
@@ -172,17 +250,9 @@ namespace {
 /// Drops rows without hope at the best state that can arrive, and finds out what tells the others apart.
 bool shave_and_profile(StagePlan& plan, Desk& desk) {
   if (!shave(plan, plan.best_inherited, desk)) return false;
-  Bounds bounds;
-  read_bounds(plan, desk.bound(*plan.stage, plan.shared, plan.best_inherited, plan.region), bounds);
   plan.profile = RowProfile(*plan.stage, plan.shared);
-  plan.profile.find(plan.region,
-                    bounds.score,
-                    [&](std::size_t slot, const RowsAlive& rows, std::span<double> score) -> const Answer<Interval>& {
-                      const auto& answer =
-                          desk.bound_with(*plan.stage, plan.shared, plan.best_inherited, plan.region, slot, rows);
-                      plan.criteria->least_scores(answer.resources, score);
-                      return answer;
-                    });
+  for (std::size_t slot = 0; slot < plan.region.rows.size(); ++slot)
+    find_profile(plan, plan.best_inherited, slot, plan.profile, desk);
   return true;
 }
 
