@@ -12,6 +12,7 @@
 #include "solver/criteria.h"
 #include "solver/frontier.h"
 #include "solver/incumbents.h"
+#include "solver/neighbours.h"
 #include "solver/rest_curve.h"
 #include "solver/search_control.h"
 #include "solver/shared_choices.h"
@@ -36,6 +37,7 @@ class Solve {
       find_ends();
     }
     if (!has_empty_slot(problem_)) search();
+    better_among_equals();
     return summary();
   }
 
@@ -264,6 +266,32 @@ class Solve {
       leaf_tolerance *= finer;
     }
     if (!result.complete) leave_open(std::max(open.score[0], result.lower_bound));
+  }
+
+  /// Within the tolerance of continuous variables a search does not ask what decides between equals. So parts of the
+  /// best build are changed one by one for such as are better in that and no worse in the objective.
+  void better_among_equals() {
+    if (!priced_ || criteria_.objectives != 1 || criteria_.ties == 0 || incumbents_.builds().empty()) return;
+    RankedBuild& best = incumbents_.builds().front();
+    std::vector<double> score(criteria_.size());
+    for (std::size_t tie = 1; tie <= criteria_.ties; ++tie) {
+      const std::vector<double> most(best.score.begin(), best.score.begin() + static_cast<std::ptrdiff_t>(tie));
+      const auto value = [&](std::span<const double> resources) {
+        criteria_.scores<double>(resources, score);
+        for (std::size_t k = 0; k < most.size(); ++k)
+          if (rounded(score[k]) > rounded(most[k])) return infinity;
+        return score[tie];
+      };
+      best.build = Neighbours(problem_).improved(best.build, value, [this] { return control_.time_is_up(); });
+      criteria_.scores<double>(best.build.resources, best.score);
+    }
+    Answer<double> answer;
+    best.build.worst_utilisation = 0.0;
+    for (std::size_t stage = 0; stage < problem_.stages.size(); ++stage) {
+      const StageChoice& choice = best.build.stages[stage];
+      problem_.stages[stage]->evaluate({best.build.shared, choice.inherited, choice.rows, choice.variables}, answer);
+      best.build.worst_utilisation = std::max(best.build.worst_utilisation, worst_of(answer.utilisation));
+    }
   }
 
   void set_tolerance() { incumbents_.tolerance = priced_ ? 0.5 * tolerated() : 0.0; }

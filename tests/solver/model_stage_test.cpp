@@ -194,6 +194,32 @@ TEST_CASE("A model sees what all stages share") {
   CHECK(found.builds.front().resources.front() == 6.0);
 }
 
+TEST_CASE("Of equally light designs of free thickness the cheapest is taken") {
+  // Plates of one density and price by the kilogram, in two sizes of screw that weigh the same; only the price differs.
+  const Columns plates{"plate", 2, {2.0, 9.0, 2.0, 4.0, 2.0, 7.0, 3.0, 1.0}};  // density, price
+  const Columns screws{"screw", 2, {0.5, 3.0, 0.5, 2.0, 0.5, 5.0}};            // mass, price
+  const auto stage =
+      model_stage("plate", {&plates, &screws}, {{"thickness", 1.0, 4.0}}, 1, [](const auto& in, auto& out) {
+        const auto& thickness = in.variable(0);
+        out.utilisation.push_back(4.0 / (thickness * thickness));
+        out.resources.assign({in.row(0, 1) + in.row(1, 1), in.row(0, 0) * thickness + in.row(1, 0)});
+        out.handed_on.push_back(in.state(0));
+      });
+  Problem problem;
+  problem.first_state = {0.0};
+  problem.stages = {&stage};
+  problem.resources = {{"price"}, {"mass"}};
+  Options options;
+  options.objectives = {1};
+  options.ties = {0};
+  const Summary found = solve(problem, options);
+  REQUIRE(found.status == Status::optimal);
+  // 2 thick: 2 * 2 + 0.5; of the light plates the second, of the screws too.
+  CHECK(found.builds.front().resources[1] == Approx(4.5).epsilon(1e-5));
+  CHECK(found.builds.front().resources[0] == 6.0);
+  CHECK(found.builds.front().stages.front().rows == std::vector<Row>{1, 1});
+}
+
 TEST_CASE("A model with more slots than it may have is refused") {
   const Columns table{"part", 1, {1.0}};
   const auto model = [](const auto&, auto&) {};
