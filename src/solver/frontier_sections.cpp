@@ -7,25 +7,35 @@
 // left out.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "solver/frontier.h"
 
 namespace millwright::solver {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
 /// A single objective: looks for builds that come to no more than a little above what every build comes to at least.
 /// There is little to look at below that, and the best of what is found is the best of all. Where it is too much, less
 /// is looked at. True when one is found.
 bool Frontier::aim() {
   constexpr double first_share = 0.1, largest_share = 0.4, least_share = 0.01;
   double least = std::max(least_total_, rest_.front().front().first);
+  double too_much = infinity;  // the least that has been
   bool found = false;
   for (double share = first_share; !found && share > least_share && share <= largest_share;) {
     const double known = incumbents_.best();
     if (!std::isfinite(known) || !(known > least)) break;
     section_.to = least + share * (known - least);
+    if (!(section_.to < too_much)) break;
+    undecided_ = false;  // what a pass that was given up left undecided may be beyond this section
     const bool done = pass({.patience = 10 * control_.options().stage_patience});
     if (control_.time_is_up()) break;
     found = done && incumbents_.best() <= section_.to;
-    if (done) least = section_.to;
+    (done ? least : too_much) = section_.to;
     share *= done ? 2.0 : 0.25;
   }
   section_ = Section{};

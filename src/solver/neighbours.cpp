@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "solver/box.h"
+
 namespace millwright::solver {
 
 namespace {
@@ -35,6 +37,17 @@ bool Neighbours::complete(Build& build, std::size_t stage, std::vector<double> r
     if (!(resources[r] <= problem_.resources[r].limit)) return false;
   build.resources = std::move(resources);
   return true;
+}
+
+double Neighbours::worst_utilisation(const Build& build) const {
+  double worst = 0.0;
+  Answer<double> answer;
+  for (std::size_t i = 0; i < problem_.stages.size(); ++i) {
+    const StageChoice& choice = build.stages[i];
+    problem_.stages[i]->evaluate({build.shared, choice.inherited, choice.rows, choice.variables}, answer);
+    worst = std::max(worst, worst_of(answer.utilisation));
+  }
+  return worst;
 }
 
 void Neighbours::visit(const Build& build, std::size_t objective, const Visitor& visitor) const {

@@ -22,6 +22,7 @@ class Neighbours {
   /// A feasible build that no change of a single row looked at makes better: from `build`, which must be feasible, slot
   /// by slot to the best row there. Its worst utilisation is not worked out. `stop` is asked now and then.
   [[nodiscard]] Build improved(Build build, const Value& value, const std::function<bool()>& stop) const;
+  [[nodiscard]] double worst_utilisation(const Build& build) const;
 
  private:
   /// The best row of one slot, if it is better than the build's own. `before`: what the stages before add.

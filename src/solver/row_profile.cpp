@@ -93,12 +93,11 @@ std::vector<double> weights(std::span<const double> score_scale, std::size_t con
 void RowProfile::find(const Region& region, std::size_t slot, std::span<const double> score_scale, const Asked& asked) {
   Features& features = features_[slot];
   features = {};
-  weigh(features, slot, *region.rows[slot], weights(score_scale, stage_->constraints()), score_scale.size(), asked);
+  weigh(features, *region.rows[slot], weights(score_scale, stage_->constraints()), score_scale.size(), asked);
   take_numbers(features, slot, *region.rows[slot]);
 }
 
 void RowProfile::weigh(Features& features,
-                       std::size_t slot,
                        const Rows& rows,
                        std::span<const double> weight,
                        std::size_t scores,
@@ -109,12 +108,14 @@ void RowProfile::weigh(Features& features,
   for (std::size_t r = 0; r < readings.size(); ++r) {
     const Interval whole = readings[r];
     if (!(whole.upper > whole.lower) || !std::isfinite(whole.upper - whole.lower)) continue;
-    Number number{r, whole.lower > 0.0};
-    const double cut = number.logarithmic ? std::sqrt(whole.lower) * std::sqrt(whole.upper) : middle(whole);
+    Number number{.reading = r, .logarithmic = whole.lower > 0.0};
+    const double cut = number.logarithmic
+                           ? std::clamp(std::sqrt(whole.lower) * std::sqrt(whole.upper), whole.lower, whole.upper)
+                           : middle(whole);
     readings[r] = {whole.lower, cut};
-    compare(score, asked(slot, {rows.all(), readings}, score), low);
+    compare(score, asked({rows.all(), readings}, score), low);
     readings[r] = {cut, whole.upper};
-    compare(score, asked(slot, {rows.all(), readings}, score), high);
+    compare(score, asked({rows.all(), readings}, score), high);
     readings[r] = whole;
     double most = 0.0;
     for (std::size_t i = 0; i < low.size(); ++i) {
@@ -126,9 +127,9 @@ void RowProfile::weigh(Features& features,
       else
         number.constraints |= std::uint64_t{1} << (((i - scores) / 2) % 64);
     }
-    if (!(most > 0.0)) continue;
     const double spread =
         number.logarithmic ? nearly_log(whole.upper) - nearly_log(whole.lower) : whole.upper - whole.lower;
+    if (!(most > 0.0) || !(spread > 0.0)) continue;
     number.weight = most / (0.5 * spread);
     features.of.push_back(number);
   }
@@ -140,11 +141,13 @@ void RowProfile::take_numbers(Features& features, std::size_t slot, const Rows& 
   std::vector<Interval> readings;
   for (const Row& row : rows) {
     stage_->read(shared_, slot, std::span(&row, 1), readings);
+    // Of a single row a stage may read less than of several (what it works out exactly when it is asked): then these
+    // numbers say nothing.
+    const bool alike = readings.size() == rows.alive().readings.size();
     float* out = features.numbers.data() + row * features.width;
     for (const Number& number : features.of) {
-      // Of a single row a stage may read less (what it works out exactly when it is asked).
-      const double value = number.reading < readings.size() ? middle(readings[number.reading]) : 1.0;
-      *out++ = static_cast<float>(number.logarithmic ? nearly_log(value) : value);
+      const double value = alike ? middle(readings[number.reading]) : 1.0;
+      *out++ = static_cast<float>(number.logarithmic ? nearly_log(value) : finite(value));
     }
   }
 }

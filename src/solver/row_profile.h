@@ -8,6 +8,9 @@
 // bound of one half, utilisations make sets of alike parts, over which intervals are tight.
 //
 // Rows of a stage that tells no readings are split in the order of the table.
+//
+// What a profile has found out about splitting a set of rows is noted there (Rows::notes): a set that one profile has
+// split must not be given to another.
 #pragma once
 
 #include <cstdint>
@@ -25,8 +28,7 @@ class RowProfile {
   RowProfile(const Stage& stage, std::span<const Row> shared);
 
   /// What `bound` says of the region with these readings of one slot's rows, and its least scores.
-  using Asked =
-      std::function<const Answer<Interval>&(std::size_t slot, const RowsAlive& rows, std::span<double> score)>;
+  using Asked = std::function<const Answer<Interval>&(const RowsAlive& rows, std::span<double> score)>;
   /// Weighs the readings of a slot's rows. `score_scale`: what a spread in each score is compared with.
   void find(const Region& region, std::size_t slot, std::span<const double> score_scale, const Asked& asked);
 
@@ -61,7 +63,6 @@ class RowProfile {
     double size = 0.0;  ///< weighed; 0: no number differs
   };
   void weigh(Features& features,
-             std::size_t slot,
              const Rows& rows,
              std::span<const double> weight,
              std::size_t scores,

@@ -269,29 +269,26 @@ class Solve {
   }
 
   /// Within the tolerance of continuous variables a search does not ask what decides between equals. So parts of the
-  /// best build are changed one by one for such as are better in that and no worse in the objective.
+  /// best build are changed one by one for such as are better in that and no worse in the objective. (Incumbents would
+  /// not take such a build: within the tolerance the one known is as good.)
   void better_among_equals() {
     if (!priced_ || criteria_.objectives != 1 || criteria_.ties == 0 || incumbents_.builds().empty()) return;
     RankedBuild& best = incumbents_.builds().front();
+    searched_best_ = best.score[0];
     std::vector<double> score(criteria_.size());
+    const Neighbours neighbours(problem_);
     for (std::size_t tie = 1; tie <= criteria_.ties; ++tie) {
       const std::vector<double> most(best.score.begin(), best.score.begin() + static_cast<std::ptrdiff_t>(tie));
       const auto value = [&](std::span<const double> resources) {
         criteria_.scores<double>(resources, score);
         for (std::size_t k = 0; k < most.size(); ++k)
           if (rounded(score[k]) > rounded(most[k])) return infinity;
-        return score[tie];
+        return rounded(score[tie]);
       };
-      best.build = Neighbours(problem_).improved(best.build, value, [this] { return control_.time_is_up(); });
+      best.build = neighbours.improved(best.build, value, [this] { return control_.time_is_up(); });
       criteria_.scores<double>(best.build.resources, best.score);
     }
-    Answer<double> answer;
-    best.build.worst_utilisation = 0.0;
-    for (std::size_t stage = 0; stage < problem_.stages.size(); ++stage) {
-      const StageChoice& choice = best.build.stages[stage];
-      problem_.stages[stage]->evaluate({best.build.shared, choice.inherited, choice.rows, choice.variables}, answer);
-      best.build.worst_utilisation = std::max(best.build.worst_utilisation, worst_of(answer.utilisation));
-    }
+    best.build.worst_utilisation = neighbours.worst_utilisation(best.build);
   }
 
   void set_tolerance() { incumbents_.tolerance = priced_ ? 0.5 * tolerated() : 0.0; }
@@ -330,7 +327,8 @@ class Solve {
     out.evaluations = control_.evaluations() + earlier_evaluations_;
     const double best = incumbents_.best();
     // What the tolerance gave up may be better by so much.
-    const double settled = std::isfinite(best) ? best - incumbents_.tolerance * std::fabs(best) : infinity;
+    const double searched = std::min(best, searched_best_);
+    const double settled = std::isfinite(best) ? searched - incumbents_.tolerance * std::fabs(searched) : infinity;
     out.lower_bound = std::min(settled, open_bound_);
     for (const RankedBuild& ranked : incumbents_.builds()) out.builds.push_back(ranked.build);
     if (criteria_.objectives == 1 && out.builds.size() > 1) out.builds.resize(1);
@@ -373,6 +371,7 @@ class Solve {
   bool allowances_priced_ = false;  ///< by it
   std::vector<bool> priced_stages_;
   double open_bound_ = infinity;
+  double searched_best_ = infinity;  ///< of the builds that the search has found
 };
 
 }  // namespace

@@ -18,7 +18,7 @@ namespace millwright::solver {
 /// How near a region that is not left out is to being so.
 struct Reached {
   double utilisation = 0.0;  ///< least worst
-  double value = 0.0;        ///< in the ascending order of which regions are taken
+  double value = 0.0;  ///< that is to be small: regions are taken in the ascending order of it, or of a sum with it
 };
 
 class SplitWorth {

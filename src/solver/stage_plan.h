@@ -14,7 +14,6 @@
 #pragma once
 
 #include <cmath>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -135,10 +134,6 @@ bool cut_variables(
 
 /// Asks `bound`, then cuts the variables' intervals.
 bool assess(const StagePlan& plan, std::span<const Interval> inherited, Region& region, Bounds& bounds, Desk& desk);
-
-/// Removes rows that cannot be in a feasible design at any of the inherited states: all that `bound` shows to be so,
-/// but for those of long tables that have next to none. False when a slot is empty.
-bool shave(StagePlan& plan, std::span<const Interval> inherited, Desk& desk);
 
 /// The states that can arrive and the directions once more, after rows have been left out of the regions.
 void look_again(const Problem& problem, std::vector<StagePlan>& plans, Desk& desk);

@@ -90,13 +90,27 @@ std::string part_of(const Design& design, const std::string& slot) {
   return {};
 }
 
-/// What makes a build another one.
-std::string identity(const Design& design) {
+/// Voltage and parts.
+std::string parts_of(const Design& design) {
   std::string all = fmt::format("{}", design.supply_voltage);
   for (const auto& part : design.parts) all += "," + part.axis + part.slot + part.part_number;
+  return all;
+}
+
+/// What makes a build another one.
+std::string identity(const Design& design) {
+  std::string all = parts_of(design);
   for (const auto& line : design.dimensions)
     if (line.name == "motor_current") all += fmt::format(",{}", line.value);
   return all;
+}
+
+/// Decides between builds of equal cost and mass.
+double worst_utilisation(const Design& design) {
+  double worst = 0.0;
+  for (const auto& check : design.checks)
+    if (check.kind == machine::ConstraintKind::hard) worst = std::max(worst, check.utilisation);
+  return worst;
 }
 
 TEST_CASE("The cheapest and the lightest builds of small machines are the first of all their builds") {
@@ -132,8 +146,11 @@ TEST_CASE("The cheapest and the lightest builds of small machines are the first 
         CHECK(design.mass == Approx(all.builds[i].mass).epsilon(1e-9));
         CHECK(distinct.insert(identity(design)).second);
       }
-      // The best one is the answer of a search that leaves covered candidates out.
-      CHECK(identity(found.designs.front()) == identity(best(usual, 1, objective).designs.front()));
+      // The best one is the answer of a search that leaves covered candidates out. Which of two currents is named that
+      // leave it as strained as it is nothing says.
+      const Design answer = best(usual, 1, objective).designs.front();
+      CHECK(parts_of(found.designs.front()) == parts_of(answer));
+      CHECK(worst_utilisation(found.designs.front()) == Approx(worst_utilisation(answer)).epsilon(1e-12));
     }
     const auto candidates = [](const MachineModel& of) {
       std::size_t rows = 0;

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/shaving.h"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+namespace millwright::solver {
+
+bool hopeless(const StagePlan& plan, const Answer<Interval>& answer) {
+  return worst_lower(answer.utilisation) > 1.0 || !bearable(plan, answer.handed_on);
+}
+
+bool hopeless(const StagePlan& plan, std::span<const Interval> inherited, const Region& region, Desk& desk) {
+  return hopeless(plan, desk.bound(*plan.stage, plan.shared, inherited, region));
+}
+
+void find_profile(
+    const StagePlan& plan, std::span<const Interval> inherited, std::size_t slot, RowProfile& profile, Desk& desk) {
+  Bounds bounds;
+  read_bounds(plan, desk.bound(*plan.stage, plan.shared, inherited, plan.region), bounds);
+  profile.find(
+      plan.region, slot, bounds.score, [&](const RowsAlive& rows, std::span<double> score) -> const Answer<Interval>& {
+        const auto& answer = desk.bound_with(*plan.stage, plan.shared, inherited, plan.region, slot, rows);
+        plan.criteria->least_scores(answer.resources, score);
+        return answer;
+      });
+}
+
+namespace {
+
+/// Whether rows of a slot have partners in all others of the plan's region; rows of one kind are asked about once.
+class Partners {
+ public:
+  Partners(const StagePlan& plan, std::size_t slot) : plan_(plan), slot_(slot) {}
+
+  bool of(Row row, const std::vector<Interval>& readings) {
+    if (plan_.fits.everything_fits()) return true;
+    const std::uint32_t kind = plan_.fits.kinds(slot_)[row];
+    if (kind >= known_.size()) known_.resize(kind + std::size_t{1});
+    if (!known_[kind]) {
+      Region region = plan_.region;
+      region.rows[slot_] = std::make_shared<const Rows>(std::vector<Row>(1, row), readings);
+      known_[kind] = plan_.fits.possible(region, slot_);
+    }
+    return *known_[kind];
+  }
+
+ private:
+  const StagePlan& plan_;
+  std::size_t slot_;
+  std::vector<std::optional<bool>> known_;  ///< [kind]
+};
+
+/// Removes rows that have no hope at any of the inherited states.
+class Shaving {
+ public:
+  Shaving(StagePlan& plan, std::span<const Interval> inherited, Desk& desk)
+      : plan_(plan), inherited_(inherited), desk_(desk) {}
+
+  /// False: nothing is left.
+  bool run() {
+    const std::size_t slots = plan_.region.rows.size();
+    for (bool again = true; again;) {
+      again = false;
+      for (std::size_t slot = 0; slot < slots; ++slot) {
+        const RowSet all = plan_.region.rows[slot];
+        const bool is_long = all->size() >= long_table;
+        if (is_long && sample_has_hope(slot)) continue;
+        std::vector<Row> kept = is_long ? sieved(slot) : hopeful_rows(slot);
+        if (kept.empty()) return false;
+        if (kept.size() == all->size()) continue;
+        // Fewer rows here may leave others without hope; a few fewer are not worth asking about all others again.
+        again = again || 2 * kept.size() <= all->size();
+        plan_.region.rows[slot] = make_rows(*plan_.stage, plan_.shared, slot, std::move(kept));
+        if (!plan_.fits.filter(plan_.region, is_long ? slots : slot)) return false;
+      }
+    }
+    return !hopeless(plan_, inherited_, plan_.region, desk_);
+  }
+
+ private:
+  static constexpr std::size_t long_table = 1024;
+
+  const Answer<Interval>& ask(std::size_t slot, const RowsAlive& rows) {
+    return desk_.bound_with(*plan_.stage, plan_.shared, inherited_, plan_.region, slot, rows);
+  }
+  bool hopeless_alone(std::size_t slot, const Row& row) {
+    const std::span<const Row> alone(&row, 1);
+    plan_.stage->read(plan_.shared, slot, alone, readings_);
+    return hopeless(plan_, ask(slot, {alone, readings_}));
+  }
+
+  std::vector<Row> hopeful_rows(std::size_t slot) {
+    std::vector<Row> kept;
+    Partners partners(plan_, slot);
+    for (const Row& row : *plan_.region.rows[slot])
+      if (!hopeless_alone(slot, row) && partners.of(row, readings_)) kept.push_back(row);
+    return kept;
+  }
+
+  /// A long table of which no row in a sample is without hope is left as it is.
+  bool sample_has_hope(std::size_t slot) {
+    constexpr std::size_t sample = 128;
+    const std::vector<Row>& rows = plan_.region.rows[slot]->all();
+    for (std::size_t i = 0; i < sample; ++i)
+      if (hopeless_alone(slot, rows[i * rows.size() / sample])) return false;
+    return true;
+  }
+
+  /// Of any other, sets of rows that are alike are asked about instead of rows.
+  std::vector<Row> sieved(std::size_t slot) {
+    constexpr std::size_t few = 16;
+    RowProfile profile(*plan_.stage, plan_.shared);
+    find_profile(plan_, inherited_, slot, profile, desk_);
+    Region region = plan_.region;
+    for (std::size_t other = 0; other < region.rows.size(); ++other)
+      if (other != slot) region.rows[other] = only(*plan_.stage, plan_.shared, other, region.rows[other]->front());
+    const std::vector<double> worth(region.rows.size(), 1.0);
+    const RowsAlive all = plan_.region.rows[slot]->alive();
+    std::vector<RowSet> open{std::make_shared<const Rows>(  // the plan's own set is for the plan's profile to split
+        plan_.region.rows[slot]->all(),
+        std::vector<Interval>(all.readings.begin(), all.readings.end()))};
+    std::vector<Row> kept;
+    Bounds bounds;
+    while (!open.empty()) {
+      region.rows[slot] = std::move(open.back());
+      open.pop_back();
+      const auto& answer = ask(slot, region.rows[slot]->alive());
+      if (hopeless(plan_, answer)) continue;
+      if (region.rows[slot]->size() <= few) {
+        kept.insert(kept.end(), region.rows[slot]->begin(), region.rows[slot]->end());
+        continue;
+      }
+      read_bounds(plan_, answer, bounds);
+      RowProfile::Split split = profile.split(region, bounds.open, worth);
+      open.push_back(std::move(split.left));
+      open.push_back(std::move(split.right));
+    }
+    std::sort(kept.begin(), kept.end());
+    return kept;
+  }
+
+  StagePlan& plan_;
+  std::span<const Interval> inherited_;
+  Desk& desk_;
+  std::vector<Interval> readings_;  ///< of the row asked about last
+};
+
+}  // namespace
+
+bool shave(StagePlan& plan, std::span<const Interval> inherited, Desk& desk) {
+  return Shaving(plan, inherited, desk).run();
+}
+
+}  // namespace millwright::solver
