@@ -78,7 +78,8 @@ void compare(std::span<const double> score, const Answer<Interval>& answer, std:
 }
 
 /// What a change of 1 in each of them weighs. A utilisation's least value decides whether a set can be left out, its
-/// largest only whether a constraint need not be looked at any more. (Of machines and stacks tried, these ask least.)
+/// largest only whether a constraint need not be looked at any more. (Chosen by trial on machines and stacks: good on
+/// the whole, not the best for each.)
 std::vector<double> weights(std::span<const double> score_scale, std::size_t constraints) {
   constexpr double of_score = 0.5, of_other_scores = 0.125, of_least = 1.0, of_largest = 0.25;
   std::vector<double> weights;

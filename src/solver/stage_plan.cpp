@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "solver/relaxation.h"
 #include "solver/shaving.h"

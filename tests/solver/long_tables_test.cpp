@@ -35,8 +35,8 @@ std::array<T, 3> utilisations(
 }
 
 /// A hand and the arm that carries it: a bar and a motor each. The table of the hand's bars is long. Of every other
-/// robot many of them are too weak or too strong for any motor. Of the others a few are next to free and break at once,
-/// and every eighth row or so, of which a sample may be taken, is none of these.
+/// robot many of them are too weak or too strong for any motor. Of the others only five are, next to free, and stand
+/// where an even sample of every eighth or ninth row does not meet them.
 struct Robot {
   explicit Robot(unsigned seed) : rng(seed), shaking(seed % 2 == 0 ? 0.2 : 0.0) {
     bars = {table(1100, seed % 2 == 0 ? 2.0 : 20.0), table(6, 2.0)};
@@ -215,7 +215,7 @@ TEST_CASE("A slot that gets nowhere is divided after others, and never given up"
     worth.count(0, whole, whole);                // as it was
     worth.count(1, whole, Reached{0.75, 10.0});  // half of the way to being infeasible
   }
-  CHECK(worth.of_slots()[0] > 0.0);
+  CHECK(worth.of_slots()[0] > 0.01);  // of 1000 divisions in vain alone nothing would be left
   CHECK(worth.of_slots()[1] > 10.0 * worth.of_slots()[0]);
   for (int i = 0; i < 10000; ++i) worth.count(0, whole, std::nullopt);  // left out
   CHECK(worth.of_slots()[0] > worth.of_slots()[1]);
