@@ -146,6 +146,7 @@ void StructureMember<T>::take_section() {
     section.height = thickness;
     section.width = strip;
     section.mass_per_length = density * section.area;
+    section.torsion_constant = named("J", sec::rectangle_torsion_constant(strip, thickness));
   }
 }
 

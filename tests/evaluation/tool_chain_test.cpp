@@ -188,6 +188,23 @@ TEST_CASE("Guides, screws and members give way as worked by hand") {
   b = tool_compliance(beam, place);
   CHECK(b[0] == 0.0);
   CHECK(b[2] == Approx(0.6 / (2.0 * 206e9 * 5e-4)));
+
+  // A plate of 100 x 10 mm along x. The torsion constant of a rectangle ten times as wide as thick is 0.312 b t^3
+  // [timoshenko_elasticity, section 109].
+  machine::MemberData plate_data = beam_data;
+  plate_data.member.kind = machine::MemberKind::plate;
+  plate_data.member.support = machine::BeamSupport::supported;
+  plate_data.member.count = 1.0;
+  plate_data.member.plate_width = 0.1;
+  machine::StructureMember<double> plate;
+  plate.data = &plate_data;
+  plate.thickness = 0.01;
+  plate.derive();
+  const double plate_turn = 0.25 * 0.6 / (80e9 * 0.312 * 0.1 * 1e-6);
+  b = tool_compliance(plate, place);
+  CHECK(b[0] == 0.0);
+  CHECK(b[1] == Approx(0.216 / (48.0 * 206e9 * 0.01 * 1e-3 / 12.0) + 0.04 * 0.04 * plate_turn).epsilon(2e-3));
+  CHECK(b[2] == Approx(0.216 / (48.0 * 206e9 * 0.1 * 1e-6 / 12.0) + 0.03 * 0.03 * plate_turn).epsilon(2e-3));
 }
 
 TEST_CASE("The search holds what the tool may give way, and limits of cost and mass, as all builds say") {
