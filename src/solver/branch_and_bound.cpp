@@ -13,6 +13,21 @@ constexpr std::size_t batch_size = 8;
 
 double below(double a, double b) { return scalar::rounding::sum_down(a, b); }
 
+std::vector<OpenBox::Origin> origins_of(const std::vector<OpenBox>& boxes) {
+  std::vector<OpenBox::Origin> origins;
+  if (boxes.front().origin == UndecidedDesigns::everything) return origins;
+  for (const OpenBox& box : boxes) origins.push_back(box.origin);
+  std::sort(origins.begin(), origins.end());
+  origins.erase(std::unique(origins.begin(), origins.end()), origins.end());
+  return origins;
+}
+
+std::vector<Row> rows_of(const Region& design) {
+  std::vector<Row> rows;
+  for (const RowSet& set : design.rows) rows.push_back(set->front());
+  return rows;
+}
+
 }  // namespace
 
 BranchAndBound::BranchAndBound(const Problem& problem,
@@ -20,13 +35,13 @@ BranchAndBound::BranchAndBound(const Problem& problem,
                                std::vector<StagePlan>& plans,
                                Incumbents& incumbents,
                                SearchControl& control,
-                               double leaf_tolerance)
+                               LeafPrecision precision)
     : problem_(problem),
       criteria_(criteria),
       plans_(plans),
       incumbents_(incumbents),
       control_(control),
-      leaf_tolerance_(leaf_tolerance) {
+      precision_(std::move(precision)) {
   for (const StagePlan& plan : plans_) {
     label_sets_.emplace_back(criteria_, plan.before, labels_);
     worth_.emplace_back(plan.region.rows.size());
@@ -156,17 +171,21 @@ void BranchAndBound::expand(const Node& node, Outcome& outcome, Desk& desk) cons
   } else {
     const Label& label = labels_[node.label];
     const std::size_t stage = label.stage;
+    outcome.boxes = precision_.among.boxes(label.origins, rows_of(node.region));
+    if (outcome.boxes.empty()) return;
     outcome.is_leaf = true;
     const LeafQuestion question{
         &plans_[stage],
         &label,
         &node.region,
-        leaf_tolerance_,
+        precision_.tolerance,
         true,
         [&](const Worth& own) {
           return useless(label, stage, {own.score, own.state, std::max(own.utilisation, node.utilisation)});
         },
-        [&] { return control_.time_is_up(); }};
+        [&] { return control_.time_is_up(); },
+        outcome.boxes,
+        precision_.refined_later};
     outcome.leaf = solve_leaf(question, desk);
   }
 }
@@ -181,29 +200,34 @@ void BranchAndBound::merge(Node& node, Outcome& outcome) {
     for (const std::optional<Reached>& part : parts)
       worth_[labels_[node.label].stage].count(*outcome.divided, {node.utilisation, node.score[0]}, part);
   if (!outcome.is_leaf) return;
-  for (const StagePoint& point : outcome.leaf.points) arrive(node, point);
+  for (const StagePoint& point : outcome.leaf.points)
+    arrive(node, point, origins_of(point.boxes.empty() ? outcome.boxes : point.boxes));
   if (!outcome.leaf.undecided) return;
   const Label& label = labels_[node.label];
   std::vector<double> score = outcome.leaf.undecided_score;
   for (std::size_t k = 0; k < score.size(); ++k) {
     score[k] = below(below(label.score_lower[k], score[k]), plans_[label.stage].rest[k]);
   }
-  leave_undecided(score, node.utilisation);
+  leave_undecided(
+      {std::move(score), node.utilisation, node.label, rows_of(node.region), std::move(outcome.leaf.undecided_boxes)});
 }
 
 /// A design of a stage becomes a label of the next, or a build.
-void BranchAndBound::arrive(const Node& node, const StagePoint& point) {
+void BranchAndBound::arrive(const Node& node, const StagePoint& point, std::vector<OpenBox::Origin> origins) {
   const Label& from = labels_[node.label];
   Label label;
   label.parent = node.label;
   label.stage = from.stage + 1;
-  for (const RowSet& set : node.region.rows) label.rows.push_back(set->front());
+  label.rows = rows_of(node.region);
   label.variables = point.variables;
+  label.boxes = point.boxes;
+  label.origins = std::move(origins);
   label.resources = from.resources;
   for (std::size_t r = 0; r < label.resources.size(); ++r) label.resources[r] += point.resources[r];
   label.score.resize(criteria_.size());
   criteria_.scores<double>(label.resources, label.score);
   label.exact = from.exact && point.exact;
+  label.feasible = from.feasible && point.feasible;
   label.score_lower = label.score;
   if (!label.exact) {
     for (std::size_t k = 0; k < label.score.size(); ++k) {
@@ -214,31 +238,69 @@ void BranchAndBound::arrive(const Node& node, const StagePoint& point) {
   label.enclosure = point.enclosure;
   label.utilisation = std::max(from.utilisation, point.utilisation);
   if (label.stage == plans_.size()) {
-    finish(label);
+    finish(std::move(label));
     return;
   }
   if (label_sets_[label.stage].dominates({label.score_lower, label.enclosure, label.utilisation})) return;
   labels_.push_back(std::move(label));
   const auto index = static_cast<std::uint32_t>(labels_.size() - 1);
-  label_sets_[labels_.back().stage].add(index);
+  if (labels_.back().feasible) label_sets_[labels_.back().stage].add(index);
   Node stream;
   if (make_stream(index, 0, stream)) push(std::move(stream));
 }
 
-void BranchAndBound::finish(const Label& label) {
+void BranchAndBound::finish(Label label) {
   RankedBuild ranked;
   ranked.score = label.score;
   ranked.build = build_of(label);
-  incumbents_.offer(std::move(ranked));
+  if (label.feasible) incumbents_.offer(std::move(ranked));
   // What the points stand for may be better than they are: it may keep a limit that they do not, or be more than the
   // tolerance better where several stages gave up a part of it.
-  if (!label.exact) leave_undecided(label.score_lower, 0.0);
+  if (label.exact) return;
+  leave_undecided({std::move(label.score_lower), 0.0, label.parent, std::move(label.rows), std::move(label.boxes)});
 }
 
-void BranchAndBound::leave_undecided(std::span<const double> score_lower, double utilisation) {
-  if (incumbents_.hopeless(score_lower, utilisation)) return;
-  undecided_ = true;
-  undecided_bound_ = std::min(undecided_bound_, score_lower[0]);
+void BranchAndBound::leave_undecided(Undecided undecided) {
+  constexpr std::size_t most_kept = 100000;
+  if (incumbents_.hopeless(undecided.score, undecided.utilisation)) return;
+  undecided_bound_ = std::min(undecided_bound_, undecided.score[0]);
+  if (undecided_.size() < most_kept)
+    undecided_.push_back(std::move(undecided));
+  else
+    many_undecided_ = true;
+}
+
+/// Something undecided matters only if no build known is as good.
+void BranchAndBound::forget_settled() {
+  if (many_undecided_) return;
+  std::erase_if(undecided_, [&](const Undecided& each) { return incumbents_.hopeless(each.score, each.utilisation); });
+  undecided_bound_ = std::numeric_limits<double>::infinity();
+  for (const Undecided& each : undecided_) undecided_bound_ = std::min(undecided_bound_, each.score[0]);
+}
+
+UndecidedDesigns BranchAndBound::undecided_designs() const {
+  if (many_undecided_ || !precision_.refined_later) return precision_.among;
+  using Origin = UndecidedDesigns::Origin;
+  UndecidedDesigns designs;
+  const auto add = [&](Origin before, const std::vector<Row>& rows, const std::vector<OpenBox>& boxes, Origin after) {
+    if (boxes.empty()) designs.add(before, rows, {{}, after});
+    for (const OpenBox& box : boxes) designs.add(before, rows, {box.sides, after});
+  };
+  std::vector<Origin> origin_of(labels_.size(), UndecidedDesigns::everything);  // everything: not noted yet
+  origin_of[0] = designs.add_origin();
+  std::vector<std::uint32_t> chain;
+  for (const Undecided& each : undecided_) {
+    chain.clear();
+    for (std::uint32_t i = each.label; origin_of[i] == UndecidedDesigns::everything; i = labels_[i].parent)
+      chain.push_back(i);
+    for (; !chain.empty(); chain.pop_back()) {
+      const Label& label = labels_[chain.back()];
+      origin_of[chain.back()] = designs.add_origin();
+      add(origin_of[label.parent], label.rows, label.boxes, origin_of[chain.back()]);
+    }
+    add(origin_of[each.label], each.rows, each.boxes, UndecidedDesigns::everything);
+  }
+  return designs;
 }
 
 Build BranchAndBound::build_of(const Label& last) const {
@@ -264,6 +326,8 @@ double BranchAndBound::open_bound() const {
 
 void BranchAndBound::start() {
   labels_.push_back(first_label(problem_, criteria_));
+  const OpenBox::Origin root = precision_.among.root();
+  if (root != UndecidedDesigns::everything) labels_.back().origins = {root};
   Node stream;
   if (make_stream(0, 0, stream)) push(std::move(stream));
 }
@@ -288,8 +352,8 @@ SearchResult BranchAndBound::run(std::uint64_t most_nodes) {
     for (std::size_t i = 0; i < batch.size(); ++i) merge(batch[i], outcomes[i]);
     if (!open_.empty()) control_.report(std::min(open_.first().score[0], undecided_bound_), incumbents_.best());
   }
-  // Something undecided matters only if no build known is as good.
-  return {!undecided_, undecided_bound_};
+  forget_settled();
+  return {undecided_.empty(), undecided_bound_};
 }
 
 }  // namespace millwright::solver

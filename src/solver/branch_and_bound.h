@@ -26,6 +26,7 @@
 #include "solver/continuous.h"
 #include "solver/dominance.h"
 #include "solver/incumbents.h"
+#include "solver/leaf_precision.h"
 #include "solver/search_control.h"
 #include "solver/split_worth.h"
 
@@ -43,10 +44,12 @@ class BranchAndBound {
                  std::vector<StagePlan>& plans,
                  Incumbents& incumbents,
                  SearchControl& control,
-                 double leaf_tolerance);
+                 LeafPrecision precision);
 
   /// Goes on until the search is done, time is up, or so many nodes more have been looked at.
   SearchResult run(std::uint64_t most_nodes = std::numeric_limits<std::uint64_t>::max());
+  /// What a search that is done has left undecided.
+  [[nodiscard]] UndecidedDesigns undecided_designs() const;
 
  private:
   static constexpr std::size_t whole_stage = static_cast<std::size_t>(-1);
@@ -77,6 +80,7 @@ class BranchAndBound {
     std::vector<Node> nodes;
     LeafAnswer leaf;
     bool is_leaf = false;
+    std::vector<OpenBox> boxes = {};          ///< in which a leaf is looked at
     std::optional<std::size_t> divided = {};  ///< the slot in which a region was divided
   };
 
@@ -89,10 +93,18 @@ class BranchAndBound {
   void branch(const Node& node, Outcome& outcome, Desk& desk) const;
   bool bound_node(Node& node, Desk& desk) const;
   void merge(Node& node, Outcome& outcome);
-  void arrive(const Node& node, const StagePoint& point);
-  void finish(const Label& label);
-  /// Unless the incumbents settle designs with these lower bounds.
-  void leave_undecided(std::span<const double> score_lower, double utilisation);
+  void arrive(const Node& node, const StagePoint& point, std::vector<OpenBox::Origin> origins);
+  void finish(Label label);
+  /// Designs of which these are lower bounds, unless the incumbents settle them.
+  struct Undecided {
+    std::vector<double> score;
+    double utilisation = 0.0;
+    std::uint32_t label = 0;
+    std::vector<Row> rows = {};       ///< chosen for the label's next stage
+    std::vector<OpenBox> boxes = {};  ///< of its variables; none: all
+  };
+  void leave_undecided(Undecided undecided);
+  void forget_settled();
   bool make_stream(std::uint32_t label, std::size_t region, Node& node) const;
   [[nodiscard]] Build build_of(const Label& last) const;
   [[nodiscard]] double open_bound() const;
@@ -102,7 +114,7 @@ class BranchAndBound {
   std::vector<StagePlan>& plans_;
   Incumbents& incumbents_;
   SearchControl& control_;
-  double leaf_tolerance_;
+  LeafPrecision precision_;
   std::deque<Label> labels_;
   std::vector<LabelSet> label_sets_;  ///< [stage]: labels before it
   /// [stage][region][score]: least of the regions from this one on, with all stages after.
@@ -110,7 +122,8 @@ class BranchAndBound {
   std::vector<SplitWorth> worth_;  ///< [stage]
   BestFirst<Node, Key> open_;
   std::uint64_t order_ = 0;
-  bool undecided_ = false;
+  std::vector<Undecided> undecided_;
+  bool many_undecided_ = false;  ///< more than are kept
   double undecided_bound_ = std::numeric_limits<double>::infinity();
 };
 

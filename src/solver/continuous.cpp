@@ -12,7 +12,8 @@ namespace millwright::solver {
 namespace {
 
 constexpr std::size_t feasibility_boxes = 4000;
-constexpr std::size_t local_after = 24;  // boxes after which a local solver is asked
+constexpr std::size_t inexact_boxes = 200;  // what these leave open a finer tolerance decides
+constexpr std::size_t local_after = 24;     // boxes after which a local solver is asked
 constexpr std::size_t thorough_after = 400;
 
 enum class Verdict { feasible, infeasible, undecided };
@@ -72,17 +73,19 @@ class FeasibilitySearch {
   BoxHeap heap_;
 };
 
+void stand_for(const Bounds& bounds, StagePoint& point) {
+  for (std::size_t k = 0; k < point.score_lower.size(); ++k)
+    point.score_lower[k] = std::min(point.score_lower[k], bounds.score[k]);
+  for (std::size_t c = 0; c < point.state.size(); ++c) point.enclosure[c] = hull(point.state[c], bounds.handed_on[c]);
+  point.exact = false;
+}
+
 /// Fills in what a point of an inexact label stands for.
 void widen_to_enclosure(const LeafQuestion& question, Desk& desk, StagePoint& point) {
   if (question.label->exact) return;
   Bounds bounds;
   Region region = *question.region;
-  if (!assess(*question.plan, question.label->enclosure, region, bounds, desk)) return;
-  for (std::size_t k = 0; k < point.score_lower.size(); ++k) {
-    point.score_lower[k] = std::min(point.score_lower[k], bounds.score[k]);
-  }
-  for (std::size_t c = 0; c < point.state.size(); ++c) point.enclosure[c] = hull(point.state[c], bounds.handed_on[c]);
-  point.exact = false;
+  if (assess(*question.plan, question.label->enclosure, region, bounds, desk)) stand_for(bounds, point);
 }
 
 LeafAnswer solve_feasibility(const LeafQuestion& question, Desk& desk) {
@@ -108,8 +111,17 @@ LeafAnswer solve_feasibility(const LeafQuestion& question, Desk& desk) {
   const std::vector<Interval> enclosure =
       question.label->exact ? std::vector<Interval>(state.begin(), state.end()) : question.label->enclosure;
   if (!assess(*question.plan, enclosure, region, bounds, desk)) return answer;
-  if (proves_infeasible(*question.plan, enclosure, region, feasibility_boxes, desk)) return answer;
-  answer.leave_undecided(bounds.score);
+  const bool hand_on = question.refined_later && !question.label->exact;
+  const std::size_t proof_boxes = hand_on ? inexact_boxes : feasibility_boxes;
+  if (proves_infeasible(*question.plan, enclosure, region, proof_boxes, desk)) return answer;
+  if (!hand_on) {
+    answer.leave_undecided(bounds.score);
+    return answer;
+  }
+  design.take_infeasible(middle_of(region.variables), point);
+  point.utilisation = bounds.utilisation;
+  stand_for(bounds, point);
+  answer.points.push_back(std::move(point));
   return answer;
 }
 

@@ -34,7 +34,11 @@ struct LeafQuestion {
   bool relieve = true;             ///< move variables that only decide feasibility to a small worst utilisation
   /// Whether designs of this stage with at least these scores (own share), this state and utilisation are of no use.
   std::function<bool(const Worth&)> hopeless;
-  std::function<bool()> stop = {};  ///< asked now and then; what is left then counts as undecided
+  std::function<bool()> stop = {};      ///< asked now and then; what is left then counts as undecided
+  std::span<const OpenBox> among = {};  ///< of variables that move scores or state: nothing else is looked at, if any
+  /// What is left open a search with a finer tolerance decides: it is told in which boxes that is, and what an inexact
+  /// label stands for is handed on where its point breaks a constraint.
+  bool refined_later = false;
 };
 
 /// A feasible point of a stage and what it stands for.
@@ -44,14 +48,17 @@ struct StagePoint {
   std::vector<double> score_lower;  ///< own share, of everything it stands for
   std::vector<double> state;
   std::vector<Interval> enclosure;
+  std::vector<OpenBox> boxes = {};  ///< that it stands for, itself among them, if that is refined later
   double utilisation = 0.0;
   bool exact = true;
+  bool feasible = true;  ///< false: of an inexact label, and only designs that it stands for may be feasible
 };
 
 struct LeafAnswer {
   std::vector<StagePoint> points;
   bool undecided = false;
-  std::vector<double> undecided_score;  ///< least own share of what is undecided
+  std::vector<double> undecided_score;        ///< least own share of what is undecided
+  std::vector<OpenBox> undecided_boxes = {};  ///< where it is, if that is refined later
 
   /// Adds something of at least these scores to what is undecided.
   void leave_undecided(std::span<const double> score);

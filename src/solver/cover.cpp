@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "solver/box_slopes.h"
 #include "solver/leaf_point.h"
@@ -24,16 +25,20 @@ class Cover {
   LeafAnswer run() {
     const auto& variables = question_.region->variables;
     if (!start_points(variables)) return std::move(answer_);
-    push(variables, nullptr);
+    if (leaves_to_later()) measure_label(variables);
+    if (question_.among.empty()) push(variables, 0, nullptr);
+    for (const OpenBox& box : question_.among) push(box.sides.empty() ? variables : box.sides, box.origin, nullptr);
     std::size_t boxes = 0;
     for (; !heap_.empty() && boxes < cover_boxes && !stopped(boxes); ++boxes) {
       VariableBox box = heap_.pop();
-      if (covered(box.bounds)) continue;
+      if (covered(box.side, box.origin, box.bounds)) continue;
       look_inside(box, boxes);
-      if (!covered(box.bounds)) divide(box);
+      if (!covered(box.side, box.origin, box.bounds) && !has_stand_in(box)) divide(box);
     }
-    for (const VariableBox& box : heap_.all()) answer_.leave_undecided(box.bounds.score);
+    for (const VariableBox& box : heap_.all()) leave_undecided(box);
     drop_unused();
+    if (question_.refined_later) add_points_to_boxes();
+    std::move(stand_ins_.begin(), stand_ins_.end(), std::back_inserter(answer_.points));
     return std::move(answer_);
   }
 
@@ -65,17 +70,17 @@ class Cover {
     std::vector<Interval> side = box.side;
     if (!slopes.narrow(side)) return;
     slopes.raise(side, box.bounds);
-    if (useless(box.bounds)) return;
+    if (useless(side, box.origin, box.bounds)) return;
     for (std::size_t v = 0; v < side.size(); ++v) {
       const double before = box.side[v].upper - box.side[v].lower;
-      if (side[v].upper - side[v].lower < much * before) return push(side, &box.bounds);
+      if (side[v].upper - side[v].lower < much * before) return push(side, box.origin, &box.bounds);
     }
     box.side = std::move(side);
     const std::size_t deciding = deciding_side(box, slopes);
-    if (deciding == box.side.size()) return answer_.leave_undecided(box.bounds.score);
+    if (deciding == box.side.size()) return leave_undecided(box);
     const auto [left, right] = halves(box.side, deciding);
-    push(left, &box.bounds);
-    push(right, &box.bounds);
+    push(left, box.origin, &box.bounds);
+    push(right, box.origin, &box.bounds);
   }
 
   /// The side over which scores, states or undecided utilisations change most, by slope times width: halving a
@@ -116,7 +121,7 @@ class Cover {
     StagePoint point;
     if (!design_.take(variables, point)) return;
     for (const StagePoint& known : answer_.points) {
-      if (as_good(known, point.score_lower, point.enclosure, 0.0)) return;
+      if (as_good(score_of(known), known.state, point.score_lower, point.enclosure, {0.0, {}, {}})) return;
     }
     std::vector<double> score = point.score_lower;
     const bool used = replace_dominated(point);
@@ -136,6 +141,7 @@ class Cover {
       if (dominated_by(points_score_[i], answer_.points[i].state, own_score, point.state)) {
         if (!used_[i]) continue;
         used = true;
+        point.boxes.insert(point.boxes.end(), answer_.points[i].boxes.begin(), answer_.points[i].boxes.end());
         point.exact = point.exact && answer_.points[i].exact;
         for (std::size_t k = 0; k < point.score_lower.size(); ++k)
           point.score_lower[k] = std::min(point.score_lower[k], answer_.points[i].score_lower[k]);
@@ -181,49 +187,114 @@ class Cover {
     return true;
   }
 
-  [[nodiscard]] bool as_good(const StagePoint& known,
+  /// By how much a point may be worse than what it stands for: a part of it, and what the label itself does not tell.
+  struct Slack {
+    double part = 0.0;
+    std::span<const double> score, state;
+
+    [[nodiscard]] double of_score(std::size_t k) const { return score.empty() ? 0.0 : score[k]; }
+    [[nodiscard]] double of_state(std::size_t c) const { return state.empty() ? 0.0 : state[c]; }
+  };
+  [[nodiscard]] Slack slack() const { return {question_.tolerance, label_score_, label_state_}; }
+
+  [[nodiscard]] const std::vector<double>& score_of(const StagePoint& known) const {
+    return points_score_[static_cast<std::size_t>(&known - answer_.points.data())];
+  }
+
+  [[nodiscard]] bool as_good(std::span<const double> known_score,
+                             std::span<const double> known_state,
                              std::span<const double> score,
                              std::span<const Interval> state,
-                             double tolerance) const {
+                             const Slack& allowed) const {
     const StagePlan& plan = *question_.plan;
-    const std::size_t index = static_cast<std::size_t>(&known - answer_.points.data());
     for (std::size_t k = 0; k < score.size(); ++k) {
       const double total = question_.label->score_lower[k] + score[k] + plan.rest[k];
-      if (points_score_[index][k] > score[k] + tolerance * std::fabs(total)) return false;
+      if (known_score[k] > score[k] + allowed.part * std::fabs(total) + allowed.of_score(k)) return false;
     }
     for (std::size_t c = 0; c < state.size(); ++c) {
-      const double slack = tolerance * magnitude(state[c]);
+      // Without a bound nothing is known of what a point would stand for.
+      if (plan.after[c] != Direction::irrelevant && !state[c].is_bounded()) return false;
+      const double slack = allowed.part * magnitude(state[c]) + allowed.of_state(c);
       switch (plan.after[c]) {
         case Direction::irrelevant:
           break;
         case Direction::smaller_is_better:
-          if (known.state[c] > state[c].lower + slack) return false;
+          if (known_state[c] > state[c].lower + slack) return false;
           break;
         case Direction::larger_is_better:
-          if (known.state[c] < state[c].upper - slack) return false;
+          if (known_state[c] < state[c].upper - slack) return false;
           break;
         case Direction::equal_only:
           if (state[c].upper - state[c].lower > slack) return false;
-          if (!(std::fabs(known.state[c] - middle(state[c])) <= slack)) return false;
+          if (!(std::fabs(known_state[c] - middle(state[c])) <= slack)) return false;
           break;
       }
     }
     return true;
   }
 
-  bool covered(const Bounds& bounds) {
+  bool covered(std::span<const Interval> side, OpenBox::Origin origin, const Bounds& bounds) {
     for (std::size_t i = 0; i < answer_.points.size(); ++i) {
       StagePoint& point = answer_.points[i];
-      if (!as_good(point, bounds.score, bounds.handed_on, question_.tolerance)) continue;
+      if (!as_good(points_score_[i], point.state, bounds.score, bounds.handed_on, slack())) continue;
       used_[i] = true;
-      point.exact = false;
-      for (std::size_t k = 0; k < bounds.score.size(); ++k) {
-        point.score_lower[k] = std::min(point.score_lower[k], bounds.score[k]);
-      }
-      for (std::size_t c = 0; c < point.enclosure.size(); ++c) stand_for(point.enclosure[c], bounds.handed_on[c], c);
+      take_over(side, origin, bounds, point);
       return true;
     }
     return false;
+  }
+
+  void take_over(std::span<const Interval> side,
+                 OpenBox::Origin origin,
+                 const Bounds& bounds,
+                 StagePoint& point) const {
+    point.exact = false;
+    if (question_.refined_later) point.boxes.push_back({{side.begin(), side.end()}, origin});
+    for (std::size_t k = 0; k < bounds.score.size(); ++k)
+      point.score_lower[k] = std::min(point.score_lower[k], bounds.score[k]);
+    for (std::size_t c = 0; c < point.enclosure.size(); ++c) stand_for(point.enclosure[c], bounds.handed_on[c], c);
+  }
+
+  [[nodiscard]] bool leaves_to_later() const { return question_.refined_later && !question_.label->exact; }
+
+  /// What a label stands for may be feasible where it is not itself: to divide such boxes further than the tolerance
+  /// decides nothing, and what comes later may.
+  bool has_stand_in(const VariableBox& box) {
+    if (!leaves_to_later()) return false;
+    const auto stands_for_it = [&](std::span<const double> score, std::span<const double> state) {
+      return as_good(score, state, box.bounds.score, box.bounds.handed_on, slack());
+    };
+    for (std::size_t i = 0; i < stand_ins_.size(); ++i) {
+      StagePoint& known = stand_ins_[i];
+      if (!stands_for_it(stand_ins_score_[i], known.state)) continue;
+      known.utilisation = std::min(known.utilisation, box.bounds.utilisation);
+      take_over(box.side, box.origin, box.bounds, known);
+      return true;
+    }
+    StagePoint point;
+    design_.take_infeasible(middle_of(box.side), point);
+    std::vector<double> score = point.score_lower;
+    if (!stands_for_it(score, point.state)) return false;
+    point.utilisation = box.bounds.utilisation;
+    take_over(box.side, box.origin, box.bounds, point);
+    stand_ins_score_.push_back(std::move(score));
+    stand_ins_.push_back(std::move(point));
+    return true;
+  }
+
+  /// How far scores and states of what the label stands for are from those of its point.
+  void measure_label(std::span<const Interval> variables) {
+    StagePoint point;
+    const std::vector<double> middle = middle_of(variables);
+    design_.take_infeasible(middle, point);
+    Region region = *question_.region;
+    region.variables.assign(middle.begin(), middle.end());
+    Bounds bounds;
+    const StagePlan& plan = *question_.plan;
+    read_bounds(plan, desk_.bound(*plan.stage, plan.shared, question_.label->enclosure, region), bounds);
+    for (std::size_t k = 0; k < bounds.score.size(); ++k)
+      label_score_.push_back(std::max(point.score_lower[k] - bounds.score[k], 0.0));
+    for (const Interval& state : bounds.handed_on) label_state_.push_back(state.upper - state.lower);
   }
 
   /// In a good direction only the better side needs to be enclosed: the worse is no better than the point.
@@ -243,13 +314,13 @@ class Cover {
     }
   }
 
-  bool useless(const Bounds& bounds) {
+  bool useless(std::span<const Interval> side, OpenBox::Origin origin, const Bounds& bounds) {
     return (question_.hopeless && question_.hopeless({bounds.score, bounds.handed_on, bounds.utilisation})) ||
-           covered(bounds);
+           covered(side, origin, bounds);
   }
 
   /// `around`: bounds that hold in a larger box.
-  void push(std::span<const Interval> side, const Bounds* around) {
+  void push(std::span<const Interval> side, OpenBox::Origin origin, const Bounds* around) {
     Region region = *question_.region;
     region.variables.assign(side.begin(), side.end());
     VariableBox box;
@@ -261,10 +332,33 @@ class Cover {
         box.bounds.handed_on[s] =
             intersect(box.bounds.handed_on[s], around->handed_on[s]).value_or(box.bounds.handed_on[s]);
     }
-    if (useless(box.bounds)) return;
+    if (useless(region.variables, origin, box.bounds)) return;
     box.side = std::move(region.variables);
     box.value = box.bounds.score[0];
+    box.origin = origin;
     heap_.push(std::move(box));
+  }
+
+  void leave_undecided(const VariableBox& box) {
+    answer_.leave_undecided(box.bounds.score);
+    if (question_.refined_later) answer_.undecided_boxes.push_back({box.side, box.origin});
+  }
+
+  /// A point may lie in boxes that another one stands for; where it lies in none it has been settled before.
+  void add_points_to_boxes() {
+    const auto inside = [](const std::vector<Interval>& sides, const StagePoint& point) {
+      return std::equal(sides.begin(), sides.end(), point.variables.begin(), [](const Interval& side, double value) {
+        return side.lower <= value && value <= side.upper;
+      });
+    };
+    for (StagePoint& point : answer_.points) {
+      const auto holds_it = [&](const OpenBox& box) { return inside(box.sides, point); };
+      if (std::any_of(point.boxes.begin(), point.boxes.end(), holds_it)) continue;
+      const std::vector<Interval> itself(point.variables.begin(), point.variables.end());
+      if (question_.among.empty()) point.boxes.push_back({itself, 0});
+      for (const OpenBox& box : question_.among)
+        if (inside(box.sides, point)) point.boxes.push_back({itself, box.origin});
+    }
   }
 
   /// Points that cover nothing are not needed.
@@ -285,6 +379,9 @@ class Cover {
   LeafAnswer answer_;
   std::vector<std::vector<double>> points_score_;  ///< own share of each point itself
   std::vector<bool> used_;
+  std::vector<StagePoint> stand_ins_;  ///< points that break a constraint, for what an inexact label stands for
+  std::vector<std::vector<double>> stand_ins_score_;
+  std::vector<double> label_score_, label_state_;  ///< how far what the label stands for is from itself
 };
 
 }  // namespace

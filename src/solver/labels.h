@@ -16,19 +16,29 @@
 
 namespace millwright::solver {
 
+/// A box of the variables of one stage in which something is undecided (undecided_designs.h).
+struct OpenBox {
+  using Origin = std::uint32_t;
+  std::vector<Interval> sides = {};  ///< none: any
+  Origin origin = 0;                 ///< what may follow designs in it
+};
+
 struct Label {
   std::uint32_t parent = 0;  ///< index of the label before it in the store; the first label is its own parent
   std::size_t stage = 0;     ///< the next stage to be chosen
   std::vector<Row> rows;     ///< of the stage before `stage`
   std::vector<double> variables;
-  std::vector<double> resources;    ///< totals of the point
-  std::vector<double> score;        ///< totals of the point
-  std::vector<double> score_lower;  ///< totals of the enclosure
-  std::vector<double> state;        ///< of the point
-  std::vector<Interval> enclosure;  ///< of the state, contains the point
-  double utilisation = 0.0;         ///< worst so far
-  bool alive = true;                ///< not dominated by a later label
-  bool exact = true;                ///< point and enclosure are the same
+  std::vector<OpenBox> boxes = {};            ///< of variables that it stands for, where they are kept
+  std::vector<OpenBox::Origin> origins = {};  ///< what may follow it; none: anything
+  std::vector<double> resources;              ///< totals of the point
+  std::vector<double> score;                  ///< totals of the point
+  std::vector<double> score_lower;            ///< totals of the enclosure
+  std::vector<double> state;                  ///< of the point
+  std::vector<Interval> enclosure;            ///< of the state, contains the point
+  double utilisation = 0.0;                   ///< worst so far
+  bool alive = true;                          ///< not dominated by a later label
+  bool exact = true;                          ///< point and enclosure are the same
+  bool feasible = true;  ///< false: the point itself breaks a constraint that others in the enclosure may keep
 };
 
 /// Lower bounds of what some designs are worth before the next stage.

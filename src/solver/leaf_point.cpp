@@ -41,7 +41,18 @@ double LeafDesign::worst_at(std::span<const double> variables) {
 
 bool LeafDesign::take(std::span<const double> variables, StagePoint& out) {
   out.utilisation = worst_at(variables);
-  if (!(out.utilisation <= 1.0)) return false;
+  if (!(out.utilisation <= 1.0) || !bearable(*question.plan, desk.number.handed_on)) return false;
+  copy_answer(variables, out);
+  return true;
+}
+
+void LeafDesign::take_infeasible(std::span<const double> variables, StagePoint& out) {
+  out.utilisation = worst_at(variables);
+  copy_answer(variables, out);
+  out.feasible = false;
+}
+
+void LeafDesign::copy_answer(std::span<const double> variables, StagePoint& out) {
   out.variables.assign(variables.begin(), variables.end());
   out.resources = desk.number.resources;
   out.state = desk.number.handed_on;
@@ -49,7 +60,6 @@ bool LeafDesign::take(std::span<const double> variables, StagePoint& out) {
   question.plan->criteria->scores<double>(out.resources, out.score_lower);
   out.enclosure.assign(out.state.begin(), out.state.end());
   out.exact = true;
-  return true;
 }
 
 std::optional<std::vector<double>> LeafDesign::try_points(std::span<const Interval> box) {

@@ -171,13 +171,18 @@ class Solve {
   /// A point that stands for designs a little better than itself may be too heavy for a later stage where they are not.
   /// What stays undecided for that reason is decided with points that stand for less.
   /// All stages together give up less than what incumbents settle (set_tolerance), or every build would be undecided.
-  [[nodiscard]] double first_leaf_tolerance() const {
+  [[nodiscard]] double leaf_tolerance() const {
     const auto priced = static_cast<double>(std::count(priced_stages_.begin(), priced_stages_.end(), true));
     return std::min(0.25, 0.45 / std::max(priced, 1.0)) * tolerated();
   }
-
-  std::unique_ptr<BranchAndBound> label_by_label(std::vector<StagePlan>& plans, double leaf_tolerance) {
-    return std::make_unique<BranchAndBound>(problem_, criteria_, plans, incumbents_, control_, leaf_tolerance);
+  [[nodiscard]] LeafPrecision precision_for(const std::vector<StagePlan>& plans) const {
+    return first_precision(plans, leaf_tolerance(), criteria_.objectives);
+  }
+  std::unique_ptr<BranchAndBound> label_by_label(std::vector<StagePlan>& plans) {
+    return label_by_label(plans, precision_for(plans));
+  }
+  std::unique_ptr<BranchAndBound> label_by_label(std::vector<StagePlan>& plans, LeafPrecision precision) {
+    return std::make_unique<BranchAndBound>(problem_, criteria_, plans, incumbents_, control_, std::move(precision));
   }
 
   /// A problem that is settled in so many nodes is not worth rest curves.
@@ -203,7 +208,7 @@ class Solve {
       if (stage_by_stage(plans, combination.score[0])) return std::nullopt;
     }
     set_tolerance();
-    open.search = label_by_label(plans, first_leaf_tolerance());
+    open.search = label_by_label(plans);
     if (criteria_.objectives > 1) return open;
     const SearchResult result = open.search->run(std::min(control_.options().patience, easy_nodes));
     if (result.complete) return std::nullopt;
@@ -231,7 +236,7 @@ class Solve {
   bool settle_briefly(OpenSearch& open, std::uint64_t share, const CurveEffort& effort = {}) {
     if (control_.time_is_up()) return false;
     sharpen(*open.plans, effort);
-    open.search = label_by_label(*open.plans, first_leaf_tolerance());
+    open.search = label_by_label(*open.plans);
     constexpr std::uint64_t nodes_at_once = 500;
     const std::uint64_t before = control_.evaluations();
     for (std::uint64_t nodes = 0; nodes < control_.options().patience; nodes += nodes_at_once) {
@@ -252,18 +257,16 @@ class Solve {
       if (stage_by_stage(*open.plans, open.score[0])) return;
       // Regions may have been left out: a search that was begun before counts them by numbers that are no longer
       // theirs.
-      open.search = label_by_label(*open.plans, first_leaf_tolerance());
+      open.search = label_by_label(*open.plans);
     }
     set_tolerance();
-    constexpr int refinements = 4;
-    constexpr double finer = 1.0 / 16.0;
-    double leaf_tolerance = first_leaf_tolerance();
-    SearchResult result;
-    for (int attempt = 0; attempt <= refinements; ++attempt) {
-      if (attempt > 0) open.search = label_by_label(*open.plans, leaf_tolerance);
+    const double finest = leaf_tolerance() / 1e4;
+    LeafPrecision precision = precision_for(*open.plans);
+    SearchResult result = open.search->run();
+    while (!result.complete && !control_.time_is_up() && precision.tolerance > finest) {
+      precision = finer(precision, open.search->undecided_designs());
+      open.search = label_by_label(*open.plans, precision);
       result = open.search->run();
-      if (result.complete || control_.time_is_up()) break;
-      leaf_tolerance *= finer;
     }
     if (!result.complete) leave_open(std::max(open.score[0], result.lower_bound));
   }

@@ -262,6 +262,9 @@ std::vector<StagePlan> make_plans(const Problem& problem,
   find_directions(plans, desk);
   std::vector<Interval> best(problem.first_state.begin(), problem.first_state.end());
   for (StagePlan& plan : plans) {
+    // More may be better only as far as later stages can bear it.
+    for (std::size_t c = 0; c < best.size(); ++c)
+      best[c] = intersect(best[c], plan.inherited[c]).value_or(plan.inherited[c]);
     plan.best_inherited = best;
     if (!shave_and_profile(plan, desk)) return {};
     best = best_after(plan, desk);

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "solver/stage_plan.h"
+#include "solver/labels.h"
 
 namespace millwright::solver {
 
@@ -18,6 +18,7 @@ struct VariableBox {
   std::vector<Interval> side;
   double value = 0.0;  ///< the smaller, the sooner
   Bounds bounds;
+  OpenBox::Origin origin = 0;
 };
 
 struct LaterBox {

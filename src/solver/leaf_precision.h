@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// How closely a search label by label looks at designs whose variables move scores or states (cover.h).
+//
+// Where less or more of a state is better a point stands for all that is worse, and few points are enough at once.
+// Where a later stage proves no such direction (a resonance band, a least load) a point only stands for states that are
+// equal but for the tolerance: millions of points would be needed. So the first ones are coarse, find builds, and prove
+// most designs to be no better; then finer ones look at what is left (undecided_designs.h), again and again.
+#pragma once
+
+#include <vector>
+
+#include "solver/undecided_designs.h"
+
+namespace millwright::solver {
+
+struct LeafPrecision {
+  double tolerance = 1e-6;      ///< by which a point may be worse than what it stands for
+  bool refined_later = false;   ///< a search with a finer tolerance will look at what this one leaves undecided
+  UndecidedDesigns among = {};  ///< what an earlier search has left; no other design is looked at
+};
+
+/// Of the first search. `tolerance`: where directions are proved; `objectives`: of the problem.
+LeafPrecision first_precision(const std::vector<StagePlan>& plans, double tolerance, std::size_t objectives);
+
+/// Of the next one, after a search with this precision that left `undecided`.
+LeafPrecision finer(const LeafPrecision& precision, UndecidedDesigns undecided);
+
+}  // namespace millwright::solver
