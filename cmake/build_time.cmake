@@ -19,8 +19,3 @@ endfunction()
 function(millwright_optimise_less target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
-
-# The same for tests, and no optimisation at all with the sanitizers, which see more then.
-function(millwright_optimise_tests target)
-  target_compile_options(${target} PRIVATE $<IF:$<CONFIG:Release>,-O1,-O0>)
-endfunction()

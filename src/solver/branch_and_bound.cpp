@@ -15,10 +15,10 @@ double below(double a, double b) { return scalar::rounding::sum_down(a, b); }
 
 std::vector<OpenBox::Origin> origins_of(const std::vector<OpenBox>& boxes) {
   std::vector<OpenBox::Origin> origins;
-  if (boxes.front().origin == UndecidedDesigns::everything) return origins;
   for (const OpenBox& box : boxes) origins.push_back(box.origin);
   std::sort(origins.begin(), origins.end());
   origins.erase(std::unique(origins.begin(), origins.end()), origins.end());
+  if (origins.front() == UndecidedDesigns::everything) origins.clear();
   return origins;
 }
 
@@ -242,6 +242,7 @@ void BranchAndBound::arrive(const Node& node, const StagePoint& point, std::vect
     return;
   }
   if (label_sets_[label.stage].dominates({label.score_lower, label.enclosure, label.utilisation})) return;
+  keep_boxes(label.boxes);
   labels_.push_back(std::move(label));
   const auto index = static_cast<std::uint32_t>(labels_.size() - 1);
   if (labels_.back().feasible) label_sets_[labels_.back().stage].add(index);
@@ -260,10 +261,18 @@ void BranchAndBound::finish(Label label) {
   leave_undecided({std::move(label.score_lower), 0.0, label.parent, std::move(label.rows), std::move(label.boxes)});
 }
 
+/// Without its boxes what is undecided is all of a design.
+void BranchAndBound::keep_boxes(std::vector<OpenBox>& boxes) {
+  constexpr std::size_t most_kept = 2000000;
+  if (boxes_kept_ + boxes.size() > most_kept) boxes = {};
+  boxes_kept_ += boxes.size();
+}
+
 void BranchAndBound::leave_undecided(Undecided undecided) {
   constexpr std::size_t most_kept = 100000;
   if (incumbents_.hopeless(undecided.score, undecided.utilisation)) return;
   undecided_bound_ = std::min(undecided_bound_, undecided.score[0]);
+  keep_boxes(undecided.boxes);
   if (undecided_.size() < most_kept)
     undecided_.push_back(std::move(undecided));
   else

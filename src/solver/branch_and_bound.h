@@ -50,6 +50,7 @@ class BranchAndBound {
   SearchResult run(std::uint64_t most_nodes = std::numeric_limits<std::uint64_t>::max());
   /// What a search that is done has left undecided.
   [[nodiscard]] UndecidedDesigns undecided_designs() const;
+  [[nodiscard]] const LeafPrecision& precision() const { return precision_; }
 
  private:
   static constexpr std::size_t whole_stage = static_cast<std::size_t>(-1);
@@ -104,6 +105,7 @@ class BranchAndBound {
     std::vector<OpenBox> boxes = {};  ///< of its variables; none: all
   };
   void leave_undecided(Undecided undecided);
+  void keep_boxes(std::vector<OpenBox>& boxes);
   void forget_settled();
   bool make_stream(std::uint32_t label, std::size_t region, Node& node) const;
   [[nodiscard]] Build build_of(const Label& last) const;
@@ -124,6 +126,7 @@ class BranchAndBound {
   std::uint64_t order_ = 0;
   std::vector<Undecided> undecided_;
   bool many_undecided_ = false;  ///< more than are kept
+  std::size_t boxes_kept_ = 0;
   double undecided_bound_ = std::numeric_limits<double>::infinity();
 };
 

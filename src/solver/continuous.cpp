@@ -73,7 +73,7 @@ class FeasibilitySearch {
   BoxHeap heap_;
 };
 
-void stand_for(const Bounds& bounds, StagePoint& point) {
+void widen_to(const Bounds& bounds, StagePoint& point) {
   for (std::size_t k = 0; k < point.score_lower.size(); ++k)
     point.score_lower[k] = std::min(point.score_lower[k], bounds.score[k]);
   for (std::size_t c = 0; c < point.state.size(); ++c) point.enclosure[c] = hull(point.state[c], bounds.handed_on[c]);
@@ -85,7 +85,7 @@ void widen_to_enclosure(const LeafQuestion& question, Desk& desk, StagePoint& po
   if (question.label->exact) return;
   Bounds bounds;
   Region region = *question.region;
-  if (assess(*question.plan, question.label->enclosure, region, bounds, desk)) stand_for(bounds, point);
+  if (assess(*question.plan, question.label->enclosure, region, bounds, desk)) widen_to(bounds, point);
 }
 
 LeafAnswer solve_feasibility(const LeafQuestion& question, Desk& desk) {
@@ -94,7 +94,8 @@ LeafAnswer solve_feasibility(const LeafQuestion& question, Desk& desk) {
   std::vector<double> variables;
   const Verdict verdict = FeasibilitySearch(question, desk).run(variables);
   StagePoint point;
-  if (verdict == Verdict::feasible && design.take(variables, point)) {
+  const auto point_is_bearable = [&] { return question.label->exact || bearable(*question.plan, point.state); };
+  if (verdict == Verdict::feasible && design.take(variables, point) && point_is_bearable()) {
     if (question.relieve) {
       design.relieve(variables, question.region->variables);
       design.take(variables, point);
@@ -114,13 +115,12 @@ LeafAnswer solve_feasibility(const LeafQuestion& question, Desk& desk) {
   const bool hand_on = question.refined_later && !question.label->exact;
   const std::size_t proof_boxes = hand_on ? inexact_boxes : feasibility_boxes;
   if (proves_infeasible(*question.plan, enclosure, region, proof_boxes, desk)) return answer;
-  if (!hand_on) {
+  if (!hand_on || !design.take_infeasible(middle_of(region.variables), point)) {
     answer.leave_undecided(bounds.score);
     return answer;
   }
-  design.take_infeasible(middle_of(region.variables), point);
   point.utilisation = bounds.utilisation;
-  stand_for(bounds, point);
+  widen_to(bounds, point);
   answer.points.push_back(std::move(point));
   return answer;
 }

@@ -8,8 +8,9 @@
 //    utilisation is taken (a local search: a choice between equals, nothing is claimed about it).
 // 2. Variables that move scores or state (the diameter of a shaft): branch and bound on the box until every design in
 //    it is proved infeasible, hopeless, or covered: a known feasible point is, in every score and every state component
-//    with a direction, at most `tolerance` (relative) worse than the box can be. What a point covers becomes the
-//    enclosure of its label. Points come from SLSQP (and Ipopt where SLSQP finds none), so few boxes are needed.
+//    with a direction, at most `tolerance` (relative) worse than the box can be; where that is refined later, also by
+//    what an inexact label leaves open itself. What a point covers becomes the enclosure of its label. Points come from
+//    SLSQP (and Ipopt where SLSQP finds none), so few boxes are needed.
 //
 // Guarantee: a point counts as feasible only if `evaluate` in double gives every utilisation <= 1. A feasible set
 // narrower than 1e-12 of a variable's range may be overlooked. What the box limit leaves undecided is returned as
@@ -41,7 +42,7 @@ struct LeafQuestion {
   bool refined_later = false;
 };
 
-/// A feasible point of a stage and what it stands for.
+/// A point of a stage, feasible but for those of `refined_later`, and what it stands for.
 struct StagePoint {
   std::vector<double> variables;
   std::vector<double> resources;    ///< own share

@@ -85,7 +85,7 @@ class Cover {
 
   /// The side over which scores, states or undecided utilisations change most, by slope times width: halving a
   /// diameter that moves the cost decides more than halving an acceleration time that moves nothing undecided. While no
-  /// point is feasible nothing can be covered: only the proof that there is none can close boxes.
+  /// point is feasible and none stands in nothing can be covered: only the proof that there is none can close boxes.
   std::size_t deciding_side(const VariableBox& box, const BoxSlopes& slopes) {
     const Stage& stage = *question_.plan->stage;
     std::size_t best = widest_side(stage, box.side);
@@ -94,7 +94,7 @@ class Cover {
       const Variable& variable = stage.variables()[v];
       const double width = box.side[v].upper - box.side[v].lower;
       if (!(width > narrowest * (variable.upper - variable.lower))) continue;
-      const double change = slopes.change_over(v, box.bounds, !answer_.points.empty());
+      const double change = slopes.change_over(v, box.bounds, !answer_.points.empty() || leaves_to_later());
       if (change > most) {
         most = change;
         best = v;
@@ -119,7 +119,8 @@ class Cover {
   /// Keeps a feasible point unless a known one is as good.
   void add(std::span<const double> variables) {
     StagePoint point;
-    if (!design_.take(variables, point)) return;
+    // Where more is better what is more than later stages can bear must not stand for less.
+    if (!design_.take(variables, point) || !bearable(*question_.plan, point.state)) return;
     for (const StagePoint& known : answer_.points) {
       if (as_good(score_of(known), known.state, point.score_lower, point.enclosure, {0.0, {}, {}})) return;
     }
@@ -272,7 +273,7 @@ class Cover {
       return true;
     }
     StagePoint point;
-    design_.take_infeasible(middle_of(box.side), point);
+    if (!design_.take_infeasible(middle_of(box.side), point)) return false;
     std::vector<double> score = point.score_lower;
     if (!stands_for_it(score, point.state)) return false;
     point.utilisation = box.bounds.utilisation;
@@ -286,15 +287,18 @@ class Cover {
   void measure_label(std::span<const Interval> variables) {
     StagePoint point;
     const std::vector<double> middle = middle_of(variables);
-    design_.take_infeasible(middle, point);
+    if (!design_.take_infeasible(middle, point)) return;
     Region region = *question_.region;
     region.variables.assign(middle.begin(), middle.end());
     Bounds bounds;
     const StagePlan& plan = *question_.plan;
     read_bounds(plan, desk_.bound(*plan.stage, plan.shared, question_.label->enclosure, region), bounds);
-    for (std::size_t k = 0; k < bounds.score.size(); ++k)
-      label_score_.push_back(std::max(point.score_lower[k] - bounds.score[k], 0.0));
-    for (const Interval& state : bounds.handed_on) label_state_.push_back(state.upper - state.lower);
+    for (std::size_t k = 0; k < bounds.score.size(); ++k) {
+      const double below = point.score_lower[k] - bounds.score[k];
+      label_score_.push_back(std::isfinite(below) ? std::max(below, 0.0) : 0.0);
+    }
+    for (const Interval& state : bounds.handed_on)
+      label_state_.push_back(state.is_bounded() ? state.upper - state.lower : 0.0);
   }
 
   /// In a good direction only the better side needs to be enclosed: the worse is no better than the point.
@@ -366,7 +370,7 @@ class Cover {
     std::vector<StagePoint> kept;
     for (std::size_t i = 0; i < answer_.points.size(); ++i) {
       StagePoint& point = answer_.points[i];
-      if (!used_[i] && !answer_.undecided) continue;
+      if (!used_[i] && !answer_.undecided && stand_ins_.empty()) continue;
       kept.push_back(std::move(point));
     }
     answer_.points = std::move(kept);

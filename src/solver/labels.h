@@ -5,7 +5,8 @@
 //
 // When a continuous variable moves scores or state, one label stands for many designs that differ by less than the
 // tolerance. It is then a point (a real, feasible design) and an enclosure: lower bounds of the scores, and intervals
-// of the state, of everything it stands for. Without such variables point and enclosure are the same.
+// of the state, of everything it stands for. Without such variables point and enclosure are the same. While a search is
+// to be refined (leaf_precision.h) the point may be infeasible where others in the enclosure may not be.
 #pragma once
 
 #include <cstdint>

@@ -41,15 +41,18 @@ double LeafDesign::worst_at(std::span<const double> variables) {
 
 bool LeafDesign::take(std::span<const double> variables, StagePoint& out) {
   out.utilisation = worst_at(variables);
-  if (!(out.utilisation <= 1.0) || !bearable(*question.plan, desk.number.handed_on)) return false;
+  if (!(out.utilisation <= 1.0)) return false;
   copy_answer(variables, out);
   return true;
 }
 
-void LeafDesign::take_infeasible(std::span<const double> variables, StagePoint& out) {
+bool LeafDesign::take_infeasible(std::span<const double> variables, StagePoint& out) {
   out.utilisation = worst_at(variables);
   copy_answer(variables, out);
   out.feasible = false;
+  const auto finite = [](double value) { return std::isfinite(value); };
+  return std::all_of(out.score_lower.begin(), out.score_lower.end(), finite) &&
+         std::all_of(out.state.begin(), out.state.end(), finite);
 }
 
 void LeafDesign::copy_answer(std::span<const double> variables, StagePoint& out) {

@@ -28,10 +28,10 @@ class LeafDesign {
                                                  bool with_ipopt);
   /// Moves the variables that only decide feasibility to a smaller worst utilisation.
   void relieve(std::vector<double>& variables, std::span<const Interval> box);
-  /// The point as an answer of the leaf; false when it is not feasible, or later stages cannot bear what it hands on.
+  /// The point as an answer of the leaf; false when it is not feasible.
   bool take(std::span<const double> variables, StagePoint& out);
-  /// The same for what an infeasible point may stand for.
-  void take_infeasible(std::span<const double> variables, StagePoint& out);
+  /// The same whether it is feasible or not, and marked as infeasible; false where it cannot be computed.
+  bool take_infeasible(std::span<const double> variables, StagePoint& out);
 
   const LeafQuestion& question;
   Desk& desk;

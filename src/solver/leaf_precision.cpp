@@ -10,13 +10,19 @@ LeafPrecision first_precision(const std::vector<StagePlan>& plans, double tolera
   const bool needs_many = std::any_of(plans.begin(), plans.end(), [](const StagePlan& plan) {
     return plan.any_priced && std::count(plan.after.begin(), plan.after.end(), Direction::equal_only) > 0;
   });
-  if (needs_many && objectives == 1) return {coarse, true, {}};
-  return {tolerance, false, {}};
+  if (needs_many && objectives == 1) return {std::max(coarse, tolerance), 0, true, {}};
+  return {tolerance, 0, false, {}};
+}
+
+bool may_be_finer(const LeafPrecision& precision, double tolerance) {
+  constexpr int fewest = 4, most = 12;
+  constexpr double far = 1e-4;
+  return precision.refinements < fewest || (precision.refinements < most && precision.tolerance > far * tolerance);
 }
 
 LeafPrecision finer(const LeafPrecision& precision, UndecidedDesigns undecided) {
   constexpr double part = 1.0 / 16.0;
-  return {part * precision.tolerance, precision.refined_later, std::move(undecided)};
+  return {part * precision.tolerance, precision.refinements + 1, precision.refined_later, std::move(undecided)};
 }
 
 }  // namespace millwright::solver

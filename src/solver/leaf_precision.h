@@ -16,12 +16,16 @@ namespace millwright::solver {
 
 struct LeafPrecision {
   double tolerance = 1e-6;      ///< by which a point may be worse than what it stands for
+  int refinements = 0;          ///< of the first search
   bool refined_later = false;   ///< a search with a finer tolerance will look at what this one leaves undecided
   UndecidedDesigns among = {};  ///< what an earlier search has left; no other design is looked at
 };
 
 /// Of the first search. `tolerance`: where directions are proved; `objectives`: of the problem.
 LeafPrecision first_precision(const std::vector<StagePlan>& plans, double tolerance, std::size_t objectives);
+
+/// Whether there is a use in another search after one with this precision.
+bool may_be_finer(const LeafPrecision& precision, double tolerance);
 
 /// Of the next one, after a search with this precision that left `undecided`.
 LeafPrecision finer(const LeafPrecision& precision, UndecidedDesigns undecided);

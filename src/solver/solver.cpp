@@ -260,12 +260,11 @@ class Solve {
       open.search = label_by_label(*open.plans);
     }
     set_tolerance();
-    const double finest = leaf_tolerance() / 1e4;
-    LeafPrecision precision = precision_for(*open.plans);
     SearchResult result = open.search->run();
-    while (!result.complete && !control_.time_is_up() && precision.tolerance > finest) {
-      precision = finer(precision, open.search->undecided_designs());
-      open.search = label_by_label(*open.plans, precision);
+    while (!result.complete && !control_.time_is_up() && may_be_finer(open.search->precision(), leaf_tolerance())) {
+      LeafPrecision precision = finer(open.search->precision(), open.search->undecided_designs());
+      open.search = nullptr;  // it may be large
+      open.search = label_by_label(*open.plans, std::move(precision));
       result = open.search->run();
     }
     if (!result.complete) leave_open(std::max(open.score[0], result.lower_bound));

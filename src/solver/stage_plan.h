@@ -10,7 +10,8 @@
 // on, nothing that hands more on is looked at.
 //
 // The least is found at the best state that can arrive (`best_inherited`): the good end of each component with a proved
-// direction, the whole range of the others. What is infeasible or dear there is so for every label.
+// direction, the whole range of the others and of those whose good end later stages cannot bear. What is infeasible or
+// dear there is so for every label.
 #pragma once
 
 #include <cmath>

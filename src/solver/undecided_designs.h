@@ -10,7 +10,8 @@
 // search that left the tree: each part of it lies in a box of a label, or of one that is dominated by another label;
 // with that one's own point in place of what stands before, the build is as good (dominance.h), so go on with it. What
 // was followed ends in a build, which is not so, or is noted here. What is looked at in the next search but was settled
-// in this one is no loss either: the same designs after a better label would be better than what they were settled by.
+// in this one is no loss either: the same designs after a better label would be better than what they were settled by
+// (or as good, where two labels are equal to the last digit in every score and state).
 #pragma once
 
 #include <map>
