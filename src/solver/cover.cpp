@@ -359,7 +359,6 @@ class Cover {
       const auto holds_it = [&](const OpenBox& box) { return inside(box.sides, point); };
       if (std::any_of(point.boxes.begin(), point.boxes.end(), holds_it)) continue;
       const std::vector<Interval> itself(point.variables.begin(), point.variables.end());
-      if (question_.among.empty()) point.boxes.push_back({itself, 0});
       for (const OpenBox& box : question_.among)
         if (inside(box.sides, point)) point.boxes.push_back({itself, box.origin});
     }
