@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "text/characters.h"
 #include "text/nearest.h"
 
 namespace millwright::app {
@@ -24,12 +25,6 @@ struct Word {
   text::SourceSpan name_span() const { return text::span_at(text, 0, name.size()); }
   text::SourceSpan value_span() const { return text::span_at(text, name.size() + 1, value.size()); }
 };
-
-std::string trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(' ');
-  if (first == std::string_view::npos) return {};
-  return std::string(text.substr(first, text.find_last_not_of(' ') - first + 1));
-}
 
 std::string unit_name(const std::string& unit) { return unit.empty() || unit == "1" ? "without unit" : unit; }
 
@@ -73,17 +68,17 @@ class Reader {
     const std::size_t equals = given.find('=');
     if (equals == std::string::npos) {
       diagnostics_.error(text::span_at(word.text, 0, given.size()),
-                         text::quoted(given) + " is no argument: expected name=value",
+                         text::in_quotes(given) + " is no argument: expected name=value",
                          fmt::format("arguments of {}: {}", formula_.name(), fmt::join(names(), ", ")));
       return;
     }
     word.name = given.substr(0, equals);
     word.value = given.substr(equals + 1);
     const std::vector<std::string> known = names();
-    const auto at = std::find(known.begin(), known.end(), trimmed(word.name));
+    const auto at = std::find(known.begin(), known.end(), text::without_blanks(word.name, " "));
     if (at == known.end()) {
       diagnostics_.error(word.name_span(),
-                         fmt::format("{} has no argument {}", formula_.name(), text::quoted(word.name)),
+                         fmt::format("{} has no argument {}", formula_.name(), text::in_quotes(word.name)),
                          text::did_you_mean(word.name, known, fmt::format("arguments: {}", fmt::join(known, ", "))));
       return;
     }
@@ -109,7 +104,7 @@ class Reader {
     CalculationInput input{.name = argument.name,
                            .symbol = argument.symbol,
                            .meaning = argument.meaning,
-                           .given = trimmed(word.value),
+                           .given = std::string(text::without_blanks(word.value, " ")),
                            .values = {},
                            .word = {},
                            .is_list = argument.kind == ArgumentKind::list,
@@ -138,7 +133,7 @@ class Reader {
     const auto at = std::find(argument.choices.begin(), argument.choices.end(), wanted);
     if (at == argument.choices.end())
       diagnostics_.error(word.value_span(),
-                         fmt::format("{}: {} is no choice", argument.name, text::quoted(input.given)),
+                         fmt::format("{}: {} is no choice", argument.name, text::in_quotes(input.given)),
                          text::did_you_mean(wanted, argument.choices, expected_text(argument)));
     input.word = wanted;
     result.values.emplace_back(static_cast<int>(at - argument.choices.begin()));
@@ -152,7 +147,8 @@ class Reader {
       const std::size_t end = list ? std::min(all.find(',', at), all.size()) : all.size();
       const auto span = text::span_at(word.text, word.name.size() + 1 + at, end - at);
       std::string reason;
-      const auto quantity = quantity_of(argument, trimmed(std::string_view(all).substr(at, end - at)), reason);
+      const auto quantity = quantity_of(
+          argument, std::string(text::without_blanks(std::string_view(all).substr(at, end - at), " ")), reason);
       if (!quantity) {
         diagnostics_.error(span, fmt::format("{}: {}", argument.name, reason), expected_text(argument));
       } else {
@@ -170,7 +166,7 @@ class Reader {
     }
     if (argument.unit != "any") return scalar::parse_quantity(text, Unit::of(argument.unit), reason);
     const std::size_t blank = std::min(text.find(' '), text.size());
-    const auto unit = Unit::parse(trimmed(std::string_view(text).substr(blank)), reason);
+    const auto unit = Unit::parse(std::string(text::without_blanks(std::string_view(text).substr(blank), " ")), reason);
     if (!unit || (any_ && !unit->fits(*any_, reason))) return std::nullopt;
     any_ = any_ ? any_ : unit;
     const auto number = scalar::parse_number(text.substr(0, blank), reason);

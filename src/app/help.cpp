@@ -7,7 +7,7 @@ namespace millwright::app {
 
 namespace {
 
-constexpr std::pair<std::string_view, std::string_view> texts[] = {
+constexpr std::pair<std::string_view, std::string_view> help_texts[] = {
     {"millwright",
      "Exit codes:\n"
      "  0 done and compliant   1 no compliant design, or a check failed   2 bad input\n"
@@ -153,7 +153,7 @@ constexpr std::pair<std::string_view, std::string_view> texts[] = {
 }  // namespace
 
 std::string examples(std::string_view verb) {
-  for (const auto& [name, text] : texts)
+  for (const auto& [name, text] : help_texts)
     if (name == verb) return std::string(text);
   return {};
 }

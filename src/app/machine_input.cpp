@@ -44,7 +44,7 @@ bool find_catalogues(const text::Document& document, text::Diagnostics& diagnost
     std::error_code unknown;
     if (!name || std::filesystem::exists(folder / *name, unknown)) return;
     diagnostics.error(node.span(),
-                      fmt::format("there is no catalogue {}", text::quoted((folder / *name).string(), 200)),
+                      fmt::format("there is no catalogue {}", text::in_quotes((folder / *name).string(), 200)),
                       "a folder beside the problem file that holds steppers/, ball_screws/, ...");
     all = false;
   };

@@ -42,7 +42,7 @@ bool settle_objectives(Options& options) {
   if (options.objectives.empty()) options.objectives = {"cost", "mass"};
   for (const std::string& objective : options.objectives)
     if (!machine::objective_named(objective).single()) {
-      complain("a front is of plain quantities, and " + text::quoted(objective) + " is a weighted sum",
+      complain("a front is of plain quantities, and " + text::in_quotes(objective) + " is a weighted sum",
                "'millwright solve' minimises weighted sums");
       return false;
     }

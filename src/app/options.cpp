@@ -342,7 +342,7 @@ std::optional<std::string> misspelt_verb(CommandLine& line, int argc, char** arg
   if (argv[1][0] == '-') return std::nullopt;
   const std::string first = argv[1];
   if (std::find(verbs.begin(), verbs.end(), first) == verbs.end()) {
-    complain("there is no command " + text::quoted(first),
+    complain("there is no command " + text::in_quotes(first),
              text::did_you_mean(first, verbs, fmt::format("commands: {}", fmt::join(verbs, ", "))));
     return first;
   }
@@ -368,7 +368,7 @@ void complain_of(const CLI::ParseError& error, CommandLine& line, int argc, char
   if (unknown.empty()) {
     complain(text::printable(error.what()), "'millwright --help' and 'millwright COMMAND --help' show what there is");
   } else {
-    complain("there is no option " + text::quoted(unknown),
+    complain("there is no option " + text::in_quotes(unknown),
              text::did_you_mean(unknown, known, fmt::format("options: {}", fmt::join(known, ", "))));
   }
 }

@@ -96,7 +96,7 @@ bool check_target(const OutputTarget& target, const std::vector<std::string>& so
   const fs::path parent = fs::path(target.file).parent_path();
   const fs::path folder = parent.empty() ? fs::path(".") : parent;
   if (!fs::is_directory(folder, failure))
-    return refuse("there is no folder " + text::quoted(folder.string()), "make the folder first");
+    return refuse("there is no folder " + text::in_quotes(folder.string()), "make the folder first");
   if (access(folder.c_str(), W_OK) != 0) return refuse("no right to write in its folder");
   // Opening finds what else there is: names that are too long, a full disk. What was opened vanishes again.
   return open_target(target, diagnostics) != nullptr;

@@ -28,7 +28,7 @@ const Formula* find_formula(const std::string& name, text::Diagnostics& diagnost
     if (formula.name().substr(formula.name().find('.') + 1) == name)
       by_last_name += (by_last_name.empty() ? "did you mean '" : "' or '") + formula.name();
   }
-  diagnostics.error("there is no formula " + text::quoted(name),
+  diagnostics.error("there is no formula " + text::in_quotes(name),
                     by_last_name.empty() ? text::did_you_mean(name, names, "'millwright formulas WORD' finds formulas")
                                          : by_last_name + "'?");
   return nullptr;

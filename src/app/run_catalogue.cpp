@@ -27,7 +27,7 @@ std::optional<Family> family_of(const std::string& name, text::Diagnostics& diag
   if (const auto family = catalogue::find_family(name)) return family;
   std::vector<std::string_view> names;
   for (const catalogue::FamilyDeclaration& each : catalogue::families) names.push_back(each.name);
-  diagnostics.error("there is no part family " + text::quoted(name),
+  diagnostics.error("there is no part family " + text::in_quotes(name),
                     text::did_you_mean(name, names, fmt::format("families: {}", fmt::join(names, ", "))));
   return std::nullopt;
 }

@@ -32,7 +32,7 @@ std::optional<BillOfMaterials> read_bom(const Options& options,
     return bom;
   diagnostics.error(fmt::format("--hold-origin: no line of {} has the origin {}",
                                 text::printable(options.bom),
-                                text::quoted(options.hold_origin)),
+                                text::in_quotes(options.hold_origin)),
                     "the column 'origin' says 'paper', 'ours', ...");
   return std::nullopt;
 }

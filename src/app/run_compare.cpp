@@ -63,7 +63,7 @@ std::string problem_for(const Options& options, const Side& bom, const Side& oth
     if (fs::is_regular_file(place, failure)) return place.string();
   }
   diagnostics.error(text::whole(other.text),
-                    fmt::format("the problem that this result names is not there: {}", text::quoted(named.string())),
+                    fmt::format("the problem that this result names is not there: {}", text::in_quotes(named.string())),
                     hint);
   return {};
 }

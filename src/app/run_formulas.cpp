@@ -14,7 +14,7 @@ namespace millwright::app {
 
 namespace {
 
-std::string lower_case(std::string text) {
+std::string for_comparison(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) {
     return c == '_' || c == '-' ? ' ' : static_cast<char>(std::tolower(c));
   });
@@ -24,7 +24,7 @@ std::string lower_case(std::string text) {
 /// "critical speed" finds critical_speed and CRITICAL-SPEED.
 bool mentions(const mechanics::Formula& formula, const std::string& word) {
   for (const std::string* text : {&formula.name(), &formula.title(), &formula.handbook_id()})
-    if (lower_case(*text).find(word) != std::string::npos) return true;
+    if (for_comparison(*text).find(word) != std::string::npos) return true;
   return false;
 }
 
@@ -34,7 +34,7 @@ int run_formulas(const Options& options) {
   text::Diagnostics diagnostics;
   std::vector<const mechanics::Formula*> chosen;
   for (const mechanics::Formula& formula : mechanics::formulas())
-    if (mentions(formula, lower_case(options.subject))) chosen.push_back(&formula);
+    if (mentions(formula, for_comparison(options.subject))) chosen.push_back(&formula);
   if (chosen.empty()) {
     std::vector<std::string> names;
     for (const mechanics::Formula& formula : mechanics::formulas()) {
@@ -42,7 +42,7 @@ int run_formulas(const Options& options) {
       names.push_back(formula.name().substr(formula.name().find('.') + 1));
       names.emplace_back(formula.element());
     }
-    diagnostics.error("no formula has " + text::quoted(options.subject) + " in its name, title or handbook id",
+    diagnostics.error("no formula has " + text::in_quotes(options.subject) + " in its name, title or handbook id",
                       text::did_you_mean(options.subject, names, "'millwright formulas' lists all"));
   }
   outputs_are_writable(options, diagnostics);

@@ -26,7 +26,7 @@ const Template* find_template(const std::string& name, text::Diagnostics& diagno
   if (name.empty())
     diagnostics.error("which machine is it to be?", "say --template mill; " + all);
   else
-    diagnostics.error("there is no template " + text::quoted(name), text::did_you_mean(name, names, all));
+    diagnostics.error("there is no template " + text::in_quotes(name), text::did_you_mean(name, names, all));
   return nullptr;
 }
 

@@ -95,7 +95,8 @@ FoundParts Catalogue::find(std::string_view part_number, std::string_view manufa
     for (int row = 0; row < table.rows(); ++row) names.push_back(table.part_number(row));
   }
   if (!found.parts.empty()) return found;
-  found.error = family_problem.empty() ? "no part " + text::quoted(part_number) + " in the catalogues" : family_problem;
+  found.error =
+      family_problem.empty() ? "no part " + text::in_quotes(part_number) + " in the catalogues" : family_problem;
   found.hint = family_problem.empty() ? text::did_you_mean(part_number, names) : family_hint;
   return found;
 }

@@ -10,6 +10,7 @@
 
 #include "catalogue/column_unit.h"
 #include "catalogue/header.h"
+#include "text/characters.h"
 #include "text/nearest.h"
 
 namespace millwright::catalogue {
@@ -44,12 +45,6 @@ std::vector<std::string_view> figures_of(Family family) {
 }
 
 bool is_relative(const scalar::Unit& unit) { return unit.dimension() == scalar::dimension::none; }
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
 
 }  // namespace
 
@@ -108,14 +103,14 @@ std::optional<Companion> match_companion(const text::CsvTable& csv,
     diagnostics.error(cell.name_span,
                       fmt::format("{} have no figure {} that {} could belong to",
                                   declaration(family).name,
-                                  text::quoted(stem),
-                                  text::quoted(cell.name)),
+                                  text::in_quotes(stem),
+                                  text::in_quotes(cell.name)),
                       text::did_you_mean(stem, figures_of(family), "a column of your own begins with x_"));
     return std::nullopt;
   }
   if (!csv.find_column(stem)) {
     diagnostics.error(cell.name_span,
-                      fmt::format("{} without the column {}", text::quoted(cell.name), text::quoted(stem)),
+                      fmt::format("{} without the column {}", text::in_quotes(cell.name), text::in_quotes(stem)),
                       fmt::format("add {}, or leave {} out", header_cell(*figure), cell.name));
     return std::nullopt;
   }
@@ -141,16 +136,16 @@ std::optional<double> parse_tolerance(std::string_view cell,
                                       const Companion& companion,
                                       double figure,
                                       std::string& reason) {
-  std::string_view text = trimmed(cell);
+  std::string_view text = text::without_blanks(cell);
   for (const std::string_view mark : {std::string_view("+-"), std::string_view("+/-"), std::string_view("\u00B1")})
-    if (text.starts_with(mark)) text = trimmed(text.substr(mark.size()));
+    if (text.starts_with(mark)) text = text::without_blanks(text.substr(mark.size()));
   double number = 0.0;
   const auto [rest, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (problem != std::errc() || !std::isfinite(number) || number < 0.0) {
     reason = "is no tolerance";
     return std::nullopt;
   }
-  const std::string_view written = trimmed(text.substr(static_cast<std::size_t>(rest - text.data())));
+  const std::string_view written = text::without_blanks(text.substr(static_cast<std::size_t>(rest - text.data())));
   if (!written.empty() && companion.unit) {
     reason = "has a unit, and so has the column";
     return std::nullopt;

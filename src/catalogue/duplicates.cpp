@@ -28,7 +28,7 @@ void drop_duplicates(Table& table, text::Diagnostics& diagnostics) {
     text::Diagnostic duplicate;
     duplicate.where = table.where(row);
     duplicate.message = fmt::format(
-        "duplicate part {} of {}", text::quoted(table.part_number(row)), text::quoted(table.manufacturer(row)));
+        "duplicate part {} of {}", text::in_quotes(table.part_number(row)), text::in_quotes(table.manufacturer(row)));
     duplicate.hint = "a part stands once in a folder; to replace it use an overlay folder";
     duplicate.related = table.where(first);
     duplicate.related_message = "first given here";

@@ -15,7 +15,7 @@
 namespace millwright::catalogue {
 namespace {
 
-constexpr int digits = 15;  // as many as survive the way through decimals
+constexpr int kept_digits = 15;  // as many as survive the way through decimals
 
 /// Whether the column only says where others come from, or how sure they are.
 bool is_provenance(Column column) {
@@ -56,13 +56,13 @@ std::vector<NamedFigure> figures_of(const Table& table, const std::vector<int>& 
     for (std::size_t index = 0; index < column_count(table.family()); ++index) {
       const Column each{table.family(), static_cast<std::uint8_t>(index)};
       const ColumnDeclaration& declared = declaration(each);
-      if (declared.identity == Identity::point) point += " at " + cell_text(table, each, row, digits);
+      if (declared.identity == Identity::point) point += " at " + cell_text(table, each, row, kept_digits);
       if (declared.identity == Identity::none && !is_provenance(each)) columns.push_back(each);
     }
     for (const Column each : columns) {
       const ColumnDeclaration& declared = declaration(each);
       if (!point.empty() && declared.kind != Kind::number) continue;
-      std::string value = cell_text(table, each, row, digits);
+      std::string value = cell_text(table, each, row, kept_digits);
       if (!value.empty())
         figures.push_back({std::string(declared.name) + point, std::move(value), table.where(row, each)});
     }

@@ -65,7 +65,8 @@ std::vector<fs::path> entries(const fs::path& folder, text::Diagnostics& diagnos
     if (!each->path().filename().string().starts_with('.')) found.push_back(each->path());
   }
   if (problem)
-    diagnostics.error(fmt::format("cannot read folder {}: {}", text::quoted(folder.string(), 200), problem.message()));
+    diagnostics.error(
+        fmt::format("cannot read folder {}: {}", text::in_quotes(folder.string(), 200), problem.message()));
   std::sort(found.begin(), found.end());
   return found;
 }
@@ -94,8 +95,9 @@ void add_family_folder(const fs::path& folder,
 }  // namespace
 
 void report_no_files(const fs::path& place, text::Diagnostics& diagnostics) {
-  diagnostics.error(fmt::format("the catalogue {} is empty: it holds no CSV file", text::quoted(place.string(), 200)),
-                    "a catalogue has a folder for each part family, for example steppers/my-motors.csv");
+  diagnostics.error(
+      fmt::format("the catalogue {} is empty: it holds no CSV file", text::in_quotes(place.string(), 200)),
+      "a catalogue has a folder for each part family, for example steppers/my-motors.csv");
 }
 
 std::optional<CatalogueFile> catalogue_file(const fs::path& file,
@@ -141,7 +143,8 @@ std::vector<CatalogueFile> catalogue_files(const fs::path& place, text::Diagnost
     } else {
       text::Diagnostic unknown;
       unknown.severity = text::Severity::warning;
-      unknown.message = fmt::format("folder {} is not a part family and is ignored", text::quoted(entry.string(), 200));
+      unknown.message =
+          fmt::format("folder {} is not a part family and is ignored", text::in_quotes(entry.string(), 200));
       unknown.hint = text::did_you_mean(name, family_names());
       diagnostics.add(std::move(unknown));
     }

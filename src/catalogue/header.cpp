@@ -76,7 +76,7 @@ std::optional<Header> match_header(const text::CsvTable& csv, Family family, tex
       }
       diagnostics.warning(
           cell.name_span,
-          fmt::format("{} have no column {}; it is ignored", declaration(family).name, text::quoted(cell.name)),
+          fmt::format("{} have no column {}; it is ignored", declaration(family).name, text::in_quotes(cell.name)),
           text::did_you_mean(cell.name, known_names(family)));
       continue;
     }

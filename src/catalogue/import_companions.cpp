@@ -110,13 +110,13 @@ class Companions {
       std::vector<std::string> headers;
       for (const SourceColumn& each : mapping_.columns) headers.push_back(each.header);
       diagnostics_.error(given.where,
-                         fmt::format("the table has no column {}", text::quoted(given.from, 80)),
+                         fmt::format("the table has no column {}", text::in_quotes(given.from, 80)),
                          text::did_you_mean(given.from, headers, "its header is another: make a new mapping"));
       return;
     }
     const std::string_view figure = declaration(given.companion.figure).name;
     if (found->target || found->companion)
-      diagnostics_.error(given.where, fmt::format("the column {} is used twice", text::quoted(given.from, 80)));
+      diagnostics_.error(given.where, fmt::format("the column {} is used twice", text::in_quotes(given.from, 80)));
     else if (column_of(given.companion.figure) == nullptr)
       diagnostics_.error(given.where,
                          fmt::format("what is said of {} needs a column {}", figure, figure),
@@ -226,7 +226,7 @@ std::optional<std::string> tolerance_cell(std::string_view cell,
                                                                  : DecimalMark::point;
   const std::string number = parts.number.empty() ? std::string() : plain_number(parts.number, mark);
   if (number.empty() || !parts.before.empty() || number.front() == '-') {
-    reason = fmt::format("{} is no tolerance", text::quoted(cell));
+    reason = fmt::format("{} is no tolerance", text::in_quotes(cell));
     return std::nullopt;
   }
   if (parts.after.empty()) return number;
@@ -234,7 +234,7 @@ std::optional<std::string> tolerance_cell(std::string_view cell,
   if (!unit) return std::nullopt;
   if (column.unit.empty()) return number + " " + *unit;
   if (*unit == column.unit) return number;
-  reason = fmt::format("{} has another unit than its column, {}", text::quoted(cell), column.unit);
+  reason = fmt::format("{} has another unit than its column, {}", text::in_quotes(cell), column.unit);
   return std::nullopt;
 }
 

@@ -10,6 +10,7 @@
 #include "catalogue/column_unit.h"
 #include "catalogue/import_companions.h"
 #include "catalogue/standing.h"
+#include "text/characters.h"
 #include "text/number.h"
 
 namespace millwright::catalogue {
@@ -27,12 +28,6 @@ bool is_plain(std::string_view cell) {
     point = true;
   }
   return !cell.empty() && cell.size() < 40;
-}
-
-std::string lower_case(std::string_view text) {
-  std::string word(text);
-  for (char& c : word) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return word;
 }
 
 /// Signs of a diameter before a number.
@@ -209,17 +204,17 @@ std::string ImportFields::read_plain(const SheetRows& row,
                                      DecimalMark mark) {
   if (number.empty()) {
     const std::string_view cell = row.cell(source);
-    refuse(row, source, fmt::format("not a number: {}", text::quoted(cell)), text::number_hint(cell));
+    refuse(row, source, fmt::format("not a number: {}", text::in_quotes(cell)), text::number_hint(cell));
     return {};
   }
   std::string plain = plain_number(number, mark);
   if (plain.empty())
-    refuse(
-        row,
-        source,
-        fmt::format(
-            "{} is no number with a decimal {}", text::quoted(number), mark == DecimalMark::comma ? "comma" : "point"),
-        number.size() > 400 ? fmt::format("{} characters are no number", number.size()) : "");
+    refuse(row,
+           source,
+           fmt::format("{} is no number with a decimal {}",
+                       text::in_quotes(number),
+                       mark == DecimalMark::comma ? "comma" : "point"),
+           number.size() > 400 ? fmt::format("{} characters are no number", number.size()) : "");
   return plain;
 }
 
@@ -275,7 +270,7 @@ void ImportFields::append_number(const SheetRows& row, const ImportField& field,
   if (words.empty() && !take_own_unit(row, source, meaning)) return;
   if (!words.empty()) {
     const KnownUnit& known = unit_of(words, source);
-    if (!known.unit) return refuse(row, source, fmt::format("{}: {}", text::quoted(words), known.reason));
+    if (!known.unit) return refuse(row, source, fmt::format("{}: {}", text::in_quotes(words), known.reason));
     take_currency(row, field, known.unit->currency);
     if (known.unit->unit == field.out_unit || (known.unit->unit.empty() && field.out_unit == "1")) {
       line += plain;
@@ -308,7 +303,7 @@ void ImportFields::append_tolerance(const SheetRows& row, const ImportField& fie
 void ImportFields::append_flag(const SheetRows& row, const ImportField& field, std::string& line) {
   const std::string_view cell = row.cell(*field.source);
   if (cell.empty() || says_unknown(cell)) return;
-  const std::string word = lower_case(cell.substr(0, 8));
+  const std::string word = text::lower_case(cell.substr(0, 8));
   constexpr std::array<std::string_view, 7> yes = {"yes", "true", "1", "y", "x", "ja", "ya"};
   constexpr std::array<std::string_view, 6> no = {"no", "false", "0", "n", "nein", "tidak"};
   if (std::find(yes.begin(), yes.end(), word) != yes.end())
@@ -316,7 +311,7 @@ void ImportFields::append_flag(const SheetRows& row, const ImportField& field, s
   else if (std::find(no.begin(), no.end(), word) != no.end())
     line += "no";
   else
-    refuse(row, *field.source, fmt::format("{} is neither yes nor no", text::quoted(cell)));
+    refuse(row, *field.source, fmt::format("{} is neither yes nor no", text::in_quotes(cell)));
 }
 
 /// Words of the closed list, also in German and Indonesian.
@@ -335,7 +330,7 @@ void ImportFields::append_confidence(const SheetRows& row, const ImportField& fi
                                                                                     {"sedang", "medium"},
                                                                                     {"menengah", "medium"},
                                                                                     {"rendah", "low"}}};
-  const std::string said = lower_case(cell.substr(0, 16));
+  const std::string said = text::lower_case(cell.substr(0, 16));
   for (const auto& [word, ours] : others)
     if (said == word && cell.size() == word.size()) {
       line += ours;
@@ -343,7 +338,7 @@ void ImportFields::append_confidence(const SheetRows& row, const ImportField& fi
     }
   refuse(row,
          *field.source,
-         fmt::format("{} is no confidence", text::quoted(cell)),
+         fmt::format("{} is no confidence", text::in_quotes(cell)),
          confidence_hint(cell) + "; without its column in a mapping file it is kept");
 }
 

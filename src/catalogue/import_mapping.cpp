@@ -95,12 +95,12 @@ class Proposal {
           });
       if (found == mapping_.columns.end()) {
         diagnostics_.error(each.where,
-                           fmt::format("the table has no column {}", text::quoted(each.from, 80)),
+                           fmt::format("the table has no column {}", text::in_quotes(each.from, 80)),
                            text::did_you_mean(each.from, head_.cells, "its header is another: make a new mapping"));
         continue;
       }
       if (found->target) {
-        diagnostics_.error(each.where, fmt::format("the column {} is used twice", text::quoted(each.from, 80)));
+        diagnostics_.error(each.where, fmt::format("the column {} is used twice", text::in_quotes(each.from, 80)));
         continue;
       }
       const auto index = static_cast<std::size_t>(found - mapping_.columns.begin());
@@ -265,7 +265,7 @@ class Proposal {
         column.confidence *= 0.8;
         column.reasons.push_back(other.source == each.source
                                      ? fmt::format("could be {}", declaration(other.target).name)
-                                     : fmt::format("so could {}", text::quoted(theirs.header)));
+                                     : fmt::format("so could {}", text::in_quotes(theirs.header)));
         break;
       }
     }
@@ -309,7 +309,7 @@ class Proposal {
       if (column.target || column.companion || is_taken(each.target) || !remarked.insert(each.source).second) continue;
       mapping_.remarks.push_back(fmt::format(
           "{} looks like {}, but {}: kept as {}, not taken; --unit {}={} or a mapping file takes it all the same",
-          text::quoted(column.header, 80),
+          text::in_quotes(column.header, 80),
           declaration(each.target).name,
           each.reasons.back(),
           column.kept_name,
@@ -325,7 +325,7 @@ class Proposal {
         mapping_.remarks.push_back(fmt::format(
             "{} has a number in its header and may be the price of so many: kept as {}, not taken as price; "
             "a mapping file can name it",
-            text::quoted(column.header, 80),
+            text::in_quotes(column.header, 80),
             column.kept_name));
   }
 

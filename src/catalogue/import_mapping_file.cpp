@@ -27,7 +27,7 @@ std::optional<Column> column_named(Family family,
   for (std::size_t index = 0; index < column_count(family); ++index)
     names.push_back(declaration(Column{family, static_cast<std::uint8_t>(index)}).name);
   diagnostics.error(where,
-                    fmt::format("{} have no column {}", declaration(family).name, text::quoted(name)),
+                    fmt::format("{} have no column {}", declaration(family).name, text::in_quotes(name)),
                     text::did_you_mean(name, names, "its columns: 'millwright catalogue show' of any part names them"));
   return std::nullopt;
 }
@@ -55,14 +55,14 @@ std::optional<std::string> constant_of(Column column,
   if (declared.name == "confidence" && !value.empty()) {
     if (const auto word = confidence_word(value)) return std::string(*word);
     diagnostics.error(
-        where, fmt::format("{}: {} is no confidence", declared.name, text::quoted(value)), confidence_hint(value));
+        where, fmt::format("{}: {} is no confidence", declared.name, text::in_quotes(value)), confidence_hint(value));
     return std::nullopt;
   }
   if (value.empty() || !is_number_column(column)) return std::string(value);
   if (declared.kind == Kind::money || declared.unit == "1") {
     if (text::parse_number(value)) return std::string(value);
     diagnostics.error(
-        where, fmt::format("{}: not a number: {}", declared.name, text::quoted(value)), text::number_hint(value));
+        where, fmt::format("{}: not a number: {}", declared.name, text::in_quotes(value)), text::number_hint(value));
     return std::nullopt;
   }
   std::string reason;
@@ -283,7 +283,7 @@ std::optional<Family> family_named(std::string_view name,
   std::vector<std::string_view> names;
   for (const FamilyDeclaration& each : families) names.push_back(each.name);
   diagnostics.error(where,
-                    "there is no part family " + text::quoted(name),
+                    "there is no part family " + text::in_quotes(name),
                     text::did_you_mean(name, names, fmt::format("families: {}", fmt::join(names, ", "))));
   return std::nullopt;
 }

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "catalogue/import_sheet.h"
+#include "text/characters.h"
 #include "text/nearest.h"
 
 namespace millwright::catalogue {
@@ -115,7 +116,6 @@ constexpr Synonyms synonyms[] = {
 
 bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
 bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return is_upper(c) || is_lower(c) || (static_cast<unsigned char>(c) & 0x80U) != 0; }
 
 /// One spelling for what is often abbreviated.
@@ -204,7 +204,7 @@ std::vector<std::string> words_of(std::string_view name) {
   };
   for (std::size_t i = 0; i < name.size(); ++i) {
     const char c = name[i];
-    if (!is_letter(c) && !is_digit(c)) {
+    if (!is_letter(c) && !text::is_digit(c)) {
       finish();
       continue;
     }
@@ -217,9 +217,9 @@ std::vector<std::string> words_of(std::string_view name) {
 
 bool has_quantity(std::string_view header) {
   for (std::size_t begin = 0; begin < header.size(); ++begin) {
-    if (!is_digit(header[begin])) continue;
+    if (!text::is_digit(header[begin])) continue;
     std::size_t end = begin;
-    while (end < header.size() && is_digit(header[end])) ++end;
+    while (end < header.size() && text::is_digit(header[end])) ++end;
     if (header.substr(begin, end - begin) != "1") return true;
     begin = end;
   }

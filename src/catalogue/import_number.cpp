@@ -5,12 +5,11 @@
 #include <array>
 
 #include "catalogue/import_sheet.h"
+#include "text/characters.h"
 #include "text/number.h"
 
 namespace millwright::catalogue {
 namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// Blanks and apostrophes that separate thousands, however they are typed.
 constexpr std::array<std::string_view, 6> group_marks = {
@@ -21,8 +20,9 @@ std::size_t group_mark_at(std::string_view text, std::size_t at) {
   for (const std::string_view mark : group_marks) {
     const std::size_t digits = at + mark.size();
     if (text.substr(at, mark.size()) != mark || digits + 3 > text.size()) continue;
-    const bool three = is_digit(text[digits]) && is_digit(text[digits + 1]) && is_digit(text[digits + 2]);
-    if (three && (digits + 3 == text.size() || !is_digit(text[digits + 3]))) return mark.size();
+    const bool three =
+        text::is_digit(text[digits]) && text::is_digit(text[digits + 1]) && text::is_digit(text[digits + 2]);
+    if (three && (digits + 3 == text.size() || !text::is_digit(text[digits + 3]))) return mark.size();
   }
   return 0;
 }
@@ -48,7 +48,7 @@ std::size_t exponent_length(std::string_view text) {
   std::size_t at = 1;
   if (at < text.size() && (text[at] == '-' || text[at] == '+')) ++at;
   const std::size_t first = at;
-  while (at < text.size() && is_digit(text[at])) ++at;
+  while (at < text.size() && text::is_digit(text[at])) ++at;
   return at == first || at - first > 3 ? 0 : at;
 }
 
@@ -57,7 +57,7 @@ std::size_t exponent_length(std::string_view text) {
 CellParts cut_cell(std::string_view cell) {
   CellParts parts;
   std::size_t first = 0;
-  while (first < cell.size() && !is_digit(cell[first])) ++first;
+  while (first < cell.size() && !text::is_digit(cell[first])) ++first;
   if (first == cell.size()) {
     parts.after = cell;
     return parts;
@@ -72,7 +72,7 @@ CellParts cut_cell(std::string_view cell) {
   std::size_t end = first;
   while (end < cell.size()) {
     const bool is_mark = cell[end] == '.' || cell[end] == ',';
-    if (is_digit(cell[end]) || (is_mark && end + 1 < cell.size() && is_digit(cell[end + 1]))) {
+    if (text::is_digit(cell[end]) || (is_mark && end + 1 < cell.size() && text::is_digit(cell[end + 1]))) {
       ++end;
     } else if (const std::size_t mark = group_mark_at(cell, end); mark > 0) {
       end += mark;
@@ -123,7 +123,7 @@ std::string plain_number(std::string_view number, DecimalMark mark) {
   std::size_t run = 0;  // digits since the last mark
   for (; at < number.size() && number[at] != 'e' && number[at] != 'E';) {
     const char c = number[at];
-    if (is_digit(c)) {
+    if (text::is_digit(c)) {
       plain += c;
       ++run;
       ++at;

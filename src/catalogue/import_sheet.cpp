@@ -130,7 +130,7 @@ std::optional<ImportSheet> load_workbook(const std::string& path,
   sheet.text = text::SourceText::from_string(path, std::move(read->text));
   if (format.sheet.empty() && read->names.size() > 1)
     sheet.remarks.push_back(fmt::format("sheet {}, the first of {}: {}",
-                                        text::quoted(read->name),
+                                        text::in_quotes(read->name),
                                         read->names.size(),
                                         text::printable(fmt::format("{}", fmt::join(read->names, ", ")), 120)));
   return sheet;

@@ -171,7 +171,7 @@ class Survey {
         column.mark = tally.commas > 0 ? DecimalMark::comma : DecimalMark::point;
         if (tally.ambiguous > 0)
           column.reasons.push_back(fmt::format("{} is read with a decimal {}, as other rows show",
-                                               text::quoted(tally.doubtful_cell),
+                                               text::in_quotes(tally.doubtful_cell),
                                                tally.commas > 0 ? "comma" : "point"));
         else if (tally.commas > 0)
           column.reasons.emplace_back("decimal comma");
@@ -201,14 +201,14 @@ class Survey {
     if ((pointed > 0) != (comma > 0)) {
       column.mark = comma > 0 ? DecimalMark::comma : DecimalMark::point;
       column.reasons.push_back(fmt::format("{} is read with a decimal {}, as in the other columns",
-                                           text::quoted(tally.doubtful_cell),
+                                           text::in_quotes(tally.doubtful_cell),
                                            comma > 0 ? "comma" : "point"));
       return;
     }
     diagnostics_.error(*tally.doubtful,
                        fmt::format("{}: {} may have a decimal mark or separate thousands, and no other row tells",
                                    declaration(*column.target).name,
-                                   text::quoted(tally.doubtful_cell)),
+                                   text::in_quotes(tally.doubtful_cell)),
                        "say --decimal point or --decimal comma");
   }
 

@@ -241,7 +241,7 @@ std::optional<ShopUnit> price_unit(std::string_view words, const scalar::Unit& e
   const std::size_t slash = per.find('/');
   const std::string currency = currency_of(per.substr(0, slash));
   if (currency.empty()) {
-    reason = fmt::format("{} is no currency", text::quoted(words));
+    reason = fmt::format("{} is no currency", text::in_quotes(words));
     return std::nullopt;
   }
   ShopUnit found;
@@ -254,7 +254,7 @@ std::optional<ShopUnit> price_unit(std::string_view words, const scalar::Unit& e
   } else if (expected.dimension() == scalar::dimension::none) {
     found.meaning = expected;
   } else {
-    reason = fmt::format("{} says a price, not per what", text::quoted(words));
+    reason = fmt::format("{} says a price, not per what", text::in_quotes(words));
     return std::nullopt;
   }
   return found;

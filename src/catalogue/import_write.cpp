@@ -105,8 +105,8 @@ class ImportWriter {
       if (!std::binary_search(hashes_.begin(), hashes_.begin() + old, hash)) continue;
       findings.error(table.where(row),
                      fmt::format("duplicate part {} of {}: it stands far above already",
-                                 text::quoted(table.part_number(row)),
-                                 text::quoted(table.manufacturer(row))));
+                                 text::in_quotes(table.part_number(row)),
+                                 text::in_quotes(table.manufacturer(row))));
     }
     std::sort(hashes_.begin() + old, hashes_.end());
     std::inplace_merge(hashes_.begin(), hashes_.begin() + old, hashes_.end());

@@ -85,7 +85,7 @@ class KnownColumns {
       diagnostics_.error(span(row, field), "currency is missing", "for example USD");
     else if (code.size() != 3 || !std::all_of(code.begin(), code.end(), [](char c) { return c >= 'A' && c <= 'Z'; }))
       diagnostics_.error(span(row, field),
-                         fmt::format("{} is not a currency", text::quoted(code)),
+                         fmt::format("{} is not a currency", text::in_quotes(code)),
                          "three capital letters, for example USD or EUR");
   }
 
@@ -95,7 +95,7 @@ class KnownColumns {
     if (known == names.end()) {
       diagnostics_.error(
           column.name_span,
-          fmt::format("{} has no column {}", file_name_, text::quoted(column.name)),
+          fmt::format("{} has no column {}", file_name_, text::in_quotes(column.name)),
           text::did_you_mean(column.name, names, fmt::format("its columns: {}", fmt::join(names, ", "))));
       return;
     }

@@ -6,14 +6,12 @@
 #include <numbers>
 
 #include "catalogue/lint_row.h"
+#include "scalar/elementary.h"
 
 namespace millwright::catalogue {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr double steel = 7.85e-6;  // kg/mm3
-
-double square(double x) { return x * x; }
 
 void lint_frame(const LintRow& row) {
   struct Frame {
@@ -61,7 +59,7 @@ void lint_ball_screw(const LintRow& row) {
   row.below("root-diameter", root, outside);
   row.below("root-diameter", root, nominal);
   row.agrees("outside-diameter", outside, row(nominal), 0.1, 0.5, "the nominal diameter");
-  const double shaft = pi / 4 * square((row(outside) + row(root)) / 2) * steel * 1e3;  // kg/m
+  const double shaft = std::numbers::pi / 4 * scalar::square((row(outside) + row(root)) / 2) * steel * 1e3;  // kg/m
   row.agrees("screw-mass", of("screw_mass_per_length"), shaft, 0.3, 2, "a steel shaft of the mean diameter");
   row.below("nut-diameter", outside, of("nut_outside_diameter"));
   constexpr Column fixed = of("static_load_rating");
@@ -85,11 +83,11 @@ void lint_lead_screw(const LintRow& row) {
   row.at_most("nut-thread", minor, of("nut_minor_diameter"));
   row.agrees("lead-angle",
              angle,
-             std::atan(row(lead) / (pi * row(mean))) * 180 / pi,
+             std::atan(row(lead) / (std::numbers::pi * row(mean))) * 180 / std::numbers::pi,
              0.005,
              0.05,
              "atan(lead / (pi pitch diameter))");
-  const double rod = pi / 4 * square(row(mean)) * steel * 1e3;
+  const double rod = std::numbers::pi / 4 * scalar::square(row(mean)) * steel * 1e3;
   row.agrees("screw-mass", of("screw_mass_per_length"), rod, 0.3, 2, "a steel rod of the pitch diameter");
   const std::string_view form = row.text(of("thread_form"));
   const double expected = form.starts_with("trapezoidal") ? 15
@@ -124,8 +122,12 @@ void lint_belt(const LintRow& row) {
 void lint_pulley(const LintRow& row) {
   constexpr auto of = [](std::string_view name) { return column(Family::pulleys, name); };
   constexpr Column outside = of("outside_diameter"), teeth = of("teeth");
-  row.agrees(
-      "pitch-diameter", of("pitch_diameter"), row(teeth) * row(of("pitch")) / pi, 0.002, 0.02, "teeth x pitch / pi");
+  row.agrees("pitch-diameter",
+             of("pitch_diameter"),
+             row(teeth) * row(of("pitch")) / std::numbers::pi,
+             0.002,
+             0.02,
+             "teeth x pitch / pi");
   row.below("outside-diameter", outside, of("pitch_diameter"));
   row.below("bore", of("bore"), outside);
   row.below("flange-diameter", outside, of("flange_diameter"));
@@ -137,12 +139,12 @@ void lint_pulley(const LintRow& row) {
 void lint_rack(const LintRow& row) {
   constexpr auto of = [](std::string_view name) { return column(Family::racks, name); };
   constexpr Column module = of("module"), width = of("face_width"), height = of("height"), mass = of("mass_per_length");
-  row.agrees("tooth-pitch", of("pitch"), row(module) * pi, 0.002, 0.02, "module x pi");
+  row.agrees("tooth-pitch", of("pitch"), row(module) * std::numbers::pi, 0.002, 0.02, "module x pi");
   row.agrees("pitch-line", of("pitch_height"), row(height) - row(module), 0.01, 0.1, "height less the module");
   row.within("root-geometry", height, row(height) / row(module), {2.25, 5, 25, 60}, "height / module");
   const double bar = row(width) * (row(height) - 1.06 * row(module)) * steel * 1e3;  // kg/m
   row.agrees("rack-mass", mass, bar, 0.25, 0.95, "a steel bar of that width and height less its gaps");
-  const double count = row(of("piece_length")) / (row(module) * pi);
+  const double count = row(of("piece_length")) / (row(module) * std::numbers::pi);
   row.expect("piece-length",
              of("piece_length"),
              !(std::abs(count - std::round(count)) > 0.03),

@@ -5,16 +5,15 @@
 #include <numbers>
 
 #include "catalogue/lint_row.h"
+#include "scalar/elementary.h"
 
 namespace millwright::catalogue {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
-double square(double x) { return x * x; }
-
 /// Tensile stress area of an ISO metric thread, ISO 898-1: pi/4 ((d2 + d3)/2)^2, in mm2.
-double stress_area(double diameter, double pitch) { return pi / 4 * square(diameter - 0.938194 * pitch); }
+double stress_area(double diameter, double pitch) {
+  return std::numbers::pi / 4 * scalar::square(diameter - 0.938194 * pitch);
+}
 
 void lint_thread(const LintRow& row) {
   constexpr auto of = [](std::string_view name) { return column(Family::threads, name); };

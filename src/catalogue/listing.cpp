@@ -39,7 +39,7 @@ void add_price(const Table& table, Column column, int row, double value, std::ve
 }
 
 /// As many digits as a catalogue gives: the shortest decimal that is the value to 12 digits.
-std::string digits(double value) { return scalar::format_number(value, 12); }
+std::string shortest_decimal(double value) { return scalar::format_number(value, 12); }
 
 std::string place_of(const text::SourceSpan& span, bool with_column) {
   const std::string line = fmt::format("{}:{}", span.text ? span.text->path() : std::string(), span.line);
@@ -122,7 +122,7 @@ PartSheet show(const Table& table, int row) {
       figure.si = table.number(each, row);
       if (std::isnan(figure.si)) return;
       figure.value = declared.kind == Kind::flag ? (figure.si != 0.0 ? "yes" : "no")
-                                                 : digits(display_unit(each).from_si(figure.si));
+                                                 : shortest_decimal(display_unit(each).from_si(figure.si));
       figure.unit = shown_unit(table, each, row);
       figure.standing = table.standing(row, each);
       figure.estimate = table.is_estimate(row, each);

@@ -80,7 +80,7 @@ class OfferReader {
       diagnostics_.error(reader_.span(row, supplier), "supplier is missing", "say who sells it at this price");
     if (!parse_price_breaks(offer.price_breaks))
       diagnostics_.error(reader_.span(row, price_breaks),
-                         fmt::format("{} are no price breaks", text::quoted(offer.price_breaks)),
+                         fmt::format("{} are no price breaks", text::in_quotes(offer.price_breaks)),
                          "pieces and the price of one from there on, rising: 10: 4.50; 100: 3.90");
     if (catalogue_ == nullptr) {
       check_terms(row, offer.cutting);
@@ -125,9 +125,10 @@ class OfferReader {
                          "leave price_breaks and pack_size empty");
     check_cutting(row, part.family, offer.cutting);
     if (table.text("supplier", part.row) == offer.supplier)
-      diagnostics_.error(reader_.span(row, supplier),
-                         fmt::format("the catalogue says itself what it costs from {}", text::quoted(offer.supplier)),
-                         "change the price in an overlay's row");
+      diagnostics_.error(
+          reader_.span(row, supplier),
+          fmt::format("the catalogue says itself what it costs from {}", text::in_quotes(offer.supplier)),
+          "change the price in an overlay's row");
     check_once(
         row, part.family, std::string(table.manufacturer(part.row)), std::string(table.part_number(part.row)), offer);
   }
@@ -141,7 +142,7 @@ class OfferReader {
     const auto [earlier, is_new] = seen_.try_emplace(std::tuple(family, maker, number, offer.supplier), row);
     if (!is_new && earlier->second != row)
       diagnostics_.error(offer.where,
-                         fmt::format("{} offers {} twice", text::quoted(offer.supplier), number),
+                         fmt::format("{} offers {} twice", text::in_quotes(offer.supplier), number),
                          fmt::format("first in line {}", csv_.row_span(earlier->second).line));
   }
 

@@ -5,17 +5,13 @@
 #include <charconv>
 #include <cmath>
 
+#include "text/characters.h"
+
 namespace millwright::catalogue {
 namespace {
 
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
-  return text;
-}
-
 std::optional<double> number_of(std::string_view text) {
-  text = trimmed(text);
+  text = text::without_blanks(text, " ");
   double value = 0.0;
   const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (problem != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;

@@ -14,8 +14,6 @@
 namespace millwright::catalogue {
 namespace {
 
-constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
-
 /// How often a given figure is wrong, before anything is looked at: one in fifty.
 constexpr double wrong_before = 0.02;
 /// Of wrong figures, how many are so by no usual slip (typing errors); such factors spread over a thousandth to a

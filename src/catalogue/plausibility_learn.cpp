@@ -14,8 +14,6 @@
 namespace millwright::catalogue {
 namespace {
 
-constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
-
 /// Rows that show a maker's habit.
 constexpr std::size_t habit_needs = 5;
 

@@ -191,7 +191,7 @@ class TableFileReader {
       } else {
         refuse(row,
                column,
-               fmt::format("{}: {} is neither yes nor no", declaration(column).name, text::quoted(cell)),
+               fmt::format("{}: {} is neither yes nor no", declaration(column).name, text::in_quotes(cell)),
                "write yes or no");
       }
     }
@@ -218,7 +218,7 @@ class TableFileReader {
                  !std::all_of(code.begin(), code.end(), [](char c) { return c >= 'A' && c <= 'Z'; })) {
         refuse(row,
                currency,
-               fmt::format("{} is not a currency", text::quoted(code)),
+               fmt::format("{} is not a currency", text::in_quotes(code)),
                "three capital letters, for example USD or EUR");
       }
     }
@@ -242,7 +242,7 @@ class TableFileReader {
       else if (!parse_price_breaks(text_of(breaks, row)))
         refuse(row,
                breaks,
-               fmt::format("{} are no price breaks", text::quoted(text_of(breaks, row))),
+               fmt::format("{} are no price breaks", text::in_quotes(text_of(breaks, row))),
                "pieces and the price of one from there on, rising: 10: 4.50; 100: 3.90");
     }
     for (const Column each : {column(family_, "pack_size"), column(family_, "owned_quantity")}) {
@@ -261,7 +261,7 @@ class TableFileReader {
       if (!word.empty() && word != unavailable && word != preferred && !diagnostics_.is_full(csv_.text().get()))
         diagnostics_.warning(
             csv_.cell_span(row, cell_column(availability)),
-            fmt::format("availability {} changes nothing", text::quoted(word)),
+            fmt::format("availability {} changes nothing", text::in_quotes(word)),
             "write unavailable if it cannot be had, or preferred; what is owned goes into owned_quantity");
     }
   }
@@ -290,7 +290,7 @@ class TableFileReader {
       if (!word) {
         refuse_cell(row,
                     field,
-                    fmt::format("{}: {} is no confidence", csv_.columns()[field].name, text::quoted(said)),
+                    fmt::format("{}: {} is no confidence", csv_.columns()[field].name, text::in_quotes(said)),
                     confidence_hint(said));
       } else if (*word != said) {
         TextCell& cell = kept[*word];
@@ -312,11 +312,12 @@ class TableFileReader {
         widths[row] = *width;
         continue;
       }
-      refuse_cell(row,
-                  companion.field,
-                  fmt::format("tolerance {} of {}: {}", text::quoted(cell), declaration(companion.figure).name, reason),
-                  companion.unit ? "a plain number, in the unit of the column"
-                                 : "a share such as 25 %, or a width with its unit");
+      refuse_cell(
+          row,
+          companion.field,
+          fmt::format("tolerance {} of {}: {}", text::in_quotes(cell), declaration(companion.figure).name, reason),
+          companion.unit ? "a plain number, in the unit of the column"
+                         : "a share such as 25 %, or a width with its unit");
     }
   }
 

@@ -8,6 +8,7 @@
 #include <limits>
 #include <string>
 
+#include "text/characters.h"
 #include "text/nearest.h"
 
 namespace millwright::catalogue {
@@ -19,19 +20,11 @@ bool contains_any(const std::string& text, std::initializer_list<std::string_vie
   return std::any_of(words.begin(), words.end(), [&](std::string_view word) { return text.find(word) != text.npos; });
 }
 
-std::string lower_case(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return result;
-}
-
 }  // namespace
 
 Standing standing_of(std::string_view basis) {
   if (basis.empty()) return Standing::unstated;
-  const std::string text = lower_case(basis);
+  const std::string text = text::lower_case(basis);
   if (contains_any(
           text, {"estimate", "assum", "typical", "placeholder", "about ", "equal to", "same winding", "*ultimate"})) {
     return Standing::estimated;

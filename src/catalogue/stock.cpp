@@ -52,7 +52,7 @@ class StockReader {
       mark.preferred = word == preferred;
       if (word != "yes" && word != "no" && !mark.preferred)
         diagnostics_.error(reader_.span(row, available),
-                           fmt::format("available: {} is none of yes, no and preferred", text::quoted(word)),
+                           fmt::format("available: {} is none of yes, no and preferred", text::in_quotes(word)),
                            "write yes, no or preferred");
     }
     if (!mark.available && mark.owned > 0.0)

@@ -44,7 +44,7 @@ void read_supplier_lines(const text::CsvTable& csv, Suppliers& result, text::Dia
     const auto [earlier, is_new] = seen.try_emplace(each.name, row);
     if (!is_new)
       diagnostics.error(each.where,
-                        fmt::format("{} stands in this file twice", text::quoted(each.name)),
+                        fmt::format("{} stands in this file twice", text::in_quotes(each.name)),
                         fmt::format("first in line {}", csv.row_span(earlier->second).line));
     if (diagnostics.error_count() != errors) continue;
     std::erase_if(result.suppliers, [&](const Supplier& known) { return known.name == each.name; });
@@ -108,7 +108,7 @@ void check_suppliers(const Catalogue& catalogue, const Suppliers& suppliers, tex
     names.push_back(each.name);
     if (!selling.contains(each.name))
       diagnostics.warning(each.where,
-                          fmt::format("{} sells no part of the catalogues", text::quoted(each.name)),
+                          fmt::format("{} sells no part of the catalogues", text::in_quotes(each.name)),
                           text::did_you_mean(each.name, selling, "say in offers.csv what it sells"));
     else if (each.charges() && ++charging == Suppliers::most_charging + 1)
       diagnostics.error(each.where,
@@ -120,7 +120,7 @@ void check_suppliers(const Catalogue& catalogue, const Suppliers& suppliers, tex
     if (!names.empty() && suppliers.find(offer.supplier) == nullptr && said.insert(offer.supplier).second)
       diagnostics.warning(
           offer.where,
-          fmt::format("suppliers.csv has no {}: orders there cost no shipping", text::quoted(offer.supplier)),
+          fmt::format("suppliers.csv has no {}: orders there cost no shipping", text::in_quotes(offer.supplier)),
           text::did_you_mean(offer.supplier, names, "give it a line there"));
 }
 

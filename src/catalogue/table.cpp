@@ -12,7 +12,6 @@
 namespace millwright::catalogue {
 namespace {
 
-constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 constexpr std::uint8_t manufacturer_index = column(Family::steppers, "manufacturer").index;
 constexpr std::uint8_t part_number_index = column(Family::steppers, "part_number").index;
 constexpr std::uint8_t confidence_index = column(Family::steppers, "confidence").index;

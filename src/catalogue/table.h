@@ -22,6 +22,9 @@
 
 namespace millwright::catalogue {
 
+/// A figure that a row does not give.
+inline constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+
 /// What a row costs, in its own currency (conversion needs the problem file's rates). NaN: not sold that way, or not
 /// known.
 struct Price {

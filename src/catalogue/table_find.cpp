@@ -49,7 +49,7 @@ std::vector<int> Table::rows_by_alias(std::string_view name) const {
 
 Found Table::find(std::string_view part_number_wanted, std::string_view manufacturer_wanted) const {
   const std::string family_name(declaration(family_).name);
-  const std::string wanted = text::quoted(part_number_wanted);
+  const std::string wanted = text::in_quotes(part_number_wanted);
   std::vector<int> there = rows_of(part_number_wanted);
   const bool by_alias = there.empty();
   if (by_alias) there = rows_by_alias(part_number_wanted);
@@ -73,7 +73,7 @@ Found Table::find(std::string_view part_number_wanted, std::string_view manufact
   keep_unique(makers);
   if (found.rows.empty()) {
     found.problem = Found::Problem::other_maker;
-    found.error = "no part " + wanted + " by " + text::quoted(manufacturer_wanted) + " in " + family_name;
+    found.error = "no part " + wanted + " by " + text::in_quotes(manufacturer_wanted) + " in " + family_name;
     found.hint = "it is made by " + listed(makers);
   } else if (manufacturer_wanted.empty() && makers.size() > 1) {
     found.problem = Found::Problem::ambiguous;

@@ -6,18 +6,11 @@
 #include <algorithm>
 
 #include "catalogue/rules.h"
+#include "text/characters.h"
 #include "text/nearest.h"
 
 namespace millwright::catalogue {
-namespace {
-
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t");
-  if (first == text.npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
-}  // namespace
+namespace {}  // namespace
 
 Waivers::Waivers(const Table& table, text::Diagnostics& diagnostics)
     : table_(table), column_{table.family(), column(Family::steppers, "waiver").index} {
@@ -25,16 +18,17 @@ Waivers::Waivers(const Table& table, text::Diagnostics& diagnostics)
     std::string_view rest = table.text(column_, row);
     if (rest.empty()) continue;
     std::vector<Waiver> waivers;
-    while (!trimmed(rest).empty()) {
-      const std::string_view one = trimmed(rest.substr(0, rest.find(';')));
+    while (!text::without_blanks(rest).empty()) {
+      const std::string_view one = text::without_blanks(rest.substr(0, rest.find(';')));
       rest = rest.find(';') == rest.npos ? std::string_view() : rest.substr(rest.find(';') + 1);
       if (one.empty()) continue;
-      const std::string_view rule = trimmed(one.substr(0, one.find(':')));
-      const std::string_view reason = one.find(':') == one.npos ? "" : trimmed(one.substr(one.find(':') + 1));
+      const std::string_view rule = text::without_blanks(one.substr(0, one.find(':')));
+      const std::string_view reason =
+          one.find(':') == one.npos ? "" : text::without_blanks(one.substr(one.find(':') + 1));
       const std::vector<std::string_view>& names = rule_names();
       if (std::find(names.begin(), names.end(), rule) == names.end()) {
         diagnostics.error(table.where(row, column_),
-                          fmt::format("waiver: there is no rule {}", text::quoted(rule)),
+                          fmt::format("waiver: there is no rule {}", text::in_quotes(rule)),
                           text::did_you_mean(rule, names, "a waiver is 'rule: reason', the rule as lint names it"));
       } else if (reason.empty()) {
         diagnostics.error(table.where(row, column_),

@@ -111,17 +111,17 @@ std::string WorkbookParts::part(const std::string& name, bool required) const {
       std::find_if(directory_.begin(), directory_.end(), [&](const auto& each) { return each.name == name; });
   if (entry == directory_.end()) {
     if (!required) return {};
-    throw WorkbookProblem{"lacks its part " + text::quoted(name), {}};
+    throw WorkbookProblem{"lacks its part " + text::in_quotes(name), {}};
   }
   if (entry->unpacked > workbook_size_limit)
     throw WorkbookProblem{fmt::format("{} in it unpacks to {} MB; at most {} MB are read",
-                                      text::quoted(name),
+                                      text::in_quotes(name),
                                       entry->unpacked >> 20U,
                                       workbook_size_limit >> 20U),
                           "save the sheet as CSV (UTF-8) and import that"};
   std::string reason;
   auto unpacked = text::unzip(bytes_, *entry, reason);
-  if (!unpacked) throw WorkbookProblem{fmt::format("{} in it {}", text::quoted(name), reason), {}};
+  if (!unpacked) throw WorkbookProblem{fmt::format("{} in it {}", text::in_quotes(name), reason), {}};
   return std::move(*unpacked);
 }
 
@@ -131,7 +131,7 @@ std::size_t wanted_sheet(const std::string& wanted, const std::vector<std::strin
   const auto found = std::find(names.begin(), names.end(), wanted);
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
   const std::string all = text::printable(fmt::format("sheets: {}", fmt::join(names, ", ")));
-  throw WorkbookProblem{"has no sheet " + text::quoted(wanted), text::did_you_mean(wanted, names, all)};
+  throw WorkbookProblem{"has no sheet " + text::in_quotes(wanted), text::did_you_mean(wanted, names, all)};
 }
 
 std::int64_t attribute_number(std::string_view text, std::int64_t fallback) {

@@ -102,7 +102,8 @@ struct Content : text::XmlListener {
   void add_cells() {
     if (has_error)
       throw WorkbookProblem{
-          fmt::format("the cell in row {}, column {} holds the error {}", row + 1, column + 1, text::quoted(text, 20)),
+          fmt::format(
+              "the cell in row {}, column {} holds the error {}", row + 1, column + 1, text::in_quotes(text, 20)),
           "mend its formula or clear it, and save the workbook"};
     const bool number = type == "float" || type == "percentage" || type == "currency";
     const std::optional<double> parsed = number ? text::parse_number(value) : std::nullopt;

@@ -242,7 +242,8 @@ struct SheetCells : Listener {
     }
     if (type == "e")
       throw WorkbookProblem{
-          fmt::format("the cell in row {}, column {} holds the error {}", row + 1, column + 1, text::quoted(value, 20)),
+          fmt::format(
+              "the cell in row {}, column {} holds the error {}", row + 1, column + 1, text::in_quotes(value, 20)),
           "mend its formula or clear it, and save the workbook"};
     if (type == "b") return cells.add_boolean(row, column, value == "1" || value == "true");
     const std::optional<double> number = type.empty() || type == "n" ? text::parse_number(value) : std::nullopt;

@@ -11,7 +11,9 @@ namespace {
 constexpr std::size_t pitch_diameter_field = 9;
 constexpr std::size_t bore_field = 13;
 
-std::vector<double> speed_edges(const machine::Axis& axis, const SlotTable& belts, const ReductionSlot& reduction) {
+std::vector<double> belt_speed_edges(const machine::Axis& axis,
+                                     const SlotTable& belts,
+                                     const ReductionSlot& reduction) {
   double smallest = scalar::rounding::infinity, largest = 0.0;
   for (std::size_t row = 0; row < belts.rows(); ++row) {
     smallest = std::min(smallest, 0.5 * belts.reading(row, pitch_diameter_field));
@@ -35,7 +37,7 @@ BeltDriveStage::BeltDriveStage(const machine::Axis& axis,
   motors_ = std::make_unique<MotorSet>(motor_table(catalogue, axis, voltages, prices),
                                        axis.require,
                                        voltages.size(),
-                                       speed_edges(axis, tables_.front(), reduction_));
+                                       belt_speed_edges(axis, tables_.front(), reduction_));
   tables_.push_back(motors_->motors().table);
   reduction_.add_to(tables_);
   for (SlotTable& table : tables_) table.multiply(drives_);

@@ -13,7 +13,9 @@ constexpr std::size_t rack_module = 0, rack_angle = 1;
 constexpr std::size_t pinion_module = 0, pinion_angle = 1, pinion_teeth = 2, pinion_bore = 4;
 
 /// Edges of the ranges of the torque table, from the slowest move on the largest pinion to the fastest on the smallest.
-std::vector<double> speed_edges(const machine::Axis& axis, const SlotTable& pinions, const ReductionSlot& reduction) {
+std::vector<double> rack_speed_edges(const machine::Axis& axis,
+                                     const SlotTable& pinions,
+                                     const ReductionSlot& reduction) {
   double smallest = scalar::rounding::infinity, largest = 0.0;
   for (std::size_t row = 0; row < pinions.rows(); ++row) {
     const double radius = 0.5 * pinions.reading(row, pinion_module) * pinions.reading(row, pinion_teeth);
@@ -42,7 +44,7 @@ RackDriveStage::RackDriveStage(const machine::Axis& axis,
   motors_ = std::make_unique<MotorSet>(motor_table(catalogue, axis, voltages, prices),
                                        axis.require,
                                        voltages.size(),
-                                       speed_edges(axis, tables_[pinion_slot], reduction_));
+                                       rack_speed_edges(axis, tables_[pinion_slot], reduction_));
   tables_.push_back(motors_->motors().table);
   reduction_.add_to(tables_);
   for (SlotTable& table : tables_) table.multiply(drives_);

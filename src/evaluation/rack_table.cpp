@@ -14,13 +14,6 @@ using catalogue::column;
 using catalogue::Family;
 using catalogue::Table;
 
-namespace {
-bool known(std::span<const double> values, const Candidate& candidate) {
-  return std::none_of(values.begin(), values.end(), [](double x) { return std::isnan(x); }) &&
-         !std::isnan(candidate.price) && !std::isnan(candidate.mass);
-}
-}  // namespace
-
 SlotTable rack_table(const catalogue::Catalogue& catalogue, const machine::Axis& axis, const PriceBook& prices) {
   SlotTable result("rack", machine::rack_reading_fields);
   const Table& t = catalogue.table(Family::racks);
@@ -54,7 +47,7 @@ SlotTable rack_table(const catalogue::Catalogue& catalogue, const machine::Axis&
       const auto ranges = readings_of([&](catalogue::Column c) { return t.range(c, row); });
       candidate.ranges = candidate_ranges(ranges, candidate.price, {}, ranges.back());
     }
-    if (known(readings, candidate)) result.add(std::move(candidate), readings);
+    if (is_known(readings, candidate)) result.add(std::move(candidate), readings);
   }
   return result;
 }
@@ -83,7 +76,7 @@ SlotTable pinion_table(const catalogue::Catalogue& catalogue, const PriceBook& p
                                           candidate.price,
                                           {},
                                           t.range(column(Family::pinions, "mass"), row));
-    if (known(readings, candidate)) result.add(std::move(candidate), readings);
+    if (is_known(readings, candidate)) result.add(std::move(candidate), readings);
   }
   return result;
 }

@@ -78,7 +78,9 @@ std::vector<double> log_spaced(double from, double to) {
 namespace {
 
 /// Edges of the ranges of the torque table, from the slowest move on the longest lead to the fastest on the shortest.
-std::vector<double> speed_edges(const machine::Axis& axis, const ScrewTable& screws, const ReductionSlot& reduction) {
+std::vector<double> screw_speed_edges(const machine::Axis& axis,
+                                      const ScrewTable& screws,
+                                      const ReductionSlot& reduction) {
   double longest = 0.0, shortest = scalar::rounding::infinity;
   for (const auto& f : screws.figures) {
     longest = std::max(longest, f.lead);
@@ -119,7 +121,7 @@ ScrewDriveStage::ScrewDriveStage(const machine::Axis& axis,
   motors_ = std::make_unique<MotorSet>(motor_table(catalogue, axis, voltages, prices),
                                        axis.require,
                                        voltages.size(),
-                                       speed_edges(axis, screws_, reduction_));
+                                       screw_speed_edges(axis, screws_, reduction_));
   tables_.push_back(screws_.table);
   tables_.push_back(motors_->motors().table);
   const auto add = [&](SlotTable table) {

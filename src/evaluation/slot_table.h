@@ -68,6 +68,12 @@ struct Candidate {
   std::shared_ptr<const CandidateRanges> ranges = {};
 };
 
+/// Whether nothing a check reads is missing (NaN): neither `readings` nor price nor mass.
+inline bool is_known(std::span<const double> readings, const Candidate& candidate) {
+  return std::none_of(readings.begin(), readings.end(), [](double x) { return std::isnan(x); }) &&
+         !std::isnan(candidate.price) && !std::isnan(candidate.mass);
+}
+
 inline double total_of(const Candidate& candidate, Total what) {
   switch (what) {
     case Total::price:

@@ -13,13 +13,6 @@ using catalogue::column;
 using catalogue::Family;
 using catalogue::Table;
 
-namespace {
-bool known(std::span<const double> values, const Candidate& candidate) {
-  return std::none_of(values.begin(), values.end(), [](double x) { return std::isnan(x); }) &&
-         !std::isnan(candidate.price) && !std::isnan(candidate.mass);
-}
-}  // namespace
-
 SlotTable coupling_table(const catalogue::Catalogue& catalogue, const PriceBook& prices) {
   // The misalignments are read by soft checks only: a coupling without them stays.
   constexpr std::size_t needed = 6;
@@ -51,7 +44,7 @@ SlotTable coupling_table(const catalogue::Catalogue& catalogue, const PriceBook&
     if (t.has_ranges())
       candidate.ranges =
           candidate_ranges(readings_of(range), candidate.price, {}, range(column(Family::couplings, "mass")));
-    if (known(std::span(readings).first(needed), candidate)) result.add(std::move(candidate), readings);
+    if (is_known(std::span(readings).first(needed), candidate)) result.add(std::move(candidate), readings);
   }
   return result;
 }
@@ -94,7 +87,7 @@ SlotTable support_table(const catalogue::Catalogue& catalogue,
     if (t.has_ranges())
       candidate.ranges =
           candidate_ranges(readings_of(range), candidate.price, {}, range(column(Family::support_bearings, "mass")));
-    if (known(readings, candidate)) result.add(std::move(candidate), readings);
+    if (is_known(readings, candidate)) result.add(std::move(candidate), readings);
   }
   return result;
 }
@@ -191,7 +184,7 @@ SlotTable belt_table(const catalogue::Catalogue& catalogue, const machine::Axis&
           candidate.ranges = candidate_ranges(
               ranges, candidate.price, {}, ranges[mass_field] + pulleys.range(mass, d) + pulleys.range(mass, i));
         }
-        if (known(readings, candidate)) result.add(std::move(candidate), readings);
+        if (is_known(readings, candidate)) result.add(std::move(candidate), readings);
       }
     }
   }

@@ -31,7 +31,7 @@ constexpr FigureName bolt_names[] = {{"d", "nominal diameter of the screw", "mm"
                                      {"A_s", "tensile stress area", "mm2"},
                                      {"S_p", "proof strength", "MPa"},
                                      {"R_e", "yield strength", "MPa"}};
-constexpr FigureName carried{"m_c", "mass that is carried", "kg"};
+constexpr FigureName carried_by_member{"m_c", "mass that is carried", "kg"};
 
 }  // namespace
 
@@ -43,7 +43,7 @@ void write_calculation(const machine::GuideSystem<double>& element, ElementWorks
   d.bushings = element.bushings;
   given.take_all(
       guide_names, element.guide, d.guide, [](auto& r, auto&& visit) { machine::visit_guide_reading(r, visit); });
-  d.carried_mass = given.take(carried, element.carried_mass);
+  d.carried_mass = given.take(carried_by_member, element.carried_mass);
   d.acceleration_time = given.take({"t_a", "shortest time of a ramp", "s"}, element.acceleration_time);
   d.derive();
   machine::guide_constraints(CalculationVisitor(d, sheet));
@@ -77,7 +77,7 @@ void write_calculation(const machine::StructureMember<double>& element, ElementW
       });
       break;
   }
-  d.carried_mass = given.take(carried, element.carried_mass);
+  d.carried_mass = given.take(carried_by_member, element.carried_mass);
   d.derive();
   machine::member_constraints(CalculationVisitor(d, sheet));
 }
@@ -90,7 +90,7 @@ void write_calculation(const machine::BoltedJoint<double>& element, ElementWorks
       bolt_names, element.bolt, d.bolt, [](auto& r, auto&& visit) { machine::visit_bolt_reading(r, visit); });
   switch (element.data->member.bolts.holds) {
     case machine::Held::burden:
-      d.carried_mass = given.take(carried, element.carried_mass);
+      d.carried_mass = given.take(carried_by_member, element.carried_mass);
       break;
     case machine::Held::motor:
       d.held_force = given.take({"F_m", "weight of the motor and pull at its shaft", "N"}, element.held_force);

@@ -22,9 +22,9 @@ bool is_position_error(const UnmetCheck& check) {
 }
 
 /// One attempt after the other: the required position errors of some axes times a factor.
-class Relaxation {
+class Loosening {
  public:
-  Relaxation(const MachineModel& model, const std::vector<UnmetCheck>& unmet, const SearchOptions& options, bool mapped)
+  Loosening(const MachineModel& model, const std::vector<UnmetCheck>& unmet, const SearchOptions& options, bool mapped)
       : model_(model), options_(options), problem_(model.machine()), mapped_(mapped) {
     options_.objectives = {"cost"};
     for (const UnmetCheck& check : unmet) relax(check.axis);
@@ -91,7 +91,7 @@ class Relaxation {
 
 /// The least factor, to 1 %, at which something is compliant, and the cheapest build then. When time is up, the least
 /// found so far.
-std::optional<WayOut> least_relaxation(Relaxation& relaxation) {
+std::optional<WayOut> least_relaxation(Loosening& relaxation) {
   constexpr double precision = 1.01, hopeless = 1e3;
   double refused = 1.0, accepted = 1.0;
   std::optional<Design> design = relaxation.solve(accepted);
@@ -120,7 +120,7 @@ std::vector<WayOut> ways_out(const MachineModel& model,
   if (unmet.empty() || !std::all_of(unmet.begin(), unmet.end(), is_position_error)) return result;
   SearchOptions left = options;
   for (const bool mapped : {false, true}) {
-    Relaxation relaxation(model, unmet, left, mapped);
+    Loosening relaxation(model, unmet, left, mapped);
     if (!relaxation.makes_sense()) continue;
     if (auto way = least_relaxation(relaxation)) result.push_back(std::move(*way));
     left.time_limit_seconds = std::max(0.0, left.time_limit_seconds - relaxation.spent());

@@ -145,7 +145,7 @@ class Reader {
     for (std::size_t other = row; other < table_.row_count(); ++other) lines += cell(other, "axis") == name ? 1U : 0U;
     diagnostics_.error(span(row, "axis"),
                        fmt::format("axis: the problem has no axis {}{}",
-                                   text::quoted(name),
+                                   text::in_quotes(name),
                                    lines > 1 ? fmt::format(" ({} lines)", lines) : ""),
                        text::did_you_mean(name, names, fmt::format("axes: {}", fmt::join(names, ", "))));
     return false;
@@ -167,7 +167,7 @@ class Reader {
       diagnostics_.error(span(row, "slot"), "slot: the cell is empty", all);
     else
       diagnostics_.error(span(row, "slot"),
-                         fmt::format("slot: axis '{}' has no {}", axis, text::quoted(slot)),
+                         fmt::format("slot: axis '{}' has no {}", axis, text::in_quotes(slot)),
                          text::did_you_mean(slot, slots, all));
     return false;
   }
@@ -218,7 +218,7 @@ class Reader {
   void check_origin(std::size_t row, const std::string& origin) {
     if (origin.empty() || contains(origins, origin)) return;
     diagnostics_.warning(span(row, "origin"),
-                         fmt::format("origin: {} means nothing here", text::quoted(origin)),
+                         fmt::format("origin: {} means nothing here", text::in_quotes(origin)),
                          text::did_you_mean(origin, origins, "paper, ours, or empty"));
   }
 

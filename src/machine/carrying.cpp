@@ -47,7 +47,7 @@ class Forest {
     const auto found = std::find(names_.begin(), names_.end(), name);
     if (found == names_.end()) {
       diagnostics_.error(entry.span(),
-                         fmt::format("carries: there is no axis {}", text::quoted(name)),
+                         fmt::format("carries: there is no axis {}", text::in_quotes(name)),
                          text::did_you_mean(name, names_, fmt::format("axes: {}", fmt::join(names_, ", "))));
       return;
     }

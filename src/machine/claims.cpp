@@ -5,11 +5,11 @@
 #include <charconv>
 #include <cmath>
 
+#include "text/characters.h"
+
 namespace millwright::machine {
 
 namespace {
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 template <class Rows>
 auto find_id(const Rows& rows, const std::string& id) -> decltype(rows.data()) {
   const auto found = std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.id == id; });
@@ -35,7 +35,7 @@ Digits digits_of(std::string_view number) {
   bool leading = true;
   for (const char c : number.substr(0, e)) {
     if (c == '.') after_point = true;
-    if (!is_digit(c)) continue;
+    if (!text::is_digit(c)) continue;
     if (c != '0') leading = false;
     if (!leading) ++digits.significant;
     if (after_point) ++digits.decimals;

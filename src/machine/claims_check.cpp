@@ -11,7 +11,7 @@ namespace millwright::machine {
 
 namespace {
 using text::did_you_mean;
-using text::quoted;
+using text::in_quotes;
 
 // Longer chains than this are no calculation that somebody wrote, and would exhaust the stack.
 constexpr int longest_chain = 400;
@@ -64,13 +64,13 @@ class Checker {
     for (const Operand& item : operand.items) operand_names(item);
     if (operand.kind == Operand::Kind::input && !file_.find_input(operand.axis, operand.name)) {
       diagnostics_.error(operand.where,
-                         "axis " + operand.axis + " has no input " + quoted(operand.name),
+                         "axis " + operand.axis + " has no input " + in_quotes(operand.name),
                          did_you_mean(operand.name, input_names(operand.axis)));
     }
     if (operand.kind == Operand::Kind::row) known_row(operand.name, "", operand.where);
     if (operand.kind == Operand::Kind::printed && !file_.find_claim(operand.name)) {
       diagnostics_.error(
-          operand.where, "no printed result " + quoted(operand.name), did_you_mean(operand.name, row_ids_));
+          operand.where, "no printed result " + in_quotes(operand.name), did_you_mean(operand.name, row_ids_));
     }
   }
   /// `axis` is given where the name might also have been meant as one of its inputs.
@@ -78,12 +78,12 @@ class Checker {
     const ClaimRow* row = file_.find_row(id);
     if (row && row->calculation) return;
     if (row) {
-      diagnostics_.error(where, "row " + quoted(id) + " has no computed value", "use { printed = \"" + id + "\" }");
+      diagnostics_.error(where, "row " + in_quotes(id) + " has no computed value", "use { printed = \"" + id + "\" }");
       return;
     }
     std::vector<std::string> candidates = axis.empty() ? std::vector<std::string>() : input_names(axis);
     candidates.insert(candidates.end(), row_ids_.begin(), row_ids_.end());
-    diagnostics_.error(where, "nothing is called " + quoted(id) + " here", did_you_mean(id, candidates));
+    diagnostics_.error(where, "nothing is called " + in_quotes(id) + " here", did_you_mean(id, candidates));
   }
   std::vector<std::string> input_names(const std::string& axis) {
     std::vector<std::string> result;
@@ -97,7 +97,7 @@ class Checker {
   void circle(const ClaimRow& row, int depth) {
     if (done_.contains(row.id) || !row.calculation) return;
     if (open_.contains(row.id)) {
-      diagnostics_.error(row.where, "row " + quoted(row.id) + " is computed from itself");
+      diagnostics_.error(row.where, "row " + in_quotes(row.id) + " is computed from itself");
       return;
     }
     if (depth > longest_chain) {

@@ -4,13 +4,14 @@
 #include <algorithm>
 #include <charconv>
 
+#include "text/characters.h"
+
 namespace millwright::machine {
 
 namespace {
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool begins_name(char c) { return text::is_letter(c) || c == '_'; }
 constexpr int deepest = 100;
-constexpr std::size_t largest = 2000;  // numbers, names and operators; one below the other, they are walked down
+constexpr std::size_t most_terms = 2000;  // numbers, names and operators; one below the other, they are walked down
 }  // namespace
 
 /// Recursive descent; the first failure stops it.
@@ -44,7 +45,7 @@ class ExpressionParser {
     return 0;
   }
   std::size_t add(Operation operation, std::size_t left = 0, std::size_t right = 0, double number = 0.0) {
-    if (result_.nodes_.size() == largest) return fail("the expression is too long");
+    if (result_.nodes_.size() == most_terms) return fail("the expression is too long");
     ClaimExpression::Node node;
     node.operation = operation;
     node.number = number;
@@ -101,8 +102,8 @@ class ExpressionParser {
   std::size_t atom() {
     const char c = at();
     if (take('(')) return closed(sum());
-    if (is_digit(c) || c == '.') return number();
-    if (is_letter(c)) return name();
+    if (text::is_digit(c) || c == '.') return number();
+    if (begins_name(c)) return name();
     return fail(c == '\0' ? "the expression ends too early" : "a number, a name or a bracket was expected here");
   }
   std::size_t closed(std::size_t inner) {
@@ -119,7 +120,7 @@ class ExpressionParser {
   }
   std::size_t name() {
     const std::size_t begin = offset_;
-    while (offset_ < text_.size() && (is_letter(text_[offset_]) || is_digit(text_[offset_]))) ++offset_;
+    while (offset_ < text_.size() && (begins_name(text_[offset_]) || text::is_digit(text_[offset_]))) ++offset_;
     const std::string word(text_.substr(begin, offset_ - begin));
     if (word == "pi") return add(Operation::pi);
     if (at() == '(') {

@@ -9,8 +9,8 @@
 namespace millwright::machine {
 
 namespace {
+using text::in_quotes;
 using text::Node;
-using text::quoted;
 
 class ClaimsReader {
  public:
@@ -74,7 +74,7 @@ class ClaimsReader {
       if (!is_new) {
         diagnostics_.add({text::Severity::error,
                           row.where,
-                          "row " + quoted(row.id) + " is there twice",
+                          "row " + in_quotes(row.id) + " is there twice",
                           "a name stands for one row in the whole file",
                           first->second,
                           "first here"});
@@ -116,7 +116,7 @@ class ClaimsReader {
       if (auto value = parse_printed(printed, reason)) {
         claim.printed = std::move(*value);
       } else {
-        wrong(*block.find("printed"), "not a printed value: " + quoted(printed), reason);
+        wrong(*block.find("printed"), "not a printed value: " + in_quotes(printed), reason);
         return;
       }
     }

@@ -11,8 +11,8 @@ namespace millwright::machine {
 
 namespace {
 using text::did_you_mean;
+using text::in_quotes;
 using text::Node;
-using text::quoted;
 
 std::vector<std::string> formula_names() {
   std::vector<std::string> names;
@@ -49,7 +49,7 @@ std::string what(const Node& node) { return std::string(text::describe(node.kind
 void CalculationReader::check_keys(const Node& table, std::initializer_list<std::string_view> known) {
   for (const text::TableEntry& entry : table.entries()) {
     if (contains(known, entry.key)) continue;
-    diagnostics_.error(entry.key_span, "unknown key " + quoted(entry.key), did_you_mean(entry.key, known));
+    diagnostics_.error(entry.key_span, "unknown key " + in_quotes(entry.key), did_you_mean(entry.key, known));
   }
 }
 
@@ -83,7 +83,7 @@ std::optional<scalar::Quantity> CalculationReader::quantity(const Node& node) {
   std::string reason;
   const auto value = parse_printed(*text, reason);
   if (!value) {
-    diagnostics_.error(node.span(), "not a quantity: " + quoted(*text), reason);
+    diagnostics_.error(node.span(), "not a quantity: " + in_quotes(*text), reason);
     return std::nullopt;
   }
   return scalar::Quantity{value->unit.to_si(value->number), value->unit};
@@ -165,7 +165,7 @@ bool CalculationReader::choose_formula(const Node& name, Calculation& calculatio
   calculation.formula = mechanics::find_formula(word);
   calculation.where = name.span();
   if (calculation.formula) return true;
-  diagnostics_.error(name.span(), "no formula is called " + quoted(word), did_you_mean(word, formula_names()));
+  diagnostics_.error(name.span(), "no formula is called " + in_quotes(word), did_you_mean(word, formula_names()));
   return false;
 }
 
@@ -191,7 +191,7 @@ bool CalculationReader::add_operands(const Node& table,
     if (!contains(names, entry.key)) {
       const std::string owner = calculation.formula ? calculation.formula->name() : "the expression";
       diagnostics_.error(
-          entry.key_span, owner + " has no argument " + quoted(entry.key), did_you_mean(entry.key, names));
+          entry.key_span, owner + " has no argument " + in_quotes(entry.key), did_you_mean(entry.key, names));
       good = false;
       continue;
     }

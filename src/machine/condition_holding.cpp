@@ -5,13 +5,14 @@
 
 #include <cmath>
 
+#include "machine/constraint.h"
+
 namespace millwright::machine {
 
 namespace {
 
 constexpr double smallest_brake = 1e-3;  ///< N.m, below which no brake is worth its name
 constexpr int stops_to_balance = 4;      ///< quarters of the stated weight
-constexpr double standard_gravity = 9.80665;
 
 /// Mass that is stated of an axis and all that it carries [kg].
 double stated_mass(const Problem& problem, std::size_t axis) {

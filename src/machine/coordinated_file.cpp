@@ -127,7 +127,7 @@ class CoordinatedReader {
       return std::nullopt;
     }
     diagnostics_.error(entry.key_span,
-                       fmt::format("{}: the problem has no axis {}", key, text::quoted(entry.key)),
+                       fmt::format("{}: the problem has no axis {}", key, text::in_quotes(entry.key)),
                        text::did_you_mean(entry.key, names, fmt::format("axes: {}", fmt::join(names, ", "))));
     return std::nullopt;
   }
@@ -146,14 +146,14 @@ class CoordinatedReader {
       diagnostics_.add(std::move(twice));
     };
     const auto [first, added] = names_.try_emplace(path.name, name->span());
-    if (!added) return complain(fmt::format("name: there are two moves {}", text::quoted(path.name)), first->second);
+    if (!added) return complain(fmt::format("name: there are two moves {}", text::in_quotes(path.name)), first->second);
     for (const Part& part : parts)
       for (const Move& own : problem_.axes[part.axis].moves)
         if (own.name == path.name)
-          return complain(
-              fmt::format(
-                  "name: axis '{}' has a move {} of its own", problem_.axes[part.axis].name, text::quoted(path.name)),
-              own.where);
+          return complain(fmt::format("name: axis '{}' has a move {} of its own",
+                                      problem_.axes[part.axis].name,
+                                      text::in_quotes(path.name)),
+                          own.where);
   }
 
   /// Without a jerk of the path, that at which no axis exceeds its own.

@@ -128,7 +128,7 @@ class Reader {
     std::transform(
         upper.begin(), upper.end(), upper.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
     diagnostics_.error(entry.key_span,
-                       fmt::format("currency: {} is no currency that is known here", text::quoted(entry.key)),
+                       fmt::format("currency: {} is no currency that is known here", text::in_quotes(entry.key)),
                        is_code(upper) ? fmt::format("did you mean '{}'?", upper)
                                       : "three capital letters, such as USD, EUR, GBP, CNY");
   }

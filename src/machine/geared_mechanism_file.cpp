@@ -131,7 +131,7 @@ void check_list(const std::vector<const Node*>& nodes, const Mechanism& mechanis
     if (same != all.begin() + static_cast<std::ptrdiff_t>(i)) {
       text::Diagnostic twice;
       twice.where = nodes[i]->find("name")->span();
-      twice.message = fmt::format("name: two reductions are called {}", text::quoted(all[i].name));
+      twice.message = fmt::format("name: two reductions are called {}", text::in_quotes(all[i].name));
       twice.hint = "give each its own name: the bill of materials tells them by it";
       twice.related = nodes[static_cast<std::size_t>(same - all.begin())]->find("name")->span();
       twice.related_message = "first here";

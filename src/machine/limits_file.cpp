@@ -46,7 +46,7 @@ std::optional<double> read_amount(const std::string& text, const Problem& proble
   fault.hint = fmt::format("write for example {} {}", 400, problem.currency);
   const auto amount = text::parse_number(number);
   if (!amount) {
-    fault.message = text::quoted(number) + " is not a number";
+    fault.message = text::in_quotes(number) + " is not a number";
     fault.hint = number.find(',') == std::string::npos
                      ? text::number_hint(number)
                      : "decimals have a point, and nothing stands between thousands: write for example 1200.50";
@@ -61,7 +61,7 @@ std::optional<double> read_amount(const std::string& text, const Problem& proble
     return *amount * rate->second.rate;
   fault.offset = unit;
   fault.length = currency.size();
-  fault.message = fmt::format("the problem has no rate for {}", text::quoted(currency));
+  fault.message = fmt::format("the problem has no rate for {}", text::in_quotes(currency));
   const std::vector<std::string> codes = currencies_of(problem);
   fault.hint = text::did_you_mean(currency, codes, fmt::format("its currencies: {}", fmt::join(codes, ", ")));
   return std::nullopt;
@@ -104,7 +104,7 @@ std::vector<LimitOption> add_limits(const std::vector<std::string>& words, Probl
     if (!word) continue;
     if (std::find(names.begin(), names.end(), word->name) == names.end()) {
       diagnostics.error(word->name_span(),
-                        fmt::format("there is no limit of {}", text::quoted(word->name)),
+                        fmt::format("there is no limit of {}", text::in_quotes(word->name)),
                         text::did_you_mean(word->name, names, "limits: cost, mass"));
       continue;
     }

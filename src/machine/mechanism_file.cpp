@@ -32,7 +32,7 @@ void read_screw_families(TableReader& table, QuantityReader& q, Mechanism& mecha
     else if (!family.empty())
       diagnostics.error(
           word->span(),
-          fmt::format("screw: {} is no kind of screw", text::quoted(family)),
+          fmt::format("screw: {} is no kind of screw", text::in_quotes(family)),
           text::did_you_mean(
               family, std::vector<std::string_view>{"ball_screws", "lead_screws"}, "ball_screws or lead_screws"));
   }
@@ -198,7 +198,7 @@ MotorChoice read_motor(const Node& node, const std::string& title, Diagnostics& 
     std::string size;
     std::copy_if(word.begin(), word.end(), std::back_inserter(size), digit);
     diagnostics.error(frame->span(),
-                      fmt::format("frame: {} is no motor frame", text::quoted(word)),
+                      fmt::format("frame: {} is no motor frame", text::in_quotes(word)),
                       fmt::format("write \"NEMA{}\", without blank", size.empty() ? "23" : size));
   }
   motor.currents = q.choices(

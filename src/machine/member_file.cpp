@@ -66,7 +66,7 @@ void read_sections(TableReader& table, QuantityReader& q, Member& member, Diagno
     if (family.empty() || family == "steel_sections" || family == "extrusions") continue;
     diagnostics.error(
         node->span(),
-        fmt::format("sections: {} has none", text::quoted(family)),
+        fmt::format("sections: {} has none", text::in_quotes(family)),
         text::did_you_mean(
             family, std::vector<std::string_view>{"steel_sections", "extrusions"}, "steel_sections or extrusions"));
   }

@@ -273,7 +273,7 @@ void read_moves(const Node& moves, const MoveLimits& limits, Axis& axis, Diagnos
     if (added) continue;
     text::Diagnostic twice;
     twice.where = name->span();
-    twice.message = fmt::format("name: axis '{}' has two moves {}", axis.name, text::quoted(move.name));
+    twice.message = fmt::format("name: axis '{}' has two moves {}", axis.name, text::in_quotes(move.name));
     twice.hint = "give each move its own name, or none";
     twice.related = first->second;
     twice.related_message = "first here";

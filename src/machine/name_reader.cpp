@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+#include "text/characters.h"
+
 namespace millwright::machine {
 
 using text::Diagnostics;
@@ -14,8 +16,7 @@ using text::Node;
 
 namespace {
 
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-bool is_name_character(char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '-'; }
+bool is_name_character(char c) { return text::is_letter(c) || text::is_digit(c) || c == '_' || c == '-'; }
 
 /// Bytes of the character that begins here.
 std::size_t character_length(const std::string& word, std::size_t begin) {
@@ -28,7 +29,7 @@ std::string repaired(const std::string& word) {
   std::string name;
   for (std::size_t i = 0; i < word.size(); i += character_length(word, i))
     name += is_name_character(word[i]) ? word[i] : '_';
-  if (!is_letter(name.front())) name.insert(0, "x");
+  if (!text::is_letter(name.front())) name.insert(0, "x");
   return name;
 }
 
@@ -38,10 +39,10 @@ bool check_name(const Node& node, const std::string& what, Diagnostics& diagnost
   const std::string word = node.as_string().value_or("");
   if (word.empty()) return false;
   std::size_t wrong = 0;
-  while (wrong < word.size() && (wrong == 0 ? is_letter(word[0]) : is_name_character(word[wrong]))) ++wrong;
+  while (wrong < word.size() && (wrong == 0 ? text::is_letter(word[0]) : is_name_character(word[wrong]))) ++wrong;
   if (wrong == word.size()) return true;
   diagnostics.error(node.part_span(wrong, character_length(word, wrong)),
-                    fmt::format("name: {} cannot be called {}", what, text::quoted(word)),
+                    fmt::format("name: {} cannot be called {}", what, text::in_quotes(word)),
                     fmt::format("names stand in bills of materials and in --set: a letter, then letters, digits, _ "
                                 "and -, for example \"{}\"",
                                 repaired(word)));
@@ -90,7 +91,7 @@ std::vector<std::string> QuantityReader::words(const text::Key& key, const std::
           node->span(), fmt::format("{}: an empty word", key.name), "leave it out, or write what is wanted");
     if (!word->empty() && std::find(seen.begin(), seen.end(), *word) != seen.end())
       diagnostics_.error(
-          node->span(), fmt::format("{}: {} is there twice", key.name, text::quoted(*word)), "leave one out");
+          node->span(), fmt::format("{}: {} is there twice", key.name, text::in_quotes(*word)), "leave one out");
     seen.push_back(*word);
   }
   const Node* list = table_.find(key.name);

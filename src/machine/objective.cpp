@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "machine/problem.h"
+#include "text/characters.h"
 #include "text/diagnostic.h"
 #include "text/nearest.h"
 #include "text/number.h"
@@ -29,8 +30,7 @@ std::vector<std::string_view> quantity_names() {
   return names;
 }
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+bool begins_name(char c) { return text::is_letter(c) || c == '_'; }
 
 /// Reads terms one by one; the first fault ends it.
 class ObjectiveReader {
@@ -73,13 +73,13 @@ class ObjectiveReader {
   std::optional<ObjectiveTerm> read_term(const Objective& before) {
     ObjectiveTerm term;
     skip_blanks();
-    if (at_ < text_.size() && (is_digit(text_[at_]) || text_[at_] == '.' || text_[at_] == '-')) {
+    if (at_ < text_.size() && (text::is_digit(text_[at_]) || text_[at_] == '.' || text_[at_] == '-')) {
       const auto weight = read_weight();
       if (!weight) return std::nullopt;
       term.weight = *weight;
     }
     const std::size_t begin = at_;
-    while (at_ < text_.size() && (is_letter(text_[at_]) || (at_ > begin && is_digit(text_[at_])))) ++at_;
+    while (at_ < text_.size() && (begins_name(text_[at_]) || (at_ > begin && text::is_digit(text_[at_])))) ++at_;
     const std::string_view word = text_.substr(begin, at_ - begin);
     const std::string all = fmt::format("quantities: {}", fmt::join(quantity_names(), ", "));
     if (word.empty()) return fail(begin, rest_of_word(), "the name of a quantity is expected here", all);
@@ -88,7 +88,7 @@ class ObjectiveReader {
     if (found == declarations.end())
       return fail(begin,
                   word.size(),
-                  fmt::format("there is no quantity {}", text::quoted(word)),
+                  fmt::format("there is no quantity {}", text::in_quotes(word)),
                   text::did_you_mean(word, quantity_names(), all));
     term.quantity = found->quantity;
     for (const ObjectiveTerm& other : before.terms)
@@ -101,21 +101,21 @@ class ObjectiveReader {
   std::optional<double> read_weight() {
     const std::size_t begin = at_;
     if (text_[at_] == '-') ++at_;
-    while (at_ < text_.size() && (is_digit(text_[at_]) || text_[at_] == '.' || text_[at_] == ',')) ++at_;
+    while (at_ < text_.size() && (text::is_digit(text_[at_]) || text_[at_] == '.' || text_[at_] == ',')) ++at_;
     // An exponent, if digits follow: else it is the name of a quantity.
     if (at_ < text_.size() && (text_[at_] == 'e' || text_[at_] == 'E')) {
       std::size_t digits = at_ + 1;
       if (digits < text_.size() && (text_[digits] == '+' || text_[digits] == '-')) ++digits;
-      if (digits < text_.size() && is_digit(text_[digits])) {
+      if (digits < text_.size() && text::is_digit(text_[digits])) {
         at_ = digits;
-        while (at_ < text_.size() && is_digit(text_[at_])) ++at_;
+        while (at_ < text_.size() && text::is_digit(text_[at_])) ++at_;
       }
     }
     const std::string_view number = text_.substr(begin, at_ - begin);
     const auto value = text::parse_number(number);
     if (!value)
       return fail(
-          begin, number.size(), fmt::format("{} is not a number", text::quoted(number)), text::number_hint(number));
+          begin, number.size(), fmt::format("{} is not a number", text::in_quotes(number)), text::number_hint(number));
     constexpr double least = 1e-12, most = 1e12;
     if (!(*value >= least && *value <= most))
       return fail(begin,

@@ -185,7 +185,7 @@ class Listener : public text::QuestionListener {
     const bool own_kind = place.path == "axis.mechanism" || place.path == "axis.members";
     if (place.path == "axis") {
       const Node* mechanism = node.find("mechanism");
-      kind = mechanism != nullptr && word_at(*mechanism, "kind") == "rotary" ? turning : going;
+      kind = mechanism != nullptr && word_at(*mechanism, "kind") == "rotary" ? axis_that_turns : axis_that_goes;
     }
     const bool by_axis = place.path == "axis" || place.path == "axis.moves" || place.path == "axis.require";
     places_[&node] = {place, own_kind ? word_at(node, "kind") : by_axis ? kind : ""};

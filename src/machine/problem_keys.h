@@ -33,8 +33,8 @@ struct ProblemTable {
 };
 
 /// The kind of an axis, and of its moves, whose mechanism is a rotary one, and of the others.
-inline constexpr const char* turning = "rotary";
-inline constexpr const char* going = "straight";
+inline constexpr const char* axis_that_turns = "rotary";
+inline constexpr const char* axis_that_goes = "straight";
 
 /// All tables, each before those inside it.
 std::vector<ProblemTable> problem_tables();

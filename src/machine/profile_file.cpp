@@ -86,7 +86,7 @@ class Reader {
         continue;
       }
       diagnostics_.error(header.name_span,
-                         fmt::format("a profile has no column {}", text::quoted(header.name)),
+                         fmt::format("a profile has no column {}", text::in_quotes(header.name)),
                          text::did_you_mean(header.name, names, fmt::format("columns: {}", fmt::join(names, ", "))));
       good = false;
     }
@@ -219,7 +219,7 @@ std::optional<MeasuredProfile> read_profile(const Node& node,
   if (source == nullptr) {
     for (const text::Diagnostic& each : loading.all())
       diagnostics.error(node.span(),
-                        fmt::format("profile: {} {}", text::quoted((folder / *name).string(), 100), each.message),
+                        fmt::format("profile: {} {}", text::in_quotes((folder / *name).string(), 100), each.message),
                         each.hint.empty() ? "the name is relative to the folder of the problem file" : each.hint);
     return std::nullopt;
   }

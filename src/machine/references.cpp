@@ -33,7 +33,7 @@ void check_screws(const Axis& axis,
     diagnostics.error(
         member.where,
         fmt::format(
-            "axis '{}', {}: {}: no screw {} in the catalogues", axis.name, member.name, key, text::quoted(word)),
+            "axis '{}', {}: {}: no screw {} in the catalogues", axis.name, member.name, key, text::in_quotes(word)),
         text::did_you_mean(word, known, "'millwright catalogue list screws' shows what there is"));
   }
 }
@@ -57,7 +57,7 @@ void note_unpriced(const Problem& problem, const catalogue::Catalogue& catalogue
   for (const auto& [currency, parts] : by_currency)
     diagnostics.warning(problem.currencies_where,
                         fmt::format("the problem gives no rate for {}: {} priced in it {} not for sale ({}{})",
-                                    text::quoted(currency),
+                                    text::in_quotes(currency),
                                     parts.first == 1 ? "the part" : fmt::format("{} parts", parts.first),
                                     parts.first == 1 ? "is" : "are",
                                     text::printable(parts.second, 60),
@@ -92,7 +92,7 @@ bool check_references(const Problem& problem, const catalogue::Catalogue& catalo
     diagnostics.error(
         supplier.where,
         fmt::format(
-            "the problem gives no rate for {}, in which {} charges", supplier.currency, text::quoted(supplier.name)),
+            "the problem gives no rate for {}, in which {} charges", supplier.currency, text::in_quotes(supplier.name)),
         fmt::format("add it to [currency]: {} = 1.1", supplier.currency));
   }
   note_unpriced(problem, catalogue, diagnostics);

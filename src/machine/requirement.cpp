@@ -154,7 +154,7 @@ constexpr std::array<RequirementDeclaration, requirement_count - drive_requireme
      "sandvik_milling"},
 }};
 
-constexpr std::array<RequirementDeclaration, requirement_count> table = [] {
+constexpr std::array<RequirementDeclaration, requirement_count> declared = [] {
   std::array<RequirementDeclaration, requirement_count> all{};
   std::copy(drive_requirements.begin(), drive_requirements.end(), all.begin());
   std::copy(structure_requirements.begin(), structure_requirements.end(), all.begin() + drive_requirements.size());
@@ -162,24 +162,24 @@ constexpr std::array<RequirementDeclaration, requirement_count> table = [] {
 }();
 
 constexpr bool in_order() {
-  for (std::size_t i = 0; i < table.size(); ++i)
-    if (static_cast<std::size_t>(table[i].requirement) != i) return false;
+  for (std::size_t i = 0; i < declared.size(); ++i)
+    if (static_cast<std::size_t>(declared[i].requirement) != i) return false;
   return true;
 }
 static_assert(in_order(), "the table must follow the enumeration");
 
 }  // namespace
 
-std::span<const RequirementDeclaration> requirements() { return table; }
+std::span<const RequirementDeclaration> requirements() { return declared; }
 
 const RequirementDeclaration* find_requirement(std::string_view key) {
-  for (const RequirementDeclaration& declaration : table)
+  for (const RequirementDeclaration& declaration : declared)
     if (declaration.key == key) return &declaration;
   return nullptr;
 }
 
 Requirements::Requirements() {
-  for (std::size_t i = 0; i < table.size(); ++i) values_[i] = table[i].default_value;
+  for (std::size_t i = 0; i < declared.size(); ++i) values_[i] = declared[i].default_value;
 }
 
 void Requirements::forget(Requirement requirement) {

@@ -67,7 +67,7 @@ void read_enforced(TableReader& table, QuantityReader& q, Requirements& require,
                         "C-PSU-POWER holds that; a larger supply_reserve asks for a larger supply");
     else if (std::find(known.begin(), known.end(), id) == known.end())
       diagnostics.error(node->span(),
-                        fmt::format("enforce: {} is no constraint that is only reported", text::quoted(id)),
+                        fmt::format("enforce: {} is no constraint that is only reported", text::in_quotes(id)),
                         text::did_you_mean(id, known, "those marked * in a report; the others must hold anyway"));
     else
       require.enforce(id);

@@ -99,7 +99,7 @@ void read_spares(const text::Node& node, Problem& problem, text::Diagnostics& di
     }
     if (std::find(keys.begin(), keys.end(), entry.key) == keys.end()) {
       diagnostics.error(entry.key_span,
-                        fmt::format("spares: nothing is chosen from a catalogue for {}", text::quoted(entry.key)),
+                        fmt::format("spares: nothing is chosen from a catalogue for {}", text::in_quotes(entry.key)),
                         text::did_you_mean(entry.key, keys, fmt::format("known: {}", fmt::join(keys, ", "))));
       continue;
     }

@@ -63,7 +63,7 @@ class FixedReader {
     const std::size_t dot = word->name.find('.');
     if (dot == std::string::npos) {
       diagnostics_.error(word->name_span(),
-                         fmt::format("{} names no slot of an axis", text::quoted(word->name)),
+                         fmt::format("{} names no slot of an axis", text::in_quotes(word->name)),
                          fmt::format("write {}", fix_example));
       return;
     }
@@ -78,7 +78,7 @@ class FixedReader {
     if (!setting && !contains(slots, line.slot)) {
       slots.insert(slots.end(), settings.begin(), settings.end());
       diagnostics_.error(text::span_at(word->text, word->name_at + dot + 1, std::max<std::size_t>(line.slot.size(), 1)),
-                         fmt::format("axis '{}' has no {}", line.axis, text::quoted(line.slot)),
+                         fmt::format("axis '{}' has no {}", line.axis, text::in_quotes(line.slot)),
                          text::did_you_mean(line.slot, slots, fmt::format("slots: {}", fmt::join(slots, ", "))));
       return;
     }
@@ -99,7 +99,7 @@ class FixedReader {
       return true;
     }
     diagnostics_.error(text::span_at(word.text, word.name_at, std::max<std::size_t>(name.size(), 1)),
-                       fmt::format("the problem has no axis {}", text::quoted(name)),
+                       fmt::format("the problem has no axis {}", text::in_quotes(name)),
                        text::did_you_mean(name, names, fmt::format("axes: {}", fmt::join(names, ", "))));
     return false;
   }
@@ -130,14 +130,14 @@ class FixedReader {
     line.manufacturer = maker_of(catalogue_, found.parts);
     if (line.manufacturer.empty()) {
       diagnostics_.error(word.value_span(),
-                         fmt::format("{}: several makers have a part {}", word.name, text::quoted(word.value)),
+                         fmt::format("{}: several makers have a part {}", word.name, text::in_quotes(word.value)),
                          "write the maker before it, with a blank between");
       return false;
     }
     if (!is_excluded(without_, line.part_number, line.manufacturer)) return true;
     diagnostics_.error(
         word.value_span(),
-        fmt::format("{}: {} is excluded by --without or not available", word.name, text::quoted(word.value)),
+        fmt::format("{}: {} is excluded by --without or not available", word.name, text::in_quotes(word.value)),
         "leave one of the two options out");
     return false;
   }
@@ -187,9 +187,10 @@ std::vector<ExcludedPart> read_excluded(const std::vector<std::string>& words,
       continue;
     }
     if (found.parts.front().family == catalogue::Family::materials) {
-      diagnostics.error(word.value_span(),
-                        fmt::format("{} is a material, and those are chosen by the problem", text::quoted(word.value)),
-                        "name another one there, or with --set");
+      diagnostics.error(
+          word.value_span(),
+          fmt::format("{} is a material, and those are chosen by the problem", text::in_quotes(word.value)),
+          "name another one there, or with --set");
       continue;
     }
     ExcludedPart part{
@@ -231,7 +232,7 @@ void refuse_excluded(const BillOfMaterials& bom, const std::vector<ExcludedPart>
   for (const BomLine& line : bom.lines)
     if (!line.is_dimension() && is_excluded(without, line.part_number, line.manufacturer))
       diagnostics.error(line.where,
-                        fmt::format("{} is excluded by --without", text::quoted(line.part_number)),
+                        fmt::format("{} is excluded by --without", text::in_quotes(line.part_number)),
                         "leave the option out, or name another part");
 }
 

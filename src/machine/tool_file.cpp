@@ -138,7 +138,7 @@ void read_tool(const Node& node, const Node* axes, Problem& problem, Diagnostics
     for (const Axis& axis : problem.axes) names.push_back(axis.name);
     if (!name.empty())
       diagnostics.error(table.find("axis")->span(),
-                        fmt::format("axis: there is no axis {}", text::quoted(name)),
+                        fmt::format("axis: there is no axis {}", text::in_quotes(name)),
                         text::did_you_mean(name, names, "the name of an [[axis]]"));
   } else {
     tool.axis = static_cast<std::size_t>(found - problem.axes.begin());

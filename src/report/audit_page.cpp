@@ -33,13 +33,13 @@ std::string mark(AuditVerdict verdict) {
   return fmt::format("<span class=\"mark {}\">{}</span>", state(verdict), to_string(verdict));
 }
 
-std::string number_text(const std::optional<double>& value) {
+std::string page_number(const std::optional<double>& value) {
   return value ? scalar::format_number(*value, 6) : std::string("–");
 }
 
-std::string computed_text(const AuditRow& row) {
+std::string computed_on_page(const AuditRow& row) {
   const std::string unit = shown_unit(row.unit);
-  return number_text(row.computed) + (row.computed && !unit.empty() ? " " + unit : "");
+  return page_number(row.computed) + (row.computed && !unit.empty() ? " " + unit : "");
 }
 
 std::string remark_cell(const std::string& text) {
@@ -92,7 +92,7 @@ std::string derivation_html(const AuditRow& row, const Texts& t) {
     if (!text.empty()) out += fmt::format(" <span class=\"remark\">{}: {}</span>", escaped(label), escaped(text));
   };
   remark(t("audit.printed"), row.printed_text);
-  remark(t("audit.computed"), computed_text(row));
+  remark(t("audit.computed"), computed_on_page(row));
   remark(t("audit.missing"), row.missing);
   remark(t("audit.factor"), row.factor_name);
   for (const std::string& violation : row.violations) remark(t("outside"), violation);
@@ -124,8 +124,8 @@ std::string audit_page(const AuditReport& report, const std::string& file, const
                fmt::format("<a href=\"#{}\">{}</a>", row_id(row), escaped(row.id)),
                escaped(row.quantity),
                escaped(row.printed_text),
-               escaped(computed_text(row)),
-               number_text(row.ratio),
+               escaped(computed_on_page(row)),
+               page_number(row.ratio),
                mark(row.verdict),
                remark_cell(row.missing.empty() ? row.factor_name : row.missing)});
   body += section("summary",

@@ -14,7 +14,6 @@ namespace {
 
 using catalogue::CellChange;
 using catalogue::FamilyDifference;
-using catalogue::PartChange;
 using catalogue::Table;
 
 constexpr const char* not_given = "–";
@@ -37,7 +36,7 @@ std::string relative_text(double relative) {
   return signed_text(100.0 * relative, 1) + " %";
 }
 
-std::string cells_text(const PartChange& part, const Style& style) {
+std::string cells_text(const catalogue::PartChange& part, const Style& style) {
   TextTable table({{""}, {"", Align::left, 0, false, 2}, {"", Align::right}});
   std::size_t points = 0;
   for (const CellChange& cell : part.cells) {
@@ -51,7 +50,7 @@ std::string cells_text(const PartChange& part, const Style& style) {
   return out;
 }
 
-std::string changed_text(const Table& a, const Table& b, const PartChange& part, const Style& style) {
+std::string changed_text(const Table& a, const Table& b, const catalogue::PartChange& part, const Style& style) {
   std::string title = text::printable(catalogue::part_title(b, part.b_row));
   if (part.a_points > 1 || part.b_points > 1)
     title += part.a_points == part.b_points ? fmt::format(", {} points", part.b_points)
@@ -73,7 +72,7 @@ std::string list_text(const char* title, const Table& table, const std::vector<i
 std::string family_text(const Table& a, const Table& b, const FamilyDifference& family, const Style& style) {
   std::string out;
   if (!family.changed.empty()) out += "  changed\n";
-  for (const PartChange& part : family.changed) out += changed_text(a, b, part, style);
+  for (const catalogue::PartChange& part : family.changed) out += changed_text(a, b, part, style);
   return out + list_text("only in B", b, family.added, style) + list_text("only in A", a, family.removed, style);
 }
 
@@ -175,9 +174,9 @@ Json file_json(const catalogue::FileDifference& file) {
           {"removed", lines(file.removed)}};
 }
 
-Json changes_json(const Table& a, const Table& b, const std::vector<PartChange>& changes) {
+Json changes_json(const Table& a, const Table& b, const std::vector<catalogue::PartChange>& changes) {
   Json list = Json::array();
-  for (const PartChange& part : changes) {
+  for (const catalogue::PartChange& part : changes) {
     Json json = part_json(b, part.b_row);
     json["a_place"] = place_of(a.where(part.a_row));
     json["b_place"] = place_of(b.where(part.b_row));

@@ -14,7 +14,7 @@ using evaluation::PartLine;
 
 namespace {
 
-constexpr const char* nothing = "–";
+constexpr const char* no_choice = "–";
 
 /// Choices among values, not dimensions that follow from the parts.
 bool is_choice(const DimensionLine& line) { return line.name == "supply_voltage" || line.name == "motor_current"; }
@@ -36,7 +36,7 @@ const DimensionLine* setting_at(const Design& design, const DimensionLine& place
 /// Of a slot that at least one of both fills.
 void add(const PartLine* before, const PartLine* now, std::vector<DesignDifference>& result) {
   const PartLine& place = now != nullptr ? *now : *before;
-  DesignDifference difference{place.axis, place.slot, nothing, nothing, nothing, nothing};
+  DesignDifference difference{place.axis, place.slot, no_choice, no_choice, no_choice, no_choice};
   if (before != nullptr) difference.before = part_name(*before);
   if (now != nullptr) difference.now = part_name(*now);
   if (difference.before == difference.now) return;
@@ -47,7 +47,7 @@ void add(const PartLine* before, const PartLine* now, std::vector<DesignDifferen
 }
 
 std::string value_of(const DimensionLine* line) {
-  return line == nullptr ? nothing : scalar::format(line->value, scalar::Unit::of(line->unit));
+  return line == nullptr ? no_choice : scalar::format(line->value, scalar::Unit::of(line->unit));
 }
 
 void add(const DimensionLine* before, const DimensionLine* now, std::vector<DesignDifference>& result) {

@@ -23,7 +23,7 @@ using machine::Condition;
 
 namespace {
 
-constexpr std::size_t width = 78;
+constexpr std::size_t line_width = 78;
 constexpr std::string_view option_text = "command line";  ///< the name of the text of what `--set` says
 
 /// "1.20 USD" as "1.20": amounts of the objective, their unit stands in the heading.
@@ -128,7 +128,7 @@ std::string prices_text(const Explanation& explanation, const std::string& curre
            wrapped(fmt::format("{}, proved by solving: eased by a fifth, or where that saves nothing by as much as it "
                                "takes (to 1 %); at most: without it",
                                unit),
-                   width - 2,
+                   line_width - 2,
                    2) +
            "\n";
   if (std::any_of(explanation.prices.begin(), explanation.prices.end(), [&](const Price& price) {
@@ -202,7 +202,7 @@ std::string rates_text(const Explanation& explanation, const std::string& curren
     words += fmt::format("{} {}: {}", i == 0 ? "" : ",", condition.axis, condition.name);
   }
   if (!explanation.rough.empty()) words += ".";
-  return out + "  " + wrapped(words, width - 2, 2) + "\n\n";
+  return out + "  " + wrapped(words, line_width - 2, 2) + "\n\n";
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace {
 using catalogue::SourceColumn;
 using catalogue::UnitOrigin;
 
-std::string unit_of(const SourceColumn& column) {
+std::string column_unit(const SourceColumn& column) {
   std::string unit = column.currency.empty() ? column.unit : column.currency == "?" ? "$" : column.currency;
   if (!column.currency.empty() && column.unit.size() > 2) unit += column.unit.substr(1);
   switch (column.unit_origin) {
@@ -51,7 +51,7 @@ std::string import_text(const catalogue::ImportMapping& mapping, const Style& st
     }
     columns.add({header,
                  column.target ? std::string(catalogue::declaration(*column.target).name) : column.kept_name,
-                 unit_of(column),
+                 column_unit(column),
                  fmt::format("{:.0f} %", 100.0 * column.confidence),
                  fmt::format("{}", fmt::join(column.reasons, "; "))});
   }

@@ -28,7 +28,7 @@ std::string required(TableReader& table, const char* key) { return table.string(
 std::string required_sha256(TableReader& table, Diagnostics& diagnostics) {
   const std::string value = required(table, "sha256");
   if (const Node* node = table.find("sha256"); node != nullptr && node->is_string() && !text::is_sha256(value))
-    diagnostics.error(node->span(), "sha256: not 64 hexadecimal digits: " + text::quoted(value, 80), how_to_write);
+    diagnostics.error(node->span(), "sha256: not 64 hexadecimal digits: " + text::in_quotes(value, 80), how_to_write);
   return value;
 }
 
@@ -46,7 +46,7 @@ std::string required_family(TableReader& table, Diagnostics& diagnostics) {
   const std::string name = required(table, "family");
   if (const Node* node = table.find("family"); node != nullptr && node->is_string() && !catalogue::find_family(name))
     diagnostics.error(node->span(),
-                      "there is no part family " + text::quoted(name),
+                      "there is no part family " + text::in_quotes(name),
                       "the lock may be of another version of millwright");
   return name;
 }

@@ -16,7 +16,7 @@ std::string plain_number(double value) {
   return fmt::format("{}", std::abs(value) < 1e6 ? rounded : value);
 }
 
-std::string millimetres(double metres) { return plain_number(std::round(metres * 1e6) / 1e3); }
+std::string cell_in_millimetres(double metres) { return plain_number(std::round(metres * 1e6) / 1e3); }
 
 /// A cell that no spreadsheet takes for a formula.
 std::string text_cell(const std::string& text) {
@@ -98,14 +98,14 @@ std::string cutting_csv(const OrderList& list) {
       out += fmt::format("{},{},{},{},{}\n",
                          begin(line.axis, line.slot, line.section),
                          plain_number(line.count),
-                         millimetres(line.length),
-                         millimetres(line.count * line.length),
+                         cell_in_millimetres(line.length),
+                         cell_in_millimetres(line.count * line.length),
                          line.bar > 0 ? std::to_string(line.bar) : "");
     }
     out += fmt::format("{},{},,{},{}\n",
                        begin("", "", "sum"),
                        plain_number(stock.pieces),
-                       millimetres(stock.length),
+                       cell_in_millimetres(stock.length),
                        text_cell(stock.bars));
   }
   return out;

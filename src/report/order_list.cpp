@@ -13,6 +13,7 @@
 #include "report/conversion_text.h"
 #include "report/cut_text.h"
 #include "scalar/unit.h"
+#include "text/characters.h"
 
 namespace millwright::report {
 
@@ -313,14 +314,12 @@ SupplierTotal supplier_total(const Design& design, const std::string& supplier) 
   return total;
 }
 
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
-
 /// The text at `at` has this pattern of digits (0) and other characters, and no digit or hyphen goes on on either side.
 bool matches(const std::string& text, std::size_t at, std::string_view pattern) {
   if (at + pattern.size() > text.size()) return false;
   for (std::size_t i = 0; i < pattern.size(); ++i)
-    if (pattern[i] == '0' ? !is_digit(text[at + i]) : text[at + i] != pattern[i]) return false;
-  const auto goes_on = [](char c) { return is_digit(c) || c == '-'; };
+    if (pattern[i] == '0' ? !text::is_digit(text[at + i]) : text[at + i] != pattern[i]) return false;
+  const auto goes_on = [](char c) { return text::is_digit(c) || c == '-'; };
   if (at > 0 && goes_on(text[at - 1])) return false;
   return at + pattern.size() == text.size() || !goes_on(text[at + pattern.size()]);
 }

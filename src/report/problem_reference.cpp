@@ -189,7 +189,8 @@ bool is_part_of(const ProblemTable& table, const ProblemTable& whole) {
 
 std::string kind_title(const ProblemTable& table, const std::string& name) {
   if (table.told_by_own_kind) return fmt::format("With `kind = \"{}\"`", name);
-  return name == machine::turning ? "Of an axis with a rotary mechanism" : "Of an axis that goes along a length";
+  return name == machine::axis_that_turns ? "Of an axis with a rotary mechanism"
+                                          : "Of an axis that goes along a length";
 }
 
 /// The keys that a table leaves out of those of another one.

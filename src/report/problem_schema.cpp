@@ -204,7 +204,7 @@ class Schema {
         {"properties",
          {{"mechanism", {{"properties", {{"kind", {{"const", "rotary"}}}}}, {"required", Json::array({"kind"})}}}}},
         {"required", Json::array({"mechanism"})}};
-    return kind == machine::turning ? rotary : Json{{"not", rotary}};
+    return kind == machine::axis_that_turns ? rotary : Json{{"not", rotary}};
   }
 
   std::vector<ProblemTable> tables_;

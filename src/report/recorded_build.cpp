@@ -65,7 +65,7 @@ class Fields {
     const std::string value = string(key);
     for (const auto& [name, meaning] : names)
       if (value == name) return meaning;
-    if (!value.empty()) complain(key, "is " + text::quoted(value) + ", which means nothing here");
+    if (!value.empty()) complain(key, "is " + text::in_quotes(value) + ", which means nothing here");
     return names.begin()->second;
   }
 
@@ -245,7 +245,7 @@ bool is_one_build(const Json& json, const std::shared_ptr<const SourceText>& tex
     return refuse("a front holds several builds, and which one is meant is not said",
                   "compare results of 'solve' (with --limit for another place on the front) or 'check'");
   if (command != "solve" && command != "check")
-    return refuse(fmt::format("a result of {} holds no build", text::quoted(command)), how_to_write);
+    return refuse(fmt::format("a result of {} holds no build", text::in_quotes(command)), how_to_write);
   if (json.contains("build")) return true;
   return refuse(fmt::format("this result holds no build: {}",
                             command == "check"          ? "its bill of materials could not be evaluated"

@@ -10,7 +10,7 @@ namespace millwright::report {
 
 namespace {
 
-std::string unit_of(const MachineResult& result, const machine::LimitOption& limit) {
+std::string limit_unit(const MachineResult& result, const machine::LimitOption& limit) {
   return limit.name == "mass" ? "kg" : result.currency;
 }
 
@@ -25,7 +25,7 @@ std::string steering_text(const MachineResult& result, const Style& style) {
   if (result.steering.empty()) return {};
   TextTable table({{""}, {""}, {"", Align::left, 60}});
   for (const machine::LimitOption& limit : result.steering.limits)
-    table.add({"--limit", limit.name, fmt::format("{:.6g} {}", limit.value, unit_of(result, limit))});
+    table.add({"--limit", limit.name, fmt::format("{:.6g} {}", limit.value, limit_unit(result, limit))});
   for (const machine::ExcludedPart& part : result.steering.without)
     table.add({part.said_in.empty() ? "--without" : "not available",
                part.said_in,
@@ -43,7 +43,7 @@ void add_steering(const MachineResult& result, Json& json) {
   if (result.steering.empty()) return;
   Json limits = Json::array();
   for (const machine::LimitOption& limit : result.steering.limits)
-    limits.push_back({{"name", limit.name}, {"value", number(limit.value)}, {"unit", unit_of(result, limit)}});
+    limits.push_back({{"name", limit.name}, {"value", number(limit.value)}, {"unit", limit_unit(result, limit)}});
   Json without = Json::array();
   for (const machine::ExcludedPart& part : result.steering.without)
     without.push_back({{"manufacturer", part.manufacturer}, {"part_number", part.part_number}});

@@ -203,7 +203,7 @@ class Parser {
 };
 
 /// x^exponent, by multiplication for whole exponents so that powers of ten stay exact.
-double raised(double x, double exponent) {
+double exact_power(double x, double exponent) {
   if (exponent != std::floor(exponent)) return std::pow(x, exponent);
   double result = 1.0;
   for (int i = 0; i < static_cast<int>(exponent); ++i) result *= x;
@@ -216,8 +216,8 @@ UnitDefinition combined(const UnitDefinition& a, const UnitDefinition& b, double
   UnitDefinition result = a;
   const double size = std::fabs(exponent);
   result.dimension = a.dimension * power(b.dimension, exponent);
-  result.numerator = a.numerator * raised(exponent > 0.0 ? b.numerator : b.denominator, size);
-  result.denominator = a.denominator * raised(exponent > 0.0 ? b.denominator : b.numerator, size);
+  result.numerator = a.numerator * exact_power(exponent > 0.0 ? b.numerator : b.denominator, size);
+  result.denominator = a.denominator * exact_power(exponent > 0.0 ? b.denominator : b.numerator, size);
   result.offset = 0.0;
   result.angle = a.angle + b.angle * exponent;
   result.step = a.step + b.step * exponent;

@@ -17,14 +17,12 @@ namespace millwright::solver {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// What the order of builds goes by, as far as bounds know it: objective, then the ties.
 using Key = std::vector<double>;
 
 /// A part of the problem: which choices are held at a row, and which rows are excluded of the others. Choices are the
 /// shared ones, then the slots of all stages.
-struct Part {
+struct PartOfProblem {
   Key lower;  ///< of everything in it; once it is solved, of its best build
   std::vector<std::optional<Row>> held;
   std::vector<std::vector<Row>> excluded;  ///< ascending
@@ -32,9 +30,9 @@ struct Part {
   std::uint64_t order = 0;
 };
 
-class Search {
+class AlternativeSearch {
  public:
-  Search(const Problem& problem, const Options& options, std::size_t count, const CoveringRows& covering)
+  AlternativeSearch(const Problem& problem, const Options& options, std::size_t count, const CoveringRows& covering)
       : problem_(problem),
         options_(options),
         count_(count),
@@ -53,13 +51,13 @@ class Search {
   }
 
   Alternatives run() {
-    Part whole;
+    PartOfProblem whole;
     whole.lower = Key(1 + options_.ties.size(), -infinity);
     whole.held.resize(rows_.size());
     whole.excluded.resize(rows_.size());
     push(std::move(whole));
     while (!queue_.empty() && result_.builds.size() < count_) {
-      Part part = pop();
+      PartOfProblem part = pop();
       if (part.lower.front() > ceiling()) break;  // so is everything behind it
       if (part.best) {
         split(part);
@@ -74,19 +72,19 @@ class Search {
  private:
   struct Later {
     /// Parts that may still hold something as good come before a build: it must not overtake them in the ties.
-    bool operator()(const Part& a, const Part& b) const {
+    bool operator()(const PartOfProblem& a, const PartOfProblem& b) const {
       if (a.lower != b.lower) return a.lower > b.lower;
       if (a.best.has_value() != b.best.has_value()) return a.best.has_value();
       return a.order > b.order;
     }
   };
 
-  void push(Part part) {
+  void push(PartOfProblem part) {
     part.order = order_++;
     queue_.push(std::move(part));
   }
-  Part pop() {
-    Part part = queue_.top();
+  PartOfProblem pop() {
+    PartOfProblem part = queue_.top();
     queue_.pop();
     return part;
   }
@@ -123,7 +121,7 @@ class Search {
   }
 
   /// The rows of a choice that are left in a part, without those that need not be looked at.
-  [[nodiscard]] std::vector<Row> allowed(const Part& part, std::size_t choice) const {
+  [[nodiscard]] std::vector<Row> allowed(const PartOfProblem& part, std::size_t choice) const {
     if (part.held[choice]) return {*part.held[choice]};
     std::vector<Row> left;
     const std::vector<Row>& excluded = part.excluded[choice];
@@ -142,7 +140,7 @@ class Search {
   }
 
   /// What is left of a part, without what is too dear to be asked for; empty when some choice has no row left.
-  [[nodiscard]] std::optional<Restriction> restriction_of(const Part& part) const {
+  [[nodiscard]] std::optional<Restriction> restriction_of(const PartOfProblem& part) const {
     std::vector<std::vector<Row>> left;
     for (std::size_t choice = 0; choice < rows_.size(); ++choice) left.push_back(allowed(part, choice));
     drop_dear(left);
@@ -205,7 +203,7 @@ class Search {
   }
 
   /// Solves the part and puts it back with its best build, if it has one within the limit. False when time is up.
-  bool solve_part(Part& part) {
+  bool solve_part(PartOfProblem& part) {
     const bool whole = result_.parts == 0;
     Options options = options_;
     options.time_limit_seconds -= seconds();
@@ -252,17 +250,17 @@ class Search {
   }
 
   /// The best build of the part is the next one; what is left of the part is divided.
-  void split(Part& part) {
+  void split(PartOfProblem& part) {
     const std::vector<Row> best = choices_of(*part.best);
     result_.builds.push_back(*std::move(part.best));
-    Part rest;
+    PartOfProblem rest;
     rest.lower = part.lower;
     rest.held = part.held;
     rest.excluded = part.excluded;
-    std::vector<Part> parts;
+    std::vector<PartOfProblem> parts;
     for (std::size_t choice = 0; choice < best.size(); ++choice) {
       if (part.held[choice]) continue;
-      Part next = rest;
+      PartOfProblem next = rest;
       std::vector<Row>& excluded = next.excluded[choice];
       excluded.insert(std::upper_bound(excluded.begin(), excluded.end(), best[choice]), best[choice]);
       if (excluded.size() < rows_[choice]) parts.push_back(std::move(next));
@@ -316,7 +314,7 @@ class Search {
   std::size_t objective_ = 0;
   std::vector<Row> rows_;     ///< per choice
   std::vector<Place> place_;  ///< per slot of a stage, in the order of the choices
-  std::priority_queue<Part, std::vector<Part>, Later> queue_;
+  std::priority_queue<PartOfProblem, std::vector<PartOfProblem>, Later> queue_;
   std::uint64_t order_ = 0;
   std::set<std::vector<Row>> known_;  ///< choices of feasible builds
   std::vector<double> known_worth_;   ///< upper bounds of their objectives, ascending, no more than are asked for
@@ -334,7 +332,7 @@ Alternatives best_builds(const Problem& problem,
                          const Options& options,
                          std::size_t count,
                          const CoveringRows& covering) {
-  return Search(problem, options, count, covering).run();
+  return AlternativeSearch(problem, options, count, covering).run();
 }
 
 }  // namespace millwright::solver

@@ -15,9 +15,9 @@ namespace {
 
 constexpr std::size_t endless = std::numeric_limits<std::size_t>::max();
 
-class Search {
+class CandidateSearch {
  public:
-  Search(std::span<const CandidateQuestion* const> questions, Desk& desk)
+  CandidateSearch(std::span<const CandidateQuestion* const> questions, Desk& desk)
       : question_(*questions.front()),
         plan_(*question_.plan),
         comparison_(*question_.comparison),
@@ -301,7 +301,7 @@ class Search {
 }  // namespace
 
 std::vector<CandidateSet> find_candidates(std::span<const CandidateQuestion* const> questions, Desk& desk) {
-  return Search(questions, desk).run();
+  return CandidateSearch(questions, desk).run();
 }
 
 }  // namespace millwright::solver

@@ -67,7 +67,6 @@ void add_guides(Criteria& criteria, double typical_rate) {
 
 Criteria make_criteria(const Problem& problem, const Options& options) {
   const std::size_t resources = problem.resources.size();
-  const double infinity = std::numeric_limits<double>::infinity();
   Criteria criteria;
   if (!options.weights.empty()) {
     if (options.weights.size() != resources) {

@@ -13,7 +13,6 @@
 namespace millwright::solver {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t front_nodes = 3000;                        // spent on the least front of one stage
 constexpr std::size_t most_combinations = std::size_t{1} << 22;  // kept at a time
 

@@ -10,7 +10,6 @@
 namespace millwright::solver {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t most_chunks = 8;  // of the labels before one stage
 static_assert(most_chunks + 1 < most_groups, "rounding may make one more");
 constexpr double narrow = 0.02;  // relative width of a chunk's states

@@ -12,11 +12,7 @@
 #include "solver/rest_curve.h"
 
 namespace millwright::solver {
-namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
+namespace {}  // namespace
 
 Frontier::Difficulty Frontier::find_difficulty() {
   if (control_.time_is_up()) return Difficulty::out_of_time;

@@ -12,11 +12,7 @@
 #include "solver/frontier.h"
 
 namespace millwright::solver {
-namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
+namespace {}  // namespace
 
 /// A single objective: looks for builds that come to no more than a little above what every build comes to at least.
 /// There is little to look at below that, and the best of what is found is the best of all. Where it is too much, less

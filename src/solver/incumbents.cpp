@@ -83,7 +83,6 @@ bool Incumbents::may_reach(std::span<const double> score_lower, double first, do
 /// A front in two objectives is a staircase; something new must lie in one of the corners between two steps, or equal a
 /// step and win the tie.
 bool Incumbents::fills_no_gap(std::span<const double> score_lower, double utilisation_lower) const {
-  const double infinity = std::numeric_limits<double>::infinity();
   const double left = 1.0 - tolerance;  // within the tolerance the next step settles it
   double second = infinity;
   for (const RankedBuild& step : builds_) {

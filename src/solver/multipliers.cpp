@@ -15,7 +15,7 @@ constexpr double active = 1e-5;      ///< a constraint so near to its limit hold
 constexpr double at_bound = 1e-7;    ///< of a variable's range
 constexpr double stationary = 1e-4;  ///< of the objective's gradient may be left over
 constexpr double at_rest = 1e-6;     ///< a gradient below it is that of an optimum inside its bounds
-constexpr double nothing = 1e-12;    ///< a slope below it, of what is of the order of 1
+constexpr double no_slope = 1e-12;   ///< a slope below it, of what is of the order of 1
 
 /// A column of the conditions: the gradient of something that holds.
 struct Column {
@@ -31,7 +31,7 @@ std::vector<Column> columns_that_hold(const std::vector<double>& x,
   std::vector<Column> columns;
   for (std::size_t c = 0; c < constraint.size(); ++c) {
     const Eigen::Map<const Eigen::VectorXd> row(jacobian.data() + c * n, static_cast<Eigen::Index>(n));
-    if (constraint[c] > -active && row.norm() > nothing) columns.push_back({Column::Kind::constraint, c});
+    if (constraint[c] > -active && row.norm() > no_slope) columns.push_back({Column::Kind::constraint, c});
   }
   for (std::size_t j = 0; j < n; ++j) {
     if (x[j] < at_bound) columns.push_back({Column::Kind::lower, j});
@@ -118,7 +118,7 @@ std::optional<Multipliers> Multipliers::find(const Problem& problem, const Optio
   result.at_upper_.assign(n, 0.0);
   for (const StageChoice& stage : build.stages) result.variables_.push_back(stage.variables);
   for (std::size_t j = 0; j < n; ++j)
-    if (std::fabs(gradient[j]) > nothing) result.moving_.emplace_back(chain.free()[j].stage, chain.free()[j].index);
+    if (std::fabs(gradient[j]) > no_slope) result.moving_.emplace_back(chain.free()[j].stage, chain.free()[j].index);
   result.any_moves_ = !result.moving_.empty();
   if (!result.any_moves_) return result;
 

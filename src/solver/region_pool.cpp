@@ -10,9 +10,9 @@
 namespace millwright::solver {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t node_limit = 200;    // refined for one weighing
-constexpr std::size_t most_refined = 100;  // before what is left is told: the search does the rest with all it knows
+constexpr std::size_t nodes_a_weighing = 200;  // refined for one weighing
+constexpr std::size_t most_refined_at_once =
+    100;  // before what is left is told: the search does the rest with all it knows
 
 Reached reached(const OpenRegion& part) { return {part.bounds.utilisation, part.bounds.score[0]}; }
 
@@ -77,7 +77,7 @@ RegionPool::Least RegionPool::least(const Mix& mix, std::span<const double> weig
   std::make_heap(heap.begin(), heap.end());
   for (std::size_t nodes = 0; !heap.empty(); ++nodes) {
     const Entry first = heap.front();
-    if (nodes >= node_limit || parts_[first.index].settled) break;
+    if (nodes >= nodes_a_weighing || parts_[first.index].settled) break;
     std::pop_heap(heap.begin(), heap.end());
     heap.pop_back();
     refine(first.index, {}, desk, [&](std::size_t index) {
@@ -146,11 +146,11 @@ bool RegionPool::keep_only(const Useful& useful, Desk& desk) {
     for (const std::size_t index : open) {
       Part& part = parts_[index];
       part.alive = part.alive && (!part.bounded || useful(part.open.bounds));
-      if (!part.alive || part.settled || refined_now >= most_refined) continue;
+      if (!part.alive || part.settled || refined_now >= most_refined_at_once) continue;
       ++refined_now;
       refine(index, useful, desk, [&](std::size_t refined) { next.push_back(refined); });
     }
-    if (refined_now >= most_refined) break;
+    if (refined_now >= most_refined_at_once) break;
     open = std::move(next);
   }
   std::erase_if(parts_, [&](const Part& part) { return !part.alive || (part.bounded && !useful(part.open.bounds)); });

@@ -18,9 +18,9 @@ double value_of(const StagePlan& plan, RelaxedTarget target, const Bounds& bound
   return plan.after[target.index] == Direction::larger_is_better ? -state.upper : state.lower;
 }
 
-class Search {
+class RelaxationSearch {
  public:
-  Search(const StagePlan& plan, RelaxedTarget target, Desk& desk)
+  RelaxationSearch(const StagePlan& plan, RelaxedTarget target, Desk& desk)
       : plan_(plan), target_(target), desk_(desk), worth_(plan.region.rows.size()) {}
 
   Relaxation run(std::size_t node_limit) {
@@ -76,7 +76,7 @@ class Search {
 }  // namespace
 
 Relaxation relax(const StagePlan& plan, RelaxedTarget target, std::size_t node_limit, Desk& desk) {
-  return Search(plan, target, desk).run(node_limit);
+  return RelaxationSearch(plan, target, desk).run(node_limit);
 }
 
 bool narrow_one_by_one(const StagePlan& plan,

@@ -12,7 +12,6 @@
 namespace millwright::solver {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double halvings = 10.0;       // of the range of states, down to the first step
 constexpr double worth_keeping = 1e-6;  // relative rise of a curve below which it says nothing
 

@@ -8,10 +8,8 @@
 namespace millwright::solver {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int iterations = 30;
-constexpr int most_planes = 4;   // kept: the last of those that raised the bound
-constexpr double slack = 1e-10;  // a state is the same sum in another order in the end
+constexpr int most_planes = 4;  // kept: the last of those that raised the bound
 
 }  // namespace
 
@@ -95,7 +93,7 @@ void RestPlanes::Prices::find_ends(std::size_t stage) {
     const bool ends = plan.before[c] == Direction::smaller_is_better && plan.after[c] == Direction::irrelevant;
     const double limit = plans_[stage - 1].most_after[c];
     if (!ends || !std::isfinite(limit) || !(limit > 0.0)) continue;
-    Allowance end{c, limit * (1.0 + slack)};
+    Allowance end{c, limit * (1.0 + sum_slack)};
     if (has_few_designs(plan) && stages_[stage].ends.empty()) find_steps(stage, end);
     stages_[stage].ends.push_back(std::move(end));
   }
@@ -214,7 +212,7 @@ std::vector<double> RestPlanes::Prices::after(std::size_t stage, const std::vect
 }
 
 RestPlane RestPlanes::Prices::rest_plane(const Plane& plane) const {
-  return {mix_, plane.constant - slack * plane.room, plane.weight};
+  return {mix_, plane.constant - sum_slack * plane.room, plane.weight};
 }
 
 void RestPlanes::Prices::keep(double bound) {
@@ -224,7 +222,7 @@ void RestPlanes::Prices::keep(double bound) {
   Kept& kept = kept_.emplace_back();
   kept.mix = mix_;
   for (std::size_t i = 0; i < plans_.size(); ++i) {
-    kept.without.push_back(bound - slack * before_.room - least_[i]);
+    kept.without.push_back(bound - sum_slack * before_.room - least_[i]);
     kept.weight.push_back(planes_[i].weight);
     std::vector<RestPlane>& planes = plans_[i].planes;
     if (full) planes.erase(std::find_if(planes.begin(), planes.end(), own));

@@ -14,6 +14,9 @@
 
 namespace millwright::solver {
 
+/// Relative: a state is the same sum in another order in the end.
+inline constexpr double sum_slack = 1e-10;
+
 /// A component of the state that arrives at a stage and matters no further.
 struct Allowance {
   std::size_t component = 0;

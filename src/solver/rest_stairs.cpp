@@ -12,8 +12,6 @@
 namespace millwright::solver {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double slack = 1e-10;           // a state is the same sum in another order in the end
 constexpr std::size_t most_points = 300;  // of a staircase
 
 /// Weights of the state before a stage, from those after it.
@@ -146,13 +144,13 @@ void RestPlanes::Prices::keep_stairs(KeptStairs kept, const Allowance& end) {
     const double room = planes_[i].room + std::fabs(paid) + std::fabs(suffix[i + 1].back().first);
     if (i < kept.end_stage)
       plans_[i].stairs.push_back(
-          {kept.mix, limit, -paid - slack * room, planes_[i].weight, kept.use[i + 1], suffix[i + 1]});
+          {kept.mix, limit, -paid - sum_slack * room, planes_[i].weight, kept.use[i + 1], suffix[i + 1]});
     suffix[i] = sum_of_staircases(own[i], suffix[i + 1], most_points);
     paid += paid_[i];
   }
   const double room = before_.room + std::fabs(paid) + std::fabs(suffix[0].back().first);
-  kept.constant = -paid - slack * room;
-  kept.limit += slack * std::fabs(limit);
+  kept.constant = -paid - sum_slack * room;
+  kept.limit += sum_slack * std::fabs(limit);
   for (std::size_t c = 0; c < state_.size(); ++c) {
     kept.constant += before_.weight[c] * state_[c];
     kept.limit -= kept.use[0][c] * state_[c];
@@ -211,7 +209,7 @@ void RestPlanes::Prices::tighten_limits() {
         if (!(slope[c] > 0.0)) continue;
         const double others = inherited - slope[c] * plans_[i].inherited[c].lower;
         const double room = std::fabs(plans_[i].most_after[h]) + std::fabs(own) + std::fabs(others);
-        const double most = (plans_[i].most_after[h] - own - others + slack * room) / slope[c];
+        const double most = (plans_[i].most_after[h] - own - others + sum_slack * room) / slope[c];
         plans_[i - 1].most_after[c] = std::min(plans_[i - 1].most_after[c], most);
       }
     }

@@ -11,7 +11,6 @@
 namespace millwright::solver {
 namespace {
 
-constexpr double slack = 1e-10;             // a state is the same sum in another order in the end
 constexpr std::size_t most_own = 200;       // vectors of a stage
 constexpr std::size_t most_summed = 150;    // of many stages
 constexpr std::size_t most_refined = 2000;  // regions of a stage
@@ -105,7 +104,7 @@ VectorSet RestPlanes::Prices::vectors_of(std::size_t stage) const {
 std::vector<double> RestPlanes::Prices::limits() const {
   std::vector<double> limits;
   for (const Shared& shared : shared_) {
-    double left = shared.end->limit * (1.0 + slack);
+    double left = shared.end->limit * (1.0 + sum_slack);
     for (std::size_t c = 0; c < problem_.first_state.size(); ++c)
       if (shared.use[0][c] != 0.0) left -= shared.use[0][c] * problem_.first_state[c];
     limits.push_back(left);
@@ -169,7 +168,7 @@ bool RestPlanes::Prices::find_vectors(const std::vector<Pair>& corners) {
     RestVectors& vectors = plans_[i].vectors;
     for (const Shared& shared : shared_) {
       without.use.emplace_back(shared_.size(), 0.0)[without.use.size() - 1] = 1.0;
-      vectors.limit.push_back(shared.end->limit * (1.0 + slack));
+      vectors.limit.push_back(shared.end->limit * (1.0 + sum_slack));
       vectors.use.push_back(shared.use[i + 1]);
     }
     vectors.add = std::move(after[i + 1]);

@@ -11,8 +11,6 @@
 namespace millwright::solver {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// Of the vectors in some order, a part of it.
 struct Cell {
   std::size_t from = 0, to = 0;

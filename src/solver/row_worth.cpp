@@ -9,7 +9,6 @@ namespace millwright::solver {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double most_combinations = 32.0;
 
 /// What the stage of this plan adds at least with each of its rows.

@@ -21,8 +21,6 @@
 namespace millwright::solver {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// One solve: every combination of shared choices, cheapest first, with common incumbents.
 class Solve {
  public:

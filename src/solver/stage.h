@@ -30,6 +30,7 @@
 namespace millwright::solver {
 
 using scalar::Interval;
+using scalar::rounding::infinity;
 using Row = std::uint32_t;
 
 /// A table of which exactly one row is chosen.

@@ -7,8 +7,6 @@
 namespace millwright::solver {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// Merges neighbours until at most `most` are left; `lower`: into their common lower bound, else upper bound.
 std::vector<Pair> coarsened(std::vector<Pair> points, std::size_t most, bool lower) {
   if (points.size() <= most) return points;

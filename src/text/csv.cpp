@@ -103,7 +103,7 @@ void CsvTable::report_number(std::size_t row, std::size_t column, Diagnostics& d
   if (diagnostics.is_full(text_.get())) return diagnostics.error(whole(text_), "not a number");
   const std::string_view content = cell(row, column);
   diagnostics.error(
-      cell_span(row, column), columns_[column].name + ": not a number: " + quoted(content), number_hint(content));
+      cell_span(row, column), columns_[column].name + ": not a number: " + in_quotes(content), number_hint(content));
 }
 
 double CsvTable::number_in(std::size_t row, NumberColumn& column, Diagnostics& diagnostics) const {

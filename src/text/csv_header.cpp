@@ -3,15 +3,11 @@
 
 #include <algorithm>
 
+#include "text/characters.h"
+
 namespace millwright::text {
 
 namespace {
-
-std::string_view without_blanks(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
 
 /// The separator a header uses: of `,` and `;` the more frequent one outside quotes and brackets.
 char separator_of(std::string_view contents, std::size_t begin) {

@@ -162,7 +162,7 @@ void CsvReader::check_names() {
     if (added || column.name.empty()) continue;
     Diagnostic diagnostic;
     diagnostic.where = column.name_span;
-    diagnostic.message = "two columns of the name " + quoted(column.name);
+    diagnostic.message = "two columns of the name " + in_quotes(column.name);
     diagnostic.related = first->second->name_span;
     diagnostic.related_message = "the first is here";
     diagnostics_.add(std::move(diagnostic));
@@ -217,7 +217,7 @@ void CsvReader::check_comment(std::size_t mark) {
   const std::string_view first = line.substr(0, line.find_first_of(" \t\r,;"));
   error(
       span_at(table_.text_, mark, first.size()),
-      fmt::format("comment or row? {} with {} cells", quoted(first), cells),
+      fmt::format("comment or row? {} with {} cells", in_quotes(first), cells),
       fmt::format("quote the first cell of a row, \"{}\"; of a comment write a blank behind #", printable(first, 40)));
 }
 
@@ -262,7 +262,7 @@ void CsvReader::report_length(std::size_t first, std::size_t cells) {
     const std::size_t end = starts[first + cells] - 1 - (!last.empty() && last.back() == '\r' ? 1 : 0);
     return error(span_at(table_.text_, end, 1),
                  message,
-                 fmt::format("the cell of {} and what follows is missing", quoted(table_.columns_[cells].name)));
+                 fmt::format("the cell of {} and what follows is missing", in_quotes(table_.columns_[cells].name)));
   }
   const std::string_view surplus = slice(starts, first + columns);
   error(span_at(table_.text_, starts[first + columns], surplus.size()),

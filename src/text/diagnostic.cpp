@@ -215,6 +215,6 @@ std::string printable(std::string_view text, std::size_t limit) {
   return result;
 }
 
-std::string quoted(std::string_view text, std::size_t limit) { return "'" + printable(text, limit) + "'"; }
+std::string in_quotes(std::string_view text, std::size_t limit) { return "'" + printable(text, limit) + "'"; }
 
 }  // namespace millwright::text

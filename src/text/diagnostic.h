@@ -100,6 +100,6 @@ std::string folded(std::string_view formatted, std::size_t width);
 std::string printable(std::string_view text, std::size_t limit = 200);
 
 /// printable() in single quotes, for words of the user inside a message.
-std::string quoted(std::string_view text, std::size_t limit = 40);
+std::string in_quotes(std::string_view text, std::size_t limit = 40);
 
 }  // namespace millwright::text

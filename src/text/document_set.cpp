@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "text/characters.h"
 #include "text/document.h"
 #include "text/nearest.h"
 #include "text/toml_depth.h"
@@ -128,7 +129,7 @@ Node* element(Node& array, const Step& step, Diagnostics& diagnostics) {
   const std::vector<std::string> names = names_in(array);
   std::string known = "tables of a list are named by their key 'name' or by their position, as in [0]";
   if (!names.empty()) known = fmt::format("there is {}", fmt::join(names, ", "));
-  diagnostics.error(step.span, "no element has the name " + quoted(step.key), did_you_mean(step.key, names, known));
+  diagnostics.error(step.span, "no element has the name " + in_quotes(step.key), did_you_mean(step.key, names, known));
   return nullptr;
 }
 
@@ -149,7 +150,7 @@ Node* descend(Node& node, const Step& step, const Step& next, Diagnostics& diagn
   }
   if (Node* found = node.find(step.key)) return found;
   if (!next.index) return &node.put(step.key, step.span, Node::make_table(step.span));
-  diagnostics.error(step.span, "there is no " + quoted(step.key), did_you_mean(step.key, keys_of(node)));
+  diagnostics.error(step.span, "there is no " + in_quotes(step.key), did_you_mean(step.key, keys_of(node)));
   return nullptr;
 }
 
@@ -169,18 +170,12 @@ bool store(Node& node, const Step& last, Node value, Diagnostics& diagnostics) {
   return false;
 }
 
-std::string_view without_blanks(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
-}
-
 /// The value behind the `=` at byte `equals` of the assignment.
 std::optional<Node> read_value(const std::shared_ptr<const SourceText>& text,
                                std::size_t equals,
                                Diagnostics& diagnostics) {
   const std::string_view contents = text->contents();
-  const std::string_view value = without_blanks(contents.substr(equals + 1));
+  const std::string_view value = without_blanks(contents.substr(equals + 1), " \t\r\n");
   // A key as long as what stands before the `=` gives every character of the value its right column.
   const std::string toml =
       std::string(count_characters(contents.substr(0, equals)), 'k') + std::string(contents.substr(equals));

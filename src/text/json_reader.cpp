@@ -7,14 +7,14 @@
 #include <system_error>
 #include <utility>
 
+#include "text/characters.h"
 #include "text/utf8.h"
 
 namespace millwright::text {
 
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+bool is_word_character(char c) { return is_letter(c) || c == '_'; }
 
 }  // namespace
 
@@ -75,7 +75,7 @@ bool JsonReader::read_value(std::optional<Node>& result) {
     }
     default:
       if (peek() == '-' || is_digit(peek())) return read_number(result);
-      if (is_letter(peek())) return read_word(result);
+      if (is_word_character(peek())) return read_word(result);
       return fail_at_value();
   }
 }
@@ -142,7 +142,7 @@ bool JsonReader::read_member(Node& object) {
   if (object.find(key) != nullptr) {
     Diagnostic diagnostic;
     diagnostic.where = std::move(key_span);
-    diagnostic.message = "JSON: the key " + quoted(key) + " stands twice in this object";
+    diagnostic.message = "JSON: the key " + in_quotes(key) + " stands twice in this object";
     diagnostic.related = object.key_span(key);
     diagnostic.related_message = "the first is here";
     diagnostics_.add(std::move(diagnostic));
@@ -270,7 +270,7 @@ bool JsonReader::read_number(std::optional<Node>& result) {
     if (peek() == '+' || peek() == '-') advance();
     if (skip_digits() == 0) return fail(now_, "a digit is expected in the exponent");
   }
-  if (is_letter(peek()) || peek() == '.') return fail(now_, "a number ends here", "quantities stand in quotes");
+  if (is_word_character(peek()) || peek() == '.') return fail(now_, "a number ends here", "quantities stand in quotes");
   const std::string_view token = bytes_.substr(begin.offset, now_.offset - begin.offset);
   std::int64_t whole_number = 0;
   if (integral && std::from_chars(token.data(), token.data() + token.size(), whole_number).ec == std::errc{}) {
@@ -287,7 +287,7 @@ bool JsonReader::read_number(std::optional<Node>& result) {
 /// true, false and null; null leaves no result.
 bool JsonReader::read_word(std::optional<Node>& result) {
   const Mark begin = now_;
-  while (!at_end() && (is_letter(peek()) || is_digit(peek()))) advance();
+  while (!at_end() && (is_word_character(peek()) || is_digit(peek()))) advance();
   const std::string_view word = bytes_.substr(begin.offset, now_.offset - begin.offset);
   if (word == "null") return true;
   if (word == "true" || word == "false") {
@@ -296,7 +296,7 @@ bool JsonReader::read_word(std::optional<Node>& result) {
   }
   const bool wrong_case = word == "True" || word == "False" || word == "TRUE" || word == "FALSE";
   return fail(begin,
-              quoted(word) + " is no value",
+              in_quotes(word) + " is no value",
               wrong_case ? "true and false are written in small letters" : "text stands in double quotes");
 }
 

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <system_error>
 
+#include "text/characters.h"
 #include "text/diagnostic.h"
 
 namespace millwright::text {
@@ -17,15 +18,6 @@ namespace {
 
 /// Nobody types more digits; what is longer is another kind of text.
 constexpr std::size_t longest_number = 400;
-
-std::string_view without_blanks(std::string_view text) {
-  const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-  return text;
-}
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// The text with each of `from` replaced by `to`, if that makes it a number.
 std::optional<std::string> as_number_with(std::string_view text, std::string_view from, std::string_view to) {
@@ -89,14 +81,8 @@ std::optional<std::string> unit_behind(std::string_view text) {
   const bool word = (lead | 0x20U) - 'a' < 26U || lead >= 0x80 || lead == '%' || lead == '"' || lead == '[';
   if (!word) return std::nullopt;
   return fmt::format("unit in the cell {}: units stand in the header, in brackets; write {}",
-                     quoted(rest, 12),
+                     in_quotes(rest, 12),
                      text.substr(0, length));
-}
-
-std::string lower_case(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return result;
 }
 
 }  // namespace

@@ -107,7 +107,7 @@ std::string similar_file(const std::string& path) {
   namespace fs = std::filesystem;
   std::error_code no_link;
   if (const fs::path there = fs::read_symlink(path, no_link); !no_link)
-    return "it is a symbolic link to " + quoted(there.string(), 200) + ", which leads to nothing";
+    return "it is a symbolic link to " + in_quotes(there.string(), 200) + ", which leads to nothing";
   constexpr std::size_t most = 10000;  // looked at
   const fs::path wanted(path);
   std::error_code failure;

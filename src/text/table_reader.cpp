@@ -172,7 +172,7 @@ std::optional<std::string> TableReader::word(const Key& key,
   const std::string value = *node->as_string();
   if (std::find(allowed.begin(), allowed.end(), value) != allowed.end()) return value;
   diagnostics_.error(node->span(),
-                     fmt::format("'{}' cannot be {}", key.name, quoted(value)),
+                     fmt::format("'{}' cannot be {}", key.name, text::in_quotes(value)),
                      did_you_mean(value, allowed, fmt::format("one of {}", fmt::join(allowed, ", "))));
   return std::nullopt;
 }
@@ -199,7 +199,7 @@ void TableReader::finish() {
     }
     const std::string all = known_.empty() ? "" : fmt::format("known keys: {}", fmt::join(known_, ", "));
     diagnostics_.error(entry.key_span,
-                       fmt::format("unknown key {} in {}", quoted(entry.key), title_),
+                       fmt::format("unknown key {} in {}", text::in_quotes(entry.key), title_),
                        did_you_mean(entry.key, candidates, did_you_mean(entry.key, known_, all)));
   }
 }

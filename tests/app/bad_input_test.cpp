@@ -5,7 +5,7 @@
 #include "app/program.h"
 #include "catch.h"
 
-namespace millwright::app {
+namespace millwright::app::bad_input_test {
 namespace {
 
 /// The machine with one change; `complaint` must be in standard error, with its place and its hint.
@@ -298,4 +298,4 @@ TEST_CASE("A result is not written over what is read") {
   CHECK(shop.read("a.csv") == bill);
 }
 
-}  // namespace millwright::app
+}  // namespace millwright::app::bad_input_test

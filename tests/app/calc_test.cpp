@@ -4,7 +4,7 @@
 #include "app/program.h"
 #include "catch.h"
 
-namespace millwright::app {
+namespace millwright::app::calc_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -185,4 +185,4 @@ TEST_CASE("Formulas are found by words, and told with all that calc needs") {
 }
 
 }  // namespace
-}  // namespace millwright::app
+}  // namespace millwright::app::calc_test

@@ -6,6 +6,8 @@
 #include "catch.h"
 #include "program.h"
 
+namespace catalogue_diff_test {
+
 using namespace millwright::app;
 
 namespace {
@@ -221,3 +223,5 @@ TEST_CASE("catalogue diff --json gives what is said of a figure its own cell") {
   CHECK(cells.at(1).at("b") == "high");
   CHECK(cells.at(1).at("b_place") == "new/steppers/m.csv:2:25");
 }
+
+}  // namespace catalogue_diff_test

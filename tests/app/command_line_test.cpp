@@ -2,7 +2,7 @@
 #include "app/program.h"
 #include "catch.h"
 
-namespace millwright::app {
+namespace millwright::app::command_line_test {
 namespace {
 
 struct Case {
@@ -95,4 +95,4 @@ TEST_CASE("The version is that of the project") {
 }
 
 }  // namespace
-}  // namespace millwright::app
+}  // namespace millwright::app::command_line_test

@@ -5,7 +5,7 @@
 #include "app/program.h"
 #include "catch.h"
 
-namespace millwright::app {
+namespace millwright::app::compare_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -141,4 +141,4 @@ TEST_CASE("What cannot be compared is said at once, with a hint") {
 }
 
 }  // namespace
-}  // namespace millwright::app
+}  // namespace millwright::app::compare_test

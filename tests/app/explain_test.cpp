@@ -8,7 +8,7 @@
 #include "catch.h"
 #include "text/utf8.h"
 
-namespace millwright::app {
+namespace millwright::app::explain_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -191,4 +191,4 @@ TEST_CASE("An optimum inside its bounds is explained too") {
   CHECK((outcome.exit_code == 0 || outcome.exit_code == 3));
 }
 
-}  // namespace millwright::app
+}  // namespace millwright::app::explain_test

@@ -7,7 +7,7 @@
 #include "app/program.h"
 #include "catch.h"
 
-namespace millwright::app {
+namespace millwright::app::import_test {
 namespace {
 
 constexpr const char* table =
@@ -262,4 +262,4 @@ TEST_CASE("A catalogue file may end in capitals") {
   CHECK(list.prints("OLD.CSV"));
 }
 
-}  // namespace millwright::app
+}  // namespace millwright::app::import_test

@@ -6,6 +6,8 @@
 #include "program.h"
 #include "text/sha256.h"
 
+namespace lock_test {
+
 using namespace millwright::app;
 
 namespace {
@@ -201,3 +203,5 @@ TEST_CASE("an edited lock is refused, and a lock goes over nothing but a lock") 
             .says("--write-lock: of a range there is no single build"));
   CHECK_FALSE(shop.has("r.lock"));
 }
+
+}  // namespace lock_test

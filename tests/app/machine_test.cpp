@@ -6,7 +6,7 @@
 #include "app/program.h"
 #include "catch.h"
 
-namespace millwright::app {
+namespace millwright::app::machine_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -344,4 +344,4 @@ TEST_CASE("An empty problem says where to begin") {
 }
 
 }  // namespace
-}  // namespace millwright::app
+}  // namespace millwright::app::machine_test

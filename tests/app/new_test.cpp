@@ -5,7 +5,7 @@
 #include "app/program.h"
 #include "catch.h"
 
-namespace millwright::app {
+namespace millwright::app::new_test {
 namespace {
 
 const std::vector<std::string> names = {"mill", "printer", "router", "sander", "torch"};
@@ -64,4 +64,4 @@ TEST_CASE("A template or file that cannot be: exit code 2, a hint, and nothing i
 }
 
 }  // namespace
-}  // namespace millwright::app
+}  // namespace millwright::app::new_test

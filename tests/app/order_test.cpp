@@ -7,7 +7,7 @@
 #include "catch.h"
 #include "shipped_machines.h"
 
-namespace millwright::app {
+namespace millwright::app::order_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -123,4 +123,4 @@ TEST_CASE("Option --order takes files it can write, of kinds it knows, and spare
 }
 
 }  // namespace
-}  // namespace millwright::app
+}  // namespace millwright::app::order_test

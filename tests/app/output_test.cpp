@@ -8,7 +8,7 @@
 #include "app/program.h"
 #include "catch.h"
 
-namespace millwright::app {
+namespace millwright::app::output_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -161,4 +161,4 @@ TEST_CASE("Two outputs do not go to one file, however it is spelt") {
   CHECK(shop.entries() == 2);
 }
 
-}  // namespace millwright::app
+}  // namespace millwright::app::output_test

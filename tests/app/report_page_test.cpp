@@ -7,7 +7,7 @@
 #include "app/program.h"
 #include "catch.h"
 
-namespace millwright::app {
+namespace millwright::app::report_page_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -344,4 +344,4 @@ TEST_CASE("A page that explains why nothing is compliant is written too") {
   expect_alone(page);
 }
 
-}  // namespace millwright::app
+}  // namespace millwright::app::report_page_test

@@ -7,7 +7,7 @@
 #include "app/program.h"
 #include "catch.h"
 
-namespace millwright::app {
+namespace millwright::app::steering_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -331,4 +331,4 @@ TEST_CASE("Alternatives that a time limit cuts short say how far they are proved
 }
 
 }  // namespace
-}  // namespace millwright::app
+}  // namespace millwright::app::steering_test

@@ -4,7 +4,7 @@
 
 #include "app/lifter.h"
 
-namespace millwright::app {
+namespace millwright::app::stock_test {
 namespace {
 
 /// The cheapest lifter, with the parts of the folder `mine`, whose preferred ones may cost so much more.
@@ -250,4 +250,4 @@ TEST_CASE("A lock notices that the stock changed, came or went") {
   CHECK(shop.run(more).exit_code == 2);
 }
 
-}  // namespace millwright::app
+}  // namespace millwright::app::stock_test

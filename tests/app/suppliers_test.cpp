@@ -8,7 +8,7 @@
 
 #include "app/lifter.h"
 
-namespace millwright::app {
+namespace millwright::app::suppliers_test {
 
 TEST_CASE("An order from a shop is charged with shipping and minimum, and the order list says so") {
   const Workshop shop;
@@ -186,4 +186,4 @@ TEST_CASE("What is owned goes first also where its supplier charges for the rest
   CHECK(cost(charged) == Approx(cost(owned) + 1.0));  // one order, of all that is not owned
 }
 
-}  // namespace millwright::app
+}  // namespace millwright::app::suppliers_test

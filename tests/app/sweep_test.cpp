@@ -8,7 +8,7 @@
 #include "app/program.h"
 #include "catch.h"
 
-namespace millwright::app {
+namespace millwright::app::sweep_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -241,4 +241,4 @@ TEST_CASE("Bad ranges and settings are reported where they were typed") {
 }
 
 }  // namespace
-}  // namespace millwright::app
+}  // namespace millwright::app::sweep_test

@@ -11,7 +11,7 @@
 #include "catch.h"
 #include "shipped_machines.h"
 
-namespace millwright::app {
+namespace millwright::app::terminal_test {
 namespace {
 
 const std::string problems = MILLWRIGHT_SOURCE_DIR "/problems/";
@@ -179,4 +179,4 @@ TEST_CASE("Help names what is given, without the parser's own words") {
 }
 
 }  // namespace
-}  // namespace millwright::app
+}  // namespace millwright::app::terminal_test

@@ -5,6 +5,8 @@
 #include "app/program.h"
 #include "catch.h"
 
+namespace tolerance_test {
+
 using namespace millwright::app;
 
 namespace {
@@ -106,3 +108,5 @@ TEST_CASE("a robust front that time was up for says which builds were not settle
     CHECK(build.at("tolerances").at("stopped") == true);
   }
 }
+
+}  // namespace tolerance_test

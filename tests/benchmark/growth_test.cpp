@@ -9,6 +9,8 @@
 #include "benchmark/stack_instance.h"
 #include "catch.h"
 
+namespace growth_test {
+
 namespace {
 
 using namespace millwright::solver;
@@ -108,3 +110,5 @@ TEST_CASE("The exponent of a power law is found") {
   CHECK(growth::exponent({1.0, 10.0, 100.0}, {3.0, 30.0, 300.0}) == Approx(1.0));
   CHECK(growth::exponent({2.0, 4.0, 8.0, 16.0}, {5.0, 20.0, 80.0, 320.0}) == Approx(2.0));
 }
+
+}  // namespace growth_test

@@ -34,7 +34,7 @@ inline bool may_differ(std::string_view column) {
   return column.rfind("price", 0) == 0;
 }
 
-inline std::string quoted(std::string_view cell) {
+inline std::string in_quotes(std::string_view cell) {
   if (cell.find_first_of(",\"\n\r") == std::string_view::npos) return std::string(cell);
   std::string text = "\"";
   for (const char c : cell) text += c == '"' ? std::string("\"\"") : std::string(1, c);
@@ -44,7 +44,7 @@ inline std::string quoted(std::string_view cell) {
 inline std::string differing(std::string_view cell, std::mt19937_64& random) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  if (error != std::errc() || end != cell.data() + cell.size()) return quoted(cell);
+  if (error != std::errc() || end != cell.data() + cell.size()) return in_quotes(cell);
   constexpr double spread = 0.08;
   const double share = static_cast<double>(random() >> 11U) * 0x1p-53;
   return fmt::format("{:.6g}", value * std::exp(spread * (2.0 * share - 1.0)));
@@ -71,7 +71,7 @@ inline std::size_t multiply_file(const std::filesystem::path& from,
     differs.push_back(may_differ(names.back()));
     const auto cells = table.text_column(i);
     columns.emplace_back(cells.begin(), cells.end());
-    out << (i > 0 ? "," : "") << quoted(column.unit ? column.name + " [" + *column.unit + "]" : column.name);
+    out << (i > 0 ? "," : "") << in_quotes(column.unit ? column.name + " [" + *column.unit + "]" : column.name);
   }
   out << "\n";
   for (int copy = 0; copy < times; ++copy)
@@ -80,9 +80,9 @@ inline std::size_t multiply_file(const std::filesystem::path& from,
         const std::string_view cell = columns[i][row];
         out << (i > 0 ? "," : "");
         if (copy > 0 && names[i] == "part_number")
-          out << quoted(std::string(cell) + "~" + std::to_string(copy));
+          out << in_quotes(std::string(cell) + "~" + std::to_string(copy));
         else
-          out << (copy > 0 && differs[i] ? differing(cell, random) : quoted(cell));
+          out << (copy > 0 && differs[i] ? differing(cell, random) : in_quotes(cell));
       }
       out << "\n";
     }

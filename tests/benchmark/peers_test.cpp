@@ -8,6 +8,8 @@
 #include "benchmark/stack_instance.h"
 #include "catch.h"
 
+namespace peers_test {
+
 namespace {
 
 using namespace stack::peers;
@@ -97,3 +99,5 @@ TEST_CASE("A peer that crashes, hangs, or says something and then hangs is repor
                     }};
   CHECK(asked(instance, table, claims, 5.0).claimed);
 }
+
+}  // namespace peers_test

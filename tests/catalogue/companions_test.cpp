@@ -8,6 +8,8 @@
 #include "catalogue/read_table.h"
 #include "catch.h"
 
+namespace companions_test {
+
 using namespace millwright;
 using namespace millwright::catalogue;
 
@@ -133,3 +135,5 @@ TEST_CASE("tables keep what companions say when rows are dropped and added") {
   CHECK(std::isnan(below.half_width(0, torque)));
   CHECK(below.half_width(2, torque) == Approx(0.5));
 }
+
+}  // namespace companions_test

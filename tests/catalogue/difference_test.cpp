@@ -10,6 +10,8 @@
 #include "catch.h"
 #include "temporary_folder.h"
 
+namespace difference_test {
+
 using namespace millwright;
 using namespace millwright::catalogue;
 
@@ -275,3 +277,5 @@ TEST_CASE("what is said of a figure alone is a change of the figure's provenance
   CHECK(sides("0.5,list,low,10 %", "0.5,list,low,0.1").found.equal());
   CHECK(sides("0.5,list,low,10 %", "0.5,list,low,0.05 kg").found.equal());
 }
+
+}  // namespace difference_test

@@ -7,6 +7,8 @@
 #include "catch.h"
 #include "temporary_folder.h"
 
+namespace gaps_test {
+
 using namespace millwright;
 using namespace millwright::catalogue;
 
@@ -116,3 +118,5 @@ TEST_CASE("gaps of the shipped catalogues stand in the order of the families, ea
     for (const std::string& size : gap.sizes) CHECK(gap.missing.find(size) != std::string::npos);
   }
 }
+
+}  // namespace gaps_test

@@ -4,7 +4,7 @@
 #include "catalogue/import_unit.h"
 #include "catch.h"
 
-namespace millwright::catalogue {
+namespace millwright::catalogue::import_number_test {
 namespace {
 
 TEST_CASE("What the marks of a number tell") {
@@ -139,4 +139,4 @@ TEST_CASE("A header cell of many words is no likeness, and one that holds a quan
 }
 
 }  // namespace
-}  // namespace millwright::catalogue
+}  // namespace millwright::catalogue::import_number_test

@@ -6,7 +6,7 @@
 #include "catalogue/import_table.h"
 #include "catch.h"
 
-namespace millwright::catalogue {
+namespace millwright::catalogue::import_test {
 namespace {
 
 constexpr const char* english =
@@ -514,4 +514,4 @@ TEST_CASE("A companion that is no tolerance, or of another unit than its column,
 }
 
 }  // namespace
-}  // namespace millwright::catalogue
+}  // namespace millwright::catalogue::import_test

@@ -10,7 +10,7 @@
 #include "catch.h"
 #include "text/file_bytes.h"
 
-namespace millwright::catalogue {
+namespace millwright::catalogue::import_workbook_test {
 namespace {
 
 /// What stands in a sheet, cells divided by bars; or the complaints.
@@ -279,4 +279,4 @@ TEST_CASE("Texts that mean harm are refused at their places") {
 }
 
 }  // namespace
-}  // namespace millwright::catalogue
+}  // namespace millwright::catalogue::import_workbook_test

@@ -6,6 +6,8 @@
 #include "catch.h"
 #include "temporary_folder.h"
 
+namespace inventory_test {
+
 using namespace millwright;
 using namespace millwright::catalogue;
 
@@ -111,3 +113,5 @@ TEST_CASE("figures that say the same") {
   CHECK(relative_note("yes", "no").empty());
   CHECK(relative_note("0 USD", "1 USD").empty());
 }
+
+}  // namespace inventory_test

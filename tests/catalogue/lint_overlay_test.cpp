@@ -6,6 +6,8 @@
 #include "catalogue/temporary_folder.h"
 #include "catch.h"
 
+namespace lint_overlay_test {
+
 using namespace millwright;
 using namespace millwright::catalogue;
 
@@ -130,3 +132,5 @@ TEST_CASE("terms of cutting that no seller has are doubted, as a family's own co
   CHECK(folders.summary.warnings == 3);
   CHECK(folders.summary.errors == 0);
 }
+
+}  // namespace lint_overlay_test

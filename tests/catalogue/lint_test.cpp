@@ -10,6 +10,8 @@
 #include "catch.h"
 #include "temporary_folder.h"
 
+namespace lint_test {
+
 using namespace millwright;
 using namespace millwright::catalogue;
 
@@ -436,3 +438,5 @@ TEST_CASE("lint reads files, tells the family, and finds duplicates across files
   CHECK(summary.errors == 3);  // the duplicate, the power, the file that is not there
   CHECK(mentions(diagnostics, "supply-power"));
 }
+
+}  // namespace lint_test

@@ -7,6 +7,8 @@
 #include "catch.h"
 #include "temporary_folder.h"
 
+namespace overlay_test {
+
 using namespace millwright;
 using namespace millwright::catalogue;
 
@@ -200,3 +202,5 @@ TEST_CASE("files of a family are put together whichever is the longer one and wh
     }
   }
 }
+
+}  // namespace overlay_test

@@ -6,6 +6,8 @@
 #include "catch.h"
 #include "temporary_folder.h"
 
+namespace piece_price_test {
+
 using namespace millwright;
 using namespace millwright::catalogue;
 
@@ -89,3 +91,5 @@ TEST_CASE("Price breaks and packs that make no sense are refused at their place"
   CHECK(price.purchase(6).pieces == 10.0);
   CHECK(price.purchase(6).price == 45.0);
 }
+
+}  // namespace piece_price_test

@@ -9,6 +9,8 @@
 #include "catalogue/table_of.h"
 #include "catch.h"
 
+namespace plausibility_test {
+
 using namespace millwright;
 using namespace millwright::catalogue;
 
@@ -108,3 +110,5 @@ TEST_CASE("a torque with one phase on is judged as the root of two times it") {
   CHECK(of_one->expected_low == Approx(of_both->expected_low / std::sqrt(2.0)));
   CHECK(of_one->expected_high == Approx(of_both->expected_high / std::sqrt(2.0)));
 }
+
+}  // namespace plausibility_test

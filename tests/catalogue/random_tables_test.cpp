@@ -10,6 +10,8 @@
 #include "catalogue/read_table.h"
 #include "catch.h"
 
+namespace random_tables_test {
+
 using namespace millwright;
 using namespace millwright::catalogue;
 
@@ -126,3 +128,5 @@ TEST_CASE("random tables survive") {
     CHECK(same);
   }
 }
+
+}  // namespace random_tables_test

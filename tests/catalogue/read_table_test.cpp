@@ -11,6 +11,8 @@
 #include "catch.h"
 #include "temporary_folder.h"
 
+namespace read_table_test {
+
 using namespace millwright;
 using namespace millwright::catalogue;
 
@@ -400,3 +402,5 @@ TEST_CASE("a table asked for a column it does not have says so") {
   CHECK_THROWS_AS(table.numbers(column(Family::steppers, "frame")), std::logic_error);
   CHECK_THROWS_AS(column(Family::steppers, "holding_torqe"), std::logic_error);
 }
+
+}  // namespace read_table_test

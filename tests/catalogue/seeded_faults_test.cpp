@@ -288,6 +288,8 @@ std::vector<Outcome> sow(unsigned seed, int cases, std::string* missed = nullptr
 
 }  // namespace seeded
 
+namespace seeded_faults_test {
+
 using namespace millwright;
 
 namespace {
@@ -351,3 +353,5 @@ TEST_CASE("at most one row in a hundred of the shipped catalogues is doubted wit
   }
   CHECK(alone <= 13);
 }
+
+}  // namespace seeded_faults_test

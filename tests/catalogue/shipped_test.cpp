@@ -11,6 +11,8 @@
 #include "catch.h"
 #include "temporary_folder.h"
 
+namespace shipped_test {
+
 using namespace millwright;
 using namespace millwright::catalogue;
 
@@ -247,3 +249,5 @@ TEST_CASE("list and show tell what is in the file") {
   }
   CHECK(seen);
 }
+
+}  // namespace shipped_test

@@ -11,6 +11,8 @@
 #include "catalogue/table_of.h"
 #include "catch.h"
 
+namespace siblings_test {
+
 using namespace millwright;
 using namespace millwright::catalogue;
 
@@ -106,3 +108,5 @@ TEST_CASE("two bearings with the same balls do not have different ratings") {
   CHECK(findings(head + bush + "Other,SC8,linear ball bush block,8,30,217,392,2,9,USD\n").empty());  // another maker
   CHECK(findings(head + bush + "Acme,SC9,linear ball bush block,9,30,217,392,2,9,USD\n").empty());   // another size
 }
+
+}  // namespace siblings_test

@@ -6,6 +6,8 @@
 #include "catch.h"
 #include "temporary_folder.h"
 
+namespace stock_test {
+
 using namespace millwright;
 using namespace millwright::catalogue;
 
@@ -118,3 +120,5 @@ TEST_CASE("A folder with nothing but a stock file is an overlay") {
   REQUIRE(mark != nullptr);
   CHECK_FALSE(mark->available);
 }
+
+}  // namespace stock_test

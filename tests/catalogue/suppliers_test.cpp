@@ -6,6 +6,8 @@
 #include "catch.h"
 #include "temporary_folder.h"
 
+namespace suppliers_test {
+
 using namespace millwright;
 using namespace millwright::catalogue;
 
@@ -141,3 +143,5 @@ TEST_CASE("A column that the files do not have is refused with the nearest") {
   CHECK(loaded.says("did you mean 'shipping_fee'?"));
   CHECK(loaded.says("offers.csv has no column supplier"));
 }
+
+}  // namespace suppliers_test

@@ -12,6 +12,8 @@
 #include "evaluation/tiny_catalogue.h"
 #include "sanitized.h"
 
+namespace alternatives_test {
+
 using namespace millwright;
 using evaluation::Design;
 using evaluation::MachineModel;
@@ -267,3 +269,5 @@ TEST_CASE("What the problem does not permit cannot be fixed") {
 }
 
 }  // namespace
+
+}  // namespace alternatives_test

@@ -13,6 +13,8 @@
 #include "catch.h"
 #include "mechanics/formula.h"
 
+namespace audit_test {
+
 using namespace millwright;
 using evaluation::AuditReport;
 using evaluation::AuditRow;
@@ -306,3 +308,5 @@ TEST_CASE("what is not a named factor is none") {
   CHECK(factor("0 kW", 0.0) == 0.0);
   CHECK(factor("20 N", INFINITY) == 0.0);
 }
+
+}  // namespace audit_test

@@ -8,6 +8,8 @@
 #include "catch.h"
 #include "evaluation/every_packing.h"
 
+namespace bar_packing_test {
+
 using namespace millwright;
 using evaluation::BarSize;
 using evaluation::cut_from_bars;
@@ -114,3 +116,5 @@ TEST_CASE("A plan says whether no other one needs fewer bars") {
   CHECK(proved + open == 40);
   CHECK(open > 0);
 }
+
+}  // namespace bar_packing_test

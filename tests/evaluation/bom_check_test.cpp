@@ -10,6 +10,8 @@
 #include "evaluation/synthesis.h"
 #include "evaluation/tiny_catalogue.h"
 
+namespace bom_check_test {
+
 using namespace millwright;
 using evaluation::BomCheck;
 using evaluation::Design;
@@ -285,3 +287,5 @@ TEST_CASE("A family without rows is said, with and without a bill for it") {
   REQUIRE(solved.empty_slots.size() == 1);
   CHECK(solved.empty_slots[0].slot == "coupling");
 }
+
+}  // namespace bom_check_test

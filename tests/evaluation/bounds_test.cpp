@@ -11,6 +11,8 @@
 #include "evaluation/machines.h"
 #include "evaluation/random_boxes.h"
 
+namespace bounds_test {
+
 using namespace millwright;
 using evaluation::MachineModel;
 using evaluation::StageEntry;
@@ -735,3 +737,5 @@ TEST_CASE("Parts that go together are never said not to fit") {
     CHECK(together > 5);
   }
 }
+
+}  // namespace bounds_test

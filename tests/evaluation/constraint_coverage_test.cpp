@@ -17,6 +17,8 @@
 #include "machine/bill_of_materials.h"
 #include "text/source_text.h"
 
+namespace constraint_coverage_test {
+
 using namespace millwright;
 using evaluation::Check;
 using evaluation::Verdict;
@@ -202,3 +204,5 @@ TEST_CASE("Ids are read from the comment at the top of a bill of materials") {
   CHECK(named_in_comment("# It fails (C-ST-INERTIA of Y, F-SUPPORT-FIXED);\n# and C-BS-DN. Not ABC-X\naxis\nC-NO\n") ==
         std::set<std::string>{"C-ST-INERTIA", "F-SUPPORT-FIXED", "C-BS-DN"});
 }
+
+}  // namespace constraint_coverage_test

@@ -8,6 +8,8 @@
 #include "evaluation/declared_constraints.h"
 #include "scalar/unit.h"
 
+namespace constraint_declarations_test {
+
 using namespace millwright;
 using machine::ConstraintKind;
 using machine::Declaration;
@@ -203,3 +205,5 @@ TEST_CASE("Requirements have the documented defaults") {
   CHECK_FALSE(r.known(position_error));
   CHECK_FALSE(r.known(lost_motion));
 }
+
+}  // namespace constraint_declarations_test

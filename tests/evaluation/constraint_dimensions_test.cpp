@@ -7,6 +7,8 @@
 #include "evaluation/declared_constraints.h"
 #include "scalar/unit.h"
 
+namespace constraint_dimensions_test {
+
 using namespace millwright;
 using scalar::Dimension;
 using scalar::Dimensioned;
@@ -469,3 +471,5 @@ TEST_CASE("Demand and capacity of every constraint have the dimension of its uni
       CHECK(seen[i].count(std::string(declaration.id)) == 1);
     }
 }
+
+}  // namespace constraint_dimensions_test

@@ -13,6 +13,8 @@
 #include "evaluation/tiny_catalogue.h"
 #include "machine/bill_of_materials.h"
 
+namespace current_choice_test {
+
 using namespace millwright;
 using evaluation::Design;
 using evaluation::MachineModel;
@@ -254,3 +256,5 @@ TEST_CASE("A current that no driver gives is in no build") {
   REQUIRE(dearer.designs.size() == 1);
   CHECK(part_of(dearer.designs.front(), "x", "driver") == "D4");
 }
+
+}  // namespace current_choice_test

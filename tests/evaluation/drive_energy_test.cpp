@@ -7,6 +7,8 @@
 #include "evaluation/machines.h"
 #include "sanitized.h"
 
+namespace drive_energy_test {
+
 using namespace millwright;
 using evaluation::MachineModel;
 using machine::Quantity;
@@ -132,3 +134,5 @@ TEST_CASE("The energy of a cycle is the integral of the drive's input power") {
     }
   }
 }
+
+}  // namespace drive_energy_test

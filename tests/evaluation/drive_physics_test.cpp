@@ -8,6 +8,8 @@
 #include "evaluation/machines.h"
 #include "evaluation/random_boxes.h"
 
+namespace drive_physics_test {
+
 using namespace millwright;
 using evaluation::MachineModel;
 using evaluation::ScrewDriveStage;
@@ -146,3 +148,5 @@ TEST_CASE("Bounds of the torque of many motors hold at and beyond the edges of t
       }
   }
 }
+
+}  // namespace drive_physics_test

@@ -9,6 +9,8 @@
 #include "evaluation/synthesis.h"
 #include "evaluation/ways_out.h"
 
+namespace error_budget_test {
+
 using namespace millwright;
 using namespace millwright::hand_worked;
 using evaluation::Check;
@@ -218,3 +220,5 @@ TEST_CASE("Checks said to fail whatever is chosen do so in every build, and the 
   // Where something is compliant no check can fail always.
   CHECK(evaluation::unmet_checks(MachineModel(machine(300.0, "as made"), parts())).empty());
 }
+
+}  // namespace error_budget_test

@@ -8,6 +8,8 @@
 #include "evaluation/exhaustive.h"
 #include "evaluation/tiny_catalogue.h"
 
+namespace explanation_test {
+
 using namespace millwright;
 using evaluation::ConditionSet;
 using evaluation::Explanation;
@@ -383,3 +385,5 @@ TEST_CASE("When time is up, that is said") {
   CHECK(explanation.status == solver::Status::limit);
   CHECK_FALSE(explanation.design.has_value());
 }
+
+}  // namespace explanation_test

@@ -7,6 +7,8 @@
 #include "evaluation/machines.h"
 #include "shipped_machines.h"
 
+namespace fit_keys_test {
+
 using namespace millwright;
 
 namespace {
@@ -52,3 +54,5 @@ TEST_CASE("Rows with the same fit key fit the same rows of every other slot") {
   }
   CHECK(misfitting > 20);  // else nothing was tried
 }
+
+}  // namespace fit_keys_test

@@ -6,6 +6,8 @@
 
 #include "evaluation/hand_worked.h"
 
+namespace hand_worked_bolts_test {
+
 using namespace millwright;
 using namespace millwright::hand_worked;
 using evaluation::Design;
@@ -270,3 +272,5 @@ time = "2 s"
   expect(d, "drive", "C-TOOL-POWER", 700e6 * std::pow(chip, -0.25) * 2e-3 * 2e-3 * feed, 160.0);
   expect_none(design_of(axis(""), {}), "drive", "C-TOOL-POWER");
 }
+
+}  // namespace hand_worked_bolts_test

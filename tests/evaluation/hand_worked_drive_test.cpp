@@ -9,6 +9,8 @@
 #include "evaluation/synthesis.h"
 #include "evaluation/tiny_catalogue.h"
 
+namespace hand_worked_drive_test {
+
 using namespace millwright;
 using evaluation::Check;
 using evaluation::Design;
@@ -380,3 +382,5 @@ TEST_CASE("A motor as weak as its load cannot start") {
   CHECK(find(d, "C-ST-START")->utilisation > 1e6);
   CHECK(std::isfinite(find(d, "C-ST-START")->utilisation));
 }
+
+}  // namespace hand_worked_drive_test

@@ -7,6 +7,8 @@
 
 #include "evaluation/hand_worked.h"
 
+namespace hand_worked_elements_test {
+
 using namespace millwright;
 using namespace millwright::hand_worked;
 using evaluation::Check;
@@ -294,3 +296,5 @@ TEST_CASE("A machine whose member has no known material says so") {
   CHECK(empty[0].slot == "bar");
   CHECK(empty[0].reason.find("unobtainium") != std::string::npos);
 }
+
+}  // namespace hand_worked_elements_test

@@ -9,6 +9,8 @@
 #include "evaluation/hand_worked.h"
 #include "evaluation/synthesis.h"
 
+namespace hand_worked_geared_test {
+
 using namespace millwright;
 using namespace millwright::hand_worked;
 using evaluation::Check;
@@ -369,3 +371,5 @@ TEST_CASE("A guide is sized for the riding motors of a rack, and for the belt of
   CHECK(load("{ kind = \"rack\", drives = 2 }") == Approx(quarter(10.0)));
   CHECK(load("{ kind = \"belt\" }") == Approx(quarter(0.05)));
 }
+
+}  // namespace hand_worked_geared_test

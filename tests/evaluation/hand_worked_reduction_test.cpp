@@ -7,6 +7,8 @@
 
 #include "evaluation/hand_worked.h"
 
+namespace hand_worked_reduction_test {
+
 using namespace millwright;
 using namespace millwright::hand_worked;
 using evaluation::Design;
@@ -312,3 +314,5 @@ TEST_CASE("A guide is sized for the motor that rides with a nut that turns") {
   CHECK(load("") == Approx(2.0 * (20.2 + 0.5) * g / 4.0));
   CHECK(load(", rotating = \"nut\", nut_inertia = \"4 kg.cm2\"") == Approx(2.0 * (20.2 + 5.0) * g / 4.0));
 }
+
+}  // namespace hand_worked_reduction_test

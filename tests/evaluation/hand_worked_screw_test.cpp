@@ -10,6 +10,8 @@
 #include "evaluation/synthesis.h"
 #include "evaluation/tiny_catalogue.h"
 
+namespace hand_worked_screw_test {
+
 using namespace millwright;
 using evaluation::Check;
 using evaluation::Design;
@@ -339,3 +341,5 @@ TEST_CASE("A vertical axis on a ball screw, worked by hand") {
   CHECK_FALSE(has(d, "C-SCR-LOCK"));
   CHECK_FALSE(has(d, "C-SCR-PB"));
 }
+
+}  // namespace hand_worked_screw_test

@@ -6,6 +6,8 @@
 
 #include "evaluation/hand_worked.h"
 
+namespace hand_worked_structure_test {
+
 using namespace millwright;
 using namespace millwright::hand_worked;
 using evaluation::Check;
@@ -233,3 +235,5 @@ TEST_CASE("Slope and jamming of bushings worked by hand") {
   expect_none(rails, "guide", "C-GD-BIND");
   expect_none(rails, "guide", "C-GD-SLOPE");
 }
+
+}  // namespace hand_worked_structure_test

@@ -7,6 +7,8 @@
 
 #include "catch.h"
 
+namespace minimal_conflict_test {
+
 using namespace millwright;
 using evaluation::ConditionSet;
 
@@ -81,3 +83,5 @@ TEST_CASE("Members that matter alone are found in a crowd") {
           }) == expected);
   }
 }
+
+}  // namespace minimal_conflict_test

@@ -12,6 +12,8 @@
 #include "evaluation/tiny_catalogue.h"
 #include "sanitized.h"
 
+namespace objectives_test {
+
 using namespace millwright;
 using evaluation::MachineModel;
 using evaluation::Synthesis;
@@ -316,3 +318,5 @@ TEST_CASE("What the model does not count cannot be an objective, and no front is
   CHECK_THROWS_AS(solved(model, {"cost", "cost + mass"}), std::invalid_argument);
   CHECK_NOTHROW(solved(model, {"energy"}));
 }
+
+}  // namespace objectives_test

@@ -2,6 +2,8 @@
 // Designs that leave the range in which a formula is stated: listed, and judged as before.
 #include "hand_worked.h"
 
+namespace outside_validity_test {
+
 using namespace millwright;
 using namespace millwright::hand_worked;
 using evaluation::Design;
@@ -131,3 +133,5 @@ time = "8 s"
   CHECK(findings(steep) ==
         Findings{{"power_screw.exact_friction_ratio", "it does not hold that lead angle < 20 degrees"}});
 }
+
+}  // namespace outside_validity_test

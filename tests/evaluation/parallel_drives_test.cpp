@@ -10,6 +10,8 @@
 #include "evaluation/synthesis.h"
 #include "evaluation/tiny_catalogue.h"
 
+namespace parallel_drives_test {
+
 using namespace millwright;
 using evaluation::BomCheck;
 using evaluation::Design;
@@ -143,3 +145,5 @@ TEST_CASE("A share below an equal one is refused, with the least that makes sens
     CHECK(std::string(error.what()).find("at least 1/2 = 0.5") != std::string::npos);
   }
 }
+
+}  // namespace parallel_drives_test

@@ -28,6 +28,8 @@
 #include "evaluation/unmet_checks.h"
 #include "sanitized.h"
 
+namespace random_machine_test {
+
 using namespace millwright;
 using evaluation::Design;
 using evaluation::MachineModel;
@@ -325,3 +327,5 @@ TEST_CASE("Random machines equal all of their builds") {
   CHECK(counts.on_grid * 20 >= counts.machines);
   CHECK((counts.unreadable + counts.too_large + counts.nothing_to_choose) * 5 <= static_cast<int>(machines));
 }
+
+}  // namespace random_machine_test

@@ -7,6 +7,8 @@
 #include "evaluation/hand_worked.h"
 #include "evaluation/synthesis.h"
 
+namespace rates_test {
+
 using namespace millwright;
 using namespace millwright::hand_worked;
 using evaluation::Explanation;
@@ -162,3 +164,5 @@ TEST_CASE("A dimension at its own bound holds the objective with no condition") 
   CHECK(explanation.moving[0].value == Approx(10e-3));
   CHECK(explanation.rates.empty());
 }
+
+}  // namespace rates_test

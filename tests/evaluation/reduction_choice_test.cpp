@@ -11,6 +11,8 @@
 #include "evaluation/tiny_catalogue.h"
 #include "machine/bill_of_materials.h"
 
+namespace reduction_choice_test {
+
 using namespace millwright;
 using evaluation::Design;
 using evaluation::MachineModel;
@@ -185,3 +187,5 @@ TEST_CASE("A bill of materials without the reduction is not complete, but the on
   REQUIRE(of_y.size() == 1);
   CHECK(of_y[0].message == "axis 'y' has no reduction");
 }
+
+}  // namespace reduction_choice_test

@@ -11,6 +11,8 @@
 #include "evaluation/tiny_catalogue.h"
 #include "sanitized.h"
 
+namespace synthesis_test {
+
 using namespace millwright;
 using evaluation::MachineModel;
 using evaluation::SearchOptions;
@@ -77,7 +79,7 @@ Synthesis solved(const MachineModel& model, std::vector<std::string> objectives,
   return evaluation::synthesise(model, options);
 }
 
-constexpr unsigned machines = sanitized ? 5 : 12;
+constexpr unsigned machines = sanitized ? 3 : 12;
 
 void require_compliant(const evaluation::Design& design) {
   CHECK(design.satisfied());
@@ -262,3 +264,5 @@ TEST_CASE("The search equals all builds where moves are coordinated, jerk-limite
     for (const auto& dimension : cost.designs[0].dimensions) CHECK(dimension.axis != "x");  // no ramp to choose
   }
 }
+
+}  // namespace synthesis_test

@@ -11,6 +11,8 @@
 #include "evaluation/toleranced_catalogue.h"
 #include "sanitized.h"
 
+namespace tolerance_check_test {
+
 using namespace millwright;
 using catalogue::Catalogue;
 using catalogue::Family;
@@ -524,3 +526,5 @@ TEST_CASE("the front of robust builds is that of all builds that no corner break
   CHECK(longer > 0);
   CHECK(other > 0);
 }
+
+}  // namespace tolerance_check_test

@@ -14,6 +14,8 @@
 #include "machine/screw_drive_quantities.h"
 #include "machine/tool_chain.h"
 
+namespace tool_chain_test {
+
 using namespace millwright;
 using namespace millwright::hand_worked;
 using evaluation::MachineModel;
@@ -287,3 +289,5 @@ TEST_CASE("An enforced constraint holds, and costs no less than without") {
   }
   CHECK(violated >= 1);
 }
+
+}  // namespace tool_chain_test

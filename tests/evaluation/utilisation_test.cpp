@@ -6,6 +6,8 @@
 #include "catch.h"
 #include "evaluation/element_stage.h"
 
+namespace utilisation_test {
+
 using namespace millwright;
 using evaluation::utilisation;
 using scalar::Interval;
@@ -71,3 +73,5 @@ TEST_CASE("Where a utilisation rests at its ends it has no slope") {
   CHECK(uncertain.slope[0].lower == -std::numeric_limits<double>::infinity());
   CHECK(uncertain.slope[0].upper == std::numeric_limits<double>::infinity());
 }
+
+}  // namespace utilisation_test

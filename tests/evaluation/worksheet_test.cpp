@@ -15,6 +15,8 @@
 #include "shipped_machines.h"
 #include "text/source_text.h"
 
+namespace worksheet_test {
+
 using namespace millwright;
 using evaluation::Check;
 using evaluation::Design;
@@ -146,3 +148,5 @@ TEST_CASE("A jerk-limited ramp is round") {
   CHECK(points.back().position == Approx(0.3).epsilon(1e-3));
   CHECK(points.back().time == Approx(4.0));
 }
+
+}  // namespace worksheet_test

@@ -6,6 +6,8 @@
 
 #include "problem_text.h"
 
+namespace bill_of_materials_test {
+
 using namespace problem_text;
 using machine::BillOfMaterials;
 using text::Severity;
@@ -280,3 +282,5 @@ TEST_CASE("The shipped bills of materials are read without error or warning") {
   }
   CHECK(count >= 4);
 }
+
+}  // namespace bill_of_materials_test

@@ -10,6 +10,8 @@
 #include "machine/claims_value.h"
 #include "text/document.h"
 
+namespace claims_file_test {
+
 using namespace millwright;
 using machine::ClaimExpression;
 using machine::ClaimsFile;
@@ -247,3 +249,5 @@ TEST_CASE("what is no expression is refused at its place") {
   for (int i = 0; i < 200000; ++i) sum += "+1";
   CHECK(failure(sum).second == "the expression is too long");
 }
+
+}  // namespace claims_file_test

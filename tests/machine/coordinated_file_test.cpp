@@ -2,6 +2,8 @@
 // Coordinated moves in a problem file: what each axis gets of them, and what is said about wrong ones.
 #include "problem_text.h"
 
+namespace coordinated_file_test {
+
 using namespace problem_text;
 using text::Severity;
 
@@ -128,3 +130,5 @@ TEST_CASE("A coordinated move needs a name, axes, a speed or time, and a ramp") 
   CHECK_FALSE(outcome.problem.has_value());
   CHECK(outcome.diagnostics.count() == 1);
 }
+
+}  // namespace coordinated_file_test

@@ -7,6 +7,8 @@
 #include "catch.h"
 #include "machine/axis_motion.h"
 
+namespace motion_cycle_test {
+
 using namespace millwright;
 using machine::Cycle;
 using machine::MeasuredProfile;
@@ -295,3 +297,5 @@ TEST_CASE("Every number of a cycle has its dimension") {
     CHECK(cycle.time_ratio.dimension == dimension::none);
   }
 }
+
+}  // namespace motion_cycle_test

@@ -6,6 +6,8 @@
 #include "catch.h"
 #include "problem_text.h"
 
+namespace objective_test {
+
 using namespace millwright;
 using machine::Quantity;
 
@@ -75,3 +77,5 @@ TEST_CASE("Random objectives are understood or have a place where they are wrong
   }
   CHECK(good > 300);
 }
+
+}  // namespace objective_test

@@ -2,6 +2,8 @@
 // What is said about wrong problem files, and where: the marks « » show the characters that must be pointed at.
 #include "problem_text.h"
 
+namespace problem_errors_test {
+
 using namespace problem_text;
 using text::Severity;
 
@@ -620,3 +622,5 @@ TEST_CASE("All that is wrong in a file is said in one go") {
   INFO(text::format(outcome.diagnostics));
   CHECK(outcome.diagnostics.error_count() == 8);
 }
+
+}  // namespace problem_errors_test

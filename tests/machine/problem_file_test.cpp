@@ -9,6 +9,8 @@
 #include "problem_text.h"
 #include "scalar/unit.h"
 
+namespace problem_file_test {
+
 using namespace problem_text;
 using machine::Axis;
 using machine::Problem;
@@ -505,3 +507,5 @@ TEST_CASE("The shipped machines are read without error or warning") {
   }
   CHECK(count >= 4);
 }
+
+}  // namespace problem_file_test

@@ -14,7 +14,7 @@
 #include "machine/problem_file.h"
 #include "text/document.h"
 
-namespace millwright::machine {
+namespace millwright::machine::problem_keys_test {
 namespace {
 
 const std::vector<ProblemTable>& tables() {
@@ -108,7 +108,8 @@ TEST_CASE("Every key in the source of the readers is listed") {
 
 /// The head of a file in which the table `path` of that kind stands open.
 std::string head_of(const std::string& path, const std::string& kind) {
-  const std::string axis = fmt::format("[[axis]]\nmechanism.kind = \"{}\"\n", kind == turning ? turning : "screw");
+  const std::string axis =
+      fmt::format("[[axis]]\nmechanism.kind = \"{}\"\n", kind == axis_that_turns ? axis_that_turns : "screw");
   if (path.empty()) return "";
   if (path == "axis") return axis;
   if (path == "axis.mechanism") return fmt::format("[[axis]]\n[axis.mechanism]\nkind = \"{}\"\n", kind);
@@ -146,14 +147,14 @@ TEST_CASE("No key that is listed is unknown to its reader, and a misspelt one is
 
 // By hand, from the readers.
 TEST_CASE("What is told of some keys") {
-  const ProblemKey* stroke = find_key("axis", going, "stroke");
+  const ProblemKey* stroke = find_key("axis", axis_that_goes, "stroke");
   REQUIRE(stroke != nullptr);
   CHECK(stroke->required);
   CHECK(stroke->forms.at(0).unit == "mm");
   CHECK(stroke->forms.at(0).above_least);
-  CHECK(find_key("axis", turning, "stroke")->forms.at(0).unit == "rad");
-  CHECK(find_key("axis", turning, "guide") == nullptr);
-  CHECK_FALSE(find_key("axis", going, "moves")->required);  // [[moves]] may do for it
+  CHECK(find_key("axis", axis_that_turns, "stroke")->forms.at(0).unit == "rad");
+  CHECK(find_key("axis", axis_that_turns, "guide") == nullptr);
+  CHECK_FALSE(find_key("axis", axis_that_goes, "moves")->required);  // [[moves]] may do for it
   CHECK(find_key("axis.mechanism", "belt", "ends") == nullptr);
   CHECK(find_key("axis.mechanism", "screw", "ends")->forms.at(0).fallback == "fixed-supported");
   CHECK(find_key("axis.mechanism", "rotary", "drives") == nullptr);
@@ -162,8 +163,8 @@ TEST_CASE("What is told of some keys") {
   CHECK(find_key("axis.members", "bolts", "material") == nullptr);
   CHECK(find_key("axis.members", "shaft", "notch_factor") != nullptr);
   CHECK(find_key("axis.members", "beam", "notch_factor") == nullptr);
-  CHECK(find_key("axis.require", turning, "position_error") == nullptr);
-  CHECK(find_key("axis.require", going, "angle_error") == nullptr);
+  CHECK(find_key("axis.require", axis_that_turns, "position_error") == nullptr);
+  CHECK(find_key("axis.require", axis_that_goes, "angle_error") == nullptr);
   // Defaults that hang on other keys are none; nor is what stands for a missing value that must be there.
   CHECK(find_key("axis.mechanism", "screw", "load_share")->forms.at(0).fallback.empty());
   CHECK(find_key("axis.guide", "", "rails")->forms.at(0).fallback.empty());
@@ -177,4 +178,4 @@ TEST_CASE("What is told of some keys") {
 }
 
 }  // namespace
-}  // namespace millwright::machine
+}  // namespace millwright::machine::problem_keys_test

@@ -8,6 +8,8 @@
 #include "machine/bill_of_materials.h"
 #include "problem_text.h"
 
+namespace problem_mutation_test {
+
 using namespace problem_text;
 
 namespace {
@@ -154,3 +156,5 @@ TEST_CASE("A problem cut off anywhere is read or refused with a reason") {
     CHECK(outcome.problem.has_value() == !outcome.diagnostics.has_errors());
   }
 }
+
+}  // namespace problem_mutation_test

@@ -7,6 +7,8 @@
 #include "catalogue/temporary_folder.h"
 #include "problem_text.h"
 
+namespace profile_file_test {
+
 using namespace problem_text;
 
 namespace {
@@ -245,3 +247,5 @@ mechanism = { kind = "belt" }
   CHECK(*outcome.problem->axes[0].moves[0].jerk == Approx(6.0));
   CHECK(*outcome.problem->axes[1].moves[0].jerk == Approx(8.0));
 }
+
+}  // namespace profile_file_test

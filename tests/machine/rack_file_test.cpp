@@ -3,6 +3,8 @@
 #include "machine/bill_of_materials.h"
 #include "problem_text.h"
 
+namespace rack_file_test {
+
 using namespace problem_text;
 using text::Severity;
 
@@ -298,3 +300,5 @@ TEST_CASE("What is wrong with the reductions of screws and belts, and with a nut
   check({"kind = \"belt\"", "kind = \"belt\", reduction = «{ ratio = 5 }»", "needs the key 'shaft'", "drive pulley"});
   check({"kind = \"belt\"", "kind = \"belt\", «rotating» = \"nut\"", "rotating: a belt has none", "\"screw\""});
 }
+
+}  // namespace rack_file_test

@@ -3,7 +3,7 @@
 
 #include "catch.h"
 
-namespace millwright::machine {
+namespace millwright::machine::setting_range_test {
 namespace {
 
 SettingRange range_of(const std::string& assignment) {
@@ -56,4 +56,4 @@ TEST_CASE("Ranges that are none are refused") {
 }
 
 }  // namespace
-}  // namespace millwright::machine
+}  // namespace millwright::machine::setting_range_test

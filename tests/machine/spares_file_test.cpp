@@ -6,6 +6,8 @@
 #include "machine/problem_file.h"
 #include "text/document.h"
 
+namespace spares_file_test {
+
 using namespace millwright;
 
 namespace {
@@ -64,3 +66,5 @@ TEST_CASE("What is wrong with spares is said at its place") {
   CHECK(text.find("machine.toml:5:8: error: spares: belt is no number of pieces") != text.npos);
   CHECK(text.find("\"x.motor\" = 1") != text.npos);
 }
+
+}  // namespace spares_file_test

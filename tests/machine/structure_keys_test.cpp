@@ -6,6 +6,8 @@
 #include "machine/references.h"
 #include "problem_text.h"
 
+namespace structure_keys_test {
+
 using namespace problem_text;
 using machine::MemberKind;
 using machine::SurfaceFinish;
@@ -280,3 +282,5 @@ TEST_CASE("A bolted joint needs no material, and its screws must be in the catal
   CHECK(size.find("did you mean 'M8'?") != std::string::npos);
   CHECK(said("property_classes = \"8.9\"\n").find("property_classes: no screw '8.9'") != std::string::npos);
 }
+
+}  // namespace structure_keys_test

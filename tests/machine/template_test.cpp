@@ -12,7 +12,7 @@
 #include "machine/references.h"
 #include "text/document.h"
 
-namespace millwright::machine {
+namespace millwright::machine::template_test {
 namespace {
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -82,4 +82,4 @@ TEST_CASE("Each optional line of a template can be used once its '#' is taken aw
 }
 
 }  // namespace
-}  // namespace millwright::machine
+}  // namespace millwright::machine::template_test

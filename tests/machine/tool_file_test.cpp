@@ -2,6 +2,8 @@
 // [tool], [limits] and enforced constraints in a problem file: what is read, and what is said about wrong ones.
 #include "problem_text.h"
 
+namespace tool_file_test {
+
 using namespace problem_text;
 using text::Severity;
 
@@ -92,3 +94,5 @@ TEST_CASE("What is wrong with tool, limits or enforced constraints is said at th
       {"enforce = [\"C-ST-RMS\"]", "enforce = [«\"C-ST-TORQUE\"»]", "is no constraint that is only reported", ""},
   });
 }
+
+}  // namespace tool_file_test

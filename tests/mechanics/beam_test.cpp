@@ -8,6 +8,8 @@
 
 #include "catch.h"
 
+namespace beam_test {
+
 using namespace millwright::mechanics;
 
 namespace {
@@ -129,3 +131,5 @@ TEST_CASE("the largest moment of a supported beam is the one with the load in th
         Approx(beam::largest_moment(beam::LoadCase::supported_point, force, length)));
   CHECK(beam::supported_moment_load_at(force, 0.2, length) == Approx(supported_moment(0.2, 0.2)));
 }
+
+}  // namespace beam_test

@@ -11,6 +11,8 @@
 #include "scalar/unit.h"
 #include "text/csv.h"
 
+namespace check_values_test {
+
 using namespace millwright;
 using mechanics::Argument;
 using mechanics::ArgumentKind;
@@ -118,3 +120,5 @@ TEST_CASE("every formula of the handbook has a check value") {
     if (!formula.handbook_id().empty()) CHECK(checked.count(formula.name()) == 1);
   }
 }
+
+}  // namespace check_values_test

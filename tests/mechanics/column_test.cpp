@@ -10,6 +10,8 @@
 #include "catch.h"
 #include "mechanics/section.h"
 
+namespace column_test {
+
 using namespace millwright;
 using namespace millwright::mechanics;
 using scalar::Interval;
@@ -95,3 +97,5 @@ TEST_CASE("portal moments agree with the slope-deflection equations solved by ha
   const double turn = f * l / 8.0 / (4.0 * ic / h + 2.0 * ib / l);
   CHECK(column::portal_corner_moment_of_beam_load(f, l, ratio) == Approx(4.0 * ic * turn / h).epsilon(1e-12));
 }
+
+}  // namespace column_test

@@ -15,6 +15,8 @@
 #include "formula_samples.h"
 #include "mechanics/formula.h"
 
+namespace formula_consistency_test {
+
 using namespace millwright;
 using namespace formula_samples;
 using mechanics::Monotone;
@@ -389,3 +391,5 @@ TEST_CASE("broken limits are told in words") {
   CHECK(raising->violations(Arguments{100.0, 0.01, 0.2, 0.3}).size() == 2);
   CHECK(raising->violations(Arguments{std::nan(""), 0.01, 0.004, 0.3}).size() == 1);
 }
+
+}  // namespace formula_consistency_test

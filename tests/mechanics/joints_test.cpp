@@ -8,6 +8,8 @@
 #include "mechanics/bolt.h"
 #include "mechanics/weld.h"
 
+namespace joints_test {
+
 using namespace millwright::mechanics;
 
 TEST_CASE("two parallel welds, the textbook's worked example") {
@@ -82,3 +84,5 @@ TEST_CASE("a joint opens when its members are unloaded") {
   CHECK(bolt::separation_safety(preload, constant, opening) == Approx(1.0));
   CHECK(bolt::largest_tension(preload, constant, opening) == Approx(opening));
 }
+
+}  // namespace joints_test

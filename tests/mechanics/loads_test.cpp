@@ -19,6 +19,8 @@
 #include "mechanics/utilisation.h"
 #include "mechanics/vibration.h"
 
+namespace loads_test {
+
 using namespace millwright::mechanics;
 
 TEST_CASE("the loads of four carriages balance force and moments") {
@@ -165,3 +167,5 @@ TEST_CASE("a design without capacity ranks last, not nowhere") {
   CHECK(utilisation::of_minimum(1.5, 2.0) == Approx(0.75));
   CHECK(utilisation::of_minimum(1.5, 0.0) == 1e9);
 }
+
+}  // namespace loads_test

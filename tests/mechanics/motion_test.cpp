@@ -8,6 +8,8 @@
 #include "formula_samples.h"
 #include "mechanics/s_curve.h"
 
+namespace motion_test {
+
 using namespace millwright::mechanics;
 using formula_samples::Random;
 using millwright::scalar::Interval;
@@ -114,3 +116,5 @@ TEST_CASE("ranges of move times are as tight as their corners") {
               .epsilon(1e-9));
   }
 }
+
+}  // namespace motion_test

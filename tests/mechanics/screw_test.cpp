@@ -14,6 +14,8 @@
 #include "mechanics/power_screw.h"
 #include "mechanics/power_screw_strength.h"
 
+namespace screw_test {
+
 using namespace millwright::mechanics;
 using formula_samples::Random;
 using millwright::scalar::Interval;
@@ -208,3 +210,5 @@ TEST_CASE("The two ramps of a move load a ball screw more, the greater the stead
     }
   }
 }
+
+}  // namespace screw_test

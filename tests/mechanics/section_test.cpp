@@ -9,6 +9,8 @@
 #include "catch.h"
 #include "mechanics/section_stress.h"
 
+namespace section_test {
+
 using namespace millwright::mechanics;
 
 namespace {
@@ -110,3 +112,5 @@ TEST_CASE("stress follows from section modulus and fibre distance alike") {
   CHECK(section::round_radius_of_gyration(0.012) ==
         Approx(section::radius_of_gyration(section::round_second_moment(0.012, 0.0), section::round_area(0.012))));
 }
+
+}  // namespace section_test

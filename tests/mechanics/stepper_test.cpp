@@ -9,6 +9,8 @@
 #include "catch.h"
 #include "mechanics/stepper_sizing.h"
 
+namespace stepper_test {
+
 using namespace millwright;
 using namespace millwright::mechanics;
 using scalar::Dual;
@@ -390,3 +392,5 @@ TEST_CASE("one microstep of a full step is the static torque") {
   CHECK(stepper::microstep_torque(1.0, 16.0) == Approx(0.098).margin(5e-4));   // drive makers' table: 9.8 %
   CHECK(stepper::microstep_torque(1.0, 64.0) == Approx(0.0245).margin(5e-5));  // 2.45 %
 }
+
+}  // namespace stepper_test

@@ -9,6 +9,8 @@
 
 #include "catch.h"
 
+namespace torque_curve_test {
+
 using millwright::mechanics::PullOutCurve;
 using millwright::scalar::Dual;
 using millwright::scalar::Interval;
@@ -78,3 +80,5 @@ TEST_CASE("at a kink a pull-out curve has the slopes of both sides") {
   const auto end = sample()(Dual<Interval>::variable(Interval(90.0, 100.0), 0));
   CHECK(end.slope[0].upper == 0.0);
 }
+
+}  // namespace torque_curve_test

@@ -18,6 +18,8 @@
 #include "mechanics/outside_validity.h"
 #include "mechanics/power_screw.h"
 
+namespace validity_watch_test {
+
 using namespace millwright;
 using namespace formula_samples;
 using mechanics::BrokenLimit;
@@ -210,3 +212,5 @@ TEST_CASE("missing data are no finding, and the youngest watch of its own thread
   (void)mechanics::beam::span_to_height(0.5, 0.1);
   CHECK(outer.left().size() == 1);
 }
+
+}  // namespace validity_watch_test

@@ -7,7 +7,7 @@
 
 #include "catch.h"
 
-namespace millwright::report {
+namespace millwright::report::comparison_test {
 namespace {
 
 using evaluation::Check;
@@ -146,4 +146,4 @@ TEST_CASE("The comparison fits 80 columns and says which build fails") {
 }
 
 }  // namespace
-}  // namespace millwright::report
+}  // namespace millwright::report::comparison_test

@@ -3,7 +3,7 @@
 
 #include "catch.h"
 
-namespace millwright::report {
+namespace millwright::report::design_difference_test {
 namespace {
 
 evaluation::PartLine part(const char* axis, const char* slot, const char* maker, const char* number) {
@@ -50,4 +50,4 @@ TEST_CASE("Builds differ in parts and settings, and what one of them has not is 
 }
 
 }  // namespace
-}  // namespace millwright::report
+}  // namespace millwright::report::design_difference_test

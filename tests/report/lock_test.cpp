@@ -3,6 +3,8 @@
 
 #include "catch.h"
 
+namespace lock_test {
+
 using namespace millwright;
 using namespace millwright::report;
 
@@ -124,3 +126,5 @@ TEST_CASE("what is no lock is refused") {
   CHECK_FALSE(read("lock = 2\n", diagnostics));
   CHECK(text::format(diagnostics).find("locks of format 2 are not known") != std::string::npos);
 }
+
+}  // namespace lock_test

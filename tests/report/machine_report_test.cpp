@@ -11,7 +11,7 @@
 #include "report/machine_text.h"
 #include "scalar/unit.h"
 
-namespace millwright::report {
+namespace millwright::report::machine_report_test {
 namespace {
 
 using evaluation::Check;
@@ -313,4 +313,4 @@ TEST_CASE("A length survives the way through millimetres bit for bit") {
 }
 
 }  // namespace
-}  // namespace millwright::report
+}  // namespace millwright::report::machine_report_test

@@ -10,7 +10,7 @@
 #include "report/order_files.h"
 #include "report/order_list.h"
 
-namespace millwright::report {
+namespace millwright::report::order_test {
 namespace {
 
 using evaluation::PartLine;
@@ -430,4 +430,4 @@ TEST_CASE("Order list as workbook: the cutting list is the second sheet") {
 }
 
 }  // namespace
-}  // namespace millwright::report
+}  // namespace millwright::report::order_test

@@ -15,7 +15,7 @@
 #include "report/mathml.h"
 #include "report/page_texts.h"
 
-namespace millwright::report {
+namespace millwright::report::page_parts_test {
 namespace {
 
 using scalar::Traced;
@@ -257,4 +257,4 @@ TEST_CASE("Sayings keep their numbers, and clauses their order") {
 }
 
 }  // namespace
-}  // namespace millwright::report
+}  // namespace millwright::report::page_parts_test

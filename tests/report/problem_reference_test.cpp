@@ -8,7 +8,7 @@
 #include "machine/requirement.h"
 #include "report/source_list.h"
 
-namespace millwright::report {
+namespace millwright::report::problem_reference_test {
 namespace {
 
 TEST_CASE("A citation is read from the list of sources") {
@@ -55,4 +55,4 @@ TEST_CASE("Every row of the reference has four cells") {
 }
 
 }  // namespace
-}  // namespace millwright::report
+}  // namespace millwright::report::problem_reference_test

@@ -4,6 +4,8 @@
 
 #include "catch.h"
 
+namespace recorded_build_test {
+
 using namespace millwright;
 
 namespace {
@@ -30,3 +32,5 @@ TEST_CASE("Brackets in a result that are nested too deep are refused where they 
   for (int i = 0; i < 1000; ++i) flat += "[],";
   CHECK(complaint(flat + "1]}") == "0:0 this is no result of millwright");
 }
+
+}  // namespace recorded_build_test

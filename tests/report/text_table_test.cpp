@@ -3,7 +3,7 @@
 
 #include "catch.h"
 
-namespace millwright::report {
+namespace millwright::report::text_table_test {
 namespace {
 
 TEST_CASE("Columns are as wide as needed, by what is seen and not by bytes") {
@@ -95,4 +95,4 @@ TEST_CASE("Colour takes no width, and none is written where none is wanted") {
 }
 
 }  // namespace
-}  // namespace millwright::report
+}  // namespace millwright::report::text_table_test

@@ -3,7 +3,7 @@
 
 #include "catch.h"
 
-namespace millwright::results {
+namespace millwright::results::json_difference_test {
 namespace {
 
 std::size_t count(const char* expected, const char* found) {
@@ -42,4 +42,4 @@ TEST_CASE("Printed tables are compared word by word, numbers to one unit of the 
 }
 
 }  // namespace
-}  // namespace millwright::results
+}  // namespace millwright::results::json_difference_test

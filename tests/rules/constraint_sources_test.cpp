@@ -8,7 +8,7 @@
 #include "machine/requirement.h"
 #include "rules/source_tree.h"
 
-namespace millwright::rules {
+namespace millwright::rules::constraint_sources_test {
 namespace {
 
 std::set<std::string> bibliography_keys() {
@@ -78,4 +78,4 @@ TEST_CASE("The constraint source rule finds what has no source") {
 }
 
 }  // namespace
-}  // namespace millwright::rules
+}  // namespace millwright::rules::constraint_sources_test

@@ -6,7 +6,7 @@
 #include "mechanics/formula.h"
 #include "rules/source_tree.h"
 
-namespace millwright::rules {
+namespace millwright::rules::formula_sources_test {
 namespace {
 
 /// Keys of the entries of a .bib file: "@book{acarnley2002," -> "acarnley2002".
@@ -65,4 +65,4 @@ TEST_CASE("The source rule finds a formula without a source") {
 }
 
 }  // namespace
-}  // namespace millwright::rules
+}  // namespace millwright::rules::formula_sources_test

@@ -6,7 +6,7 @@
 #include "catch.h"
 #include "rules/source_tree.h"
 
-namespace millwright::rules {
+namespace millwright::rules::include_direction_test {
 namespace {
 
 // A room always sees itself. The rooms of DESIGN stand in a row and see to the left; where a room must not know
@@ -139,4 +139,4 @@ TEST_CASE("The library rule finds a library away from home") {
 }
 
 }  // namespace
-}  // namespace millwright::rules
+}  // namespace millwright::rules::include_direction_test

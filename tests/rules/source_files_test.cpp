@@ -5,7 +5,7 @@
 #include "catch.h"
 #include "rules/source_tree.h"
 
-namespace millwright::rules {
+namespace millwright::rules::source_files_test {
 namespace {
 
 constexpr std::size_t most_lines = 400;
@@ -133,4 +133,4 @@ TEST_CASE("No test name holds a semicolon") {
 }
 
 }  // namespace
-}  // namespace millwright::rules
+}  // namespace millwright::rules::source_files_test

@@ -5,6 +5,8 @@
 
 #include "catch.h"
 
+namespace dimensioned_test {
+
 namespace {
 
 using namespace millwright::scalar;
@@ -96,3 +98,5 @@ TEST_CASE("dimensions are written in base units") {
   CHECK(to_string(power(dimension::length, 0.5)) == "m^0.5");
   CHECK(to_string(power(dimension::length, 12.0)) == "m¹²");
 }
+
+}  // namespace dimensioned_test

@@ -9,6 +9,8 @@
 #include "catch.h"
 #include "scalar/interval.h"
 
+namespace dual_test {
+
 namespace {
 
 using namespace millwright::scalar;
@@ -208,3 +210,5 @@ TEST_CASE("branches over a box") {
     CHECK(where_below(x, 1.0, root, 0.0).value.upper == Approx(1.0));
   }
 }
+
+}  // namespace dual_test

@@ -13,6 +13,8 @@
 
 #include "catch.h"
 
+namespace interval_test {
+
 using namespace millwright::scalar;
 
 namespace {
@@ -354,3 +356,5 @@ TEST_CASE("sets of intervals") {
   CHECK(contains(Interval(huge, inf), middle(Interval(huge, inf))));
   CHECK(middle(Interval(-huge, huge)) == 0.0);
 }
+
+}  // namespace interval_test

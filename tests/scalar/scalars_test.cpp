@@ -28,6 +28,8 @@ MILLWRIGHT_FOR_EACH_SCALAR(instantiate)
 #undef instantiate
 }  // namespace millwright::mechanics
 
+namespace scalars_test {
+
 namespace {
 
 using namespace millwright::scalar;
@@ -92,3 +94,5 @@ TEST_CASE("branches of double") {
   CHECK(where_below(
             0.0, 1.0, [] { return 2.0; }, []() -> double { throw 1; }) == 2.0);
 }
+
+}  // namespace scalars_test

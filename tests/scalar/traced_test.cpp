@@ -27,6 +27,8 @@ T everything(const T& a, const T& b) {
 }
 }  // namespace millwright::mechanics
 
+namespace traced_test {
+
 namespace {
 
 using namespace millwright;
@@ -161,3 +163,5 @@ TEST_CASE("shared and deep expressions stay printable") {
   CHECK(lines.back().value == 2000.0);
   for (const DerivationLine& line : lines) CHECK(line.expression.size() < 400);
 }
+
+}  // namespace traced_test

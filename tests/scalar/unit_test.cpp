@@ -9,6 +9,8 @@
 
 #include "catch.h"
 
+namespace unit_test {
+
 namespace {
 
 using namespace millwright::scalar;
@@ -442,3 +444,5 @@ TEST_CASE("What leaves the range of numbers in its unit is refused") {
   CHECK(quantity_refusal("9e307 km", "mm").find("is too large") != std::string::npos);
   CHECK(quantity_refusal("9e307 m", "mm").empty());
 }
+
+}  // namespace unit_test

@@ -8,6 +8,8 @@
 #include "solver/alternatives.h"
 #include "solver/enumeration.h"
 
+namespace alternatives_test {
+
 namespace {
 
 using namespace zoo;
@@ -245,3 +247,5 @@ TEST_CASE("The best builds need one objective") {
 }
 
 }  // namespace
+
+}  // namespace alternatives_test

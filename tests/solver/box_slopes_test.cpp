@@ -9,6 +9,8 @@
 #include "solver/model_stage.h"
 #include "solver/random_stack.h"
 
+namespace box_slopes_test {
+
 namespace {
 
 using namespace zoo;
@@ -130,3 +132,5 @@ TEST_CASE("First-order enclosures of a box hold all of its feasible designs") {
   CHECK(tried.empty > 0);
   CHECK(100 * tried.raised > tried.boxes);
 }
+
+}  // namespace box_slopes_test

@@ -6,6 +6,8 @@
 #include "sanitized.h"
 #include "solver/broken_enumeration.h"
 
+namespace broken_structure_test {
+
 namespace {
 
 using namespace stack::broken;
@@ -163,3 +165,5 @@ TEST_CASE("Broken structure: an error budget is solved as by trying everything")
 TEST_CASE("Broken structure: free screw diameters are as good as any that were tried") {
   check_tally(compare_many(Variant::free_diameter, {2, 3, 3, 0}, 24), 24);
 }
+
+}  // namespace broken_structure_test

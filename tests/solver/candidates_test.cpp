@@ -16,6 +16,8 @@
 #include "solver/rest_curve.h"
 #include "solver/rest_plane.h"
 
+namespace candidates_test {
+
 namespace {
 
 using namespace millwright::solver;
@@ -298,3 +300,5 @@ TEST_CASE("The candidates of groups of labels cover every design that matters to
     CHECK(counts.rests >= (totals ? seeds : 0));
   }
 }
+
+}  // namespace candidates_test

@@ -12,6 +12,8 @@
 #include "scalar/dual.h"
 #include "solver/solver.h"
 
+namespace confirmation_test {
+
 namespace {
 
 using namespace millwright::solver;
@@ -121,3 +123,5 @@ TEST_CASE("A limit on the objective that is closer to its least than the toleran
 }
 
 }  // namespace
+
+}  // namespace confirmation_test

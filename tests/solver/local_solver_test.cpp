@@ -5,6 +5,8 @@
 #include "solver/ipopt_solver.h"
 #include "solver/nlopt_solver.h"
 
+namespace local_solver_test {
+
 namespace {
 
 using namespace millwright::solver;
@@ -58,3 +60,5 @@ TEST_CASE("A function that cannot be computed does not bring a local solver down
 }
 
 }  // namespace
+
+}  // namespace local_solver_test

@@ -16,6 +16,8 @@
 #include "solver/solver.h"
 #include "solver/split_worth.h"
 
+namespace long_tables_test {
+
 namespace {
 
 using namespace millwright::solver;
@@ -222,3 +224,5 @@ TEST_CASE("A slot that gets nowhere is divided after others, and never given up"
 }
 
 }  // namespace
+
+}  // namespace long_tables_test

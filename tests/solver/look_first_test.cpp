@@ -10,6 +10,8 @@
 #include "solver/neighbours.h"
 #include "solver/solver.h"
 
+namespace look_first_test {
+
 namespace {
 
 using namespace millwright::solver;
@@ -123,3 +125,5 @@ TEST_CASE("A build improved part by part is feasible, and no other single part m
   }
   CHECK(improved > 20);
 }
+
+}  // namespace look_first_test

@@ -8,6 +8,8 @@
 #include "catch.h"
 #include "sanitized.h"
 
+namespace model_stage_test {
+
 namespace {
 
 using namespace millwright::solver;
@@ -225,3 +227,5 @@ TEST_CASE("A model with more slots than it may have is refused") {
   const auto model = [](const auto&, auto&) {};
   CHECK_THROWS_AS(model_stage("m", std::vector<const Columns*>(9, &table), {}, 0, model), std::invalid_argument);
 }
+
+}  // namespace model_stage_test

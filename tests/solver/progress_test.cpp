@@ -5,6 +5,8 @@
 #include "sanitized.h"
 #include "solver/enumeration.h"
 
+namespace progress_test {
+
 namespace {
 
 using namespace zoo;
@@ -45,3 +47,5 @@ TEST_CASE("Bounds reported on the way rise, and never pass the optimum") {
 }
 
 }  // namespace
+
+}  // namespace progress_test

@@ -8,6 +8,8 @@
 #include "sanitized.h"
 #include "solver/enumeration.h"
 
+namespace random_stack_test {
+
 namespace {
 
 using namespace zoo;
@@ -309,3 +311,5 @@ TEST_CASE("The zoo's own bounds and slopes enclose what they claim") {
 }
 
 }  // namespace
+
+}  // namespace random_stack_test

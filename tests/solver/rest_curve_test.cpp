@@ -9,6 +9,8 @@
 #include "solver/chains.h"
 #include "solver/random_stack.h"
 
+namespace rest_curve_test {
+
 namespace {
 
 using namespace zoo;
@@ -132,3 +134,5 @@ TEST_CASE("No completion of a design costs less than the planes say, nor is any 
   if (!millwright::sanitized) CHECK(comparisons.told_more > comparisons.made / 500);
   CHECK(left_out > 100);
 }
+
+}  // namespace rest_curve_test

@@ -9,6 +9,8 @@
 #include "catch.h"
 #include "solver/rest_vectors.h"
 
+namespace rest_vectors_test {
+
 namespace {
 
 using namespace millwright::solver;
@@ -114,3 +116,5 @@ TEST_CASE("What may follow is within what is left of the allowances and below a 
   CHECK(rest.least(
             Weights{1.0, 1.0}, {0.0, 2.0}, [](std::size_t) { return 3.0; }, corners) == 9.0);
 }
+
+}  // namespace rest_vectors_test

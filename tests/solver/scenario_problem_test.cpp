@@ -8,6 +8,8 @@
 #include "solver/model_stage.h"
 #include "solver/solver.h"
 
+namespace scenario_problem_test {
+
 using namespace millwright::solver;
 
 namespace {
@@ -153,3 +155,5 @@ TEST_CASE("Versions with different rows are refused") {
   }
   CHECK_THROWS_AS(ScenarioProblem({&a.problem, &b.problem}), std::invalid_argument);
 }
+
+}  // namespace scenario_problem_test

@@ -14,6 +14,8 @@
 #include "solver/rest_plane.h"
 #include "solver/solver.h"
 
+namespace shared_allowance_test {
+
 namespace {
 
 using namespace zoo;
@@ -358,3 +360,5 @@ TEST_CASE("A front of many parts is complete where allowances bind, cut in secti
   CHECK(points > (millwright::sanitized ? 20 : 500));
   CHECK(quick < 60);
 }
+
+}  // namespace shared_allowance_test

@@ -8,6 +8,8 @@
 #include "solver/monotonicity.h"
 #include "solver/random_stack.h"
 
+namespace solver_test {
+
 namespace {
 
 using namespace millwright::solver;
@@ -271,3 +273,5 @@ TEST_CASE("No random design contradicts a proved direction, with structure that 
 }
 
 }  // namespace
+
+}  // namespace solver_test

@@ -9,6 +9,8 @@
 #include "catch.h"
 #include "solver/archive.h"
 
+namespace staircase_test {
+
 namespace {
 
 using namespace millwright::solver;
@@ -118,3 +120,5 @@ TEST_CASE("An archive answers as a search through all its members does") {
 }
 
 }  // namespace
+
+}  // namespace staircase_test

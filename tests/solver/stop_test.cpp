@@ -8,6 +8,8 @@
 #include "sanitized.h"
 #include "solver/enumeration.h"
 
+namespace stop_test {
+
 namespace {
 
 using namespace zoo;
@@ -121,3 +123,5 @@ TEST_CASE("Stopped after any number of questions a search has a valid bound and 
   CHECK(with_build > 10);
   CHECK(before_any > 10);
 }
+
+}  // namespace stop_test

@@ -12,6 +12,8 @@
 #include "solver/model_stage.h"
 #include "solver/solver.h"
 
+namespace windows_test {
+
 namespace {
 
 using namespace millwright::solver;
@@ -266,3 +268,5 @@ TEST_CASE("Windows of load with tables of bars equal every build") {
 }
 
 }  // namespace
+
+}  // namespace windows_test

@@ -5,6 +5,8 @@
 #include "catch.h"
 #include "text/csv.h"
 
+namespace csv_random_test {
+
 using namespace millwright::text;
 
 namespace {
@@ -186,3 +188,5 @@ TEST_CASE("random bytes and damaged tables never crash the reader") {
     exercise(read_csv(SourceText::from_string("r.csv", text), diagnostics), diagnostics);
   }
 }
+
+}  // namespace csv_random_test

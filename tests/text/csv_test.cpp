@@ -12,6 +12,8 @@
 #include "text/csv_reader.h"
 #include "text/table_size.h"
 
+namespace csv_test {
+
 using namespace millwright::text;
 
 namespace {
@@ -426,3 +428,5 @@ TEST_CASE("figures of any length are read to the last bit") {
     CHECK(told.error_count() == 1);
   }
 }
+
+}  // namespace csv_test

@@ -6,6 +6,8 @@
 #include "catch.h"
 #include "text/utf8.h"
 
+namespace diagnostic_test {
+
 using namespace millwright::text;
 
 namespace {
@@ -114,8 +116,8 @@ TEST_CASE("nothing a file contains reaches the terminal as a control sequence") 
   const std::string printed = format(diagnostics);
   for (const char c : printed) CHECK((c == '\n' || (static_cast<unsigned char>(c) >= 0x20 && c != '\x7F')));
   CHECK(printed.find("a\\x1B[31m\\x00\\xFF\\x7Fz<U+202E>") != std::string::npos);
-  CHECK(quoted("a\tb") == "'a\\x09b'");
-  CHECK(quoted(std::string(100, 'x'), 5) == "'xxxxx...'");
+  CHECK(in_quotes("a\tb") == "'a\\x09b'");
+  CHECK(in_quotes(std::string(100, 'x'), 5) == "'xxxxx...'");
 }
 
 TEST_CASE("spans outside the text are printed without harm") {
@@ -165,3 +167,5 @@ TEST_CASE("a file that is wrong everywhere is cut short, warnings never crowd ou
   CHECK(all[11].message == "elsewhere");
   CHECK(diagnostics.error_count() == 201);
 }
+
+}  // namespace diagnostic_test

@@ -4,6 +4,8 @@
 #include "catch.h"
 #include "text/document.h"
 
+namespace document_set_test {
+
 using namespace millwright::text;
 
 namespace {
@@ -131,3 +133,5 @@ TEST_CASE("random assignments never crash") {
     if (generator() % 16 == 0) d = document();
   }
 }
+
+}  // namespace document_set_test

@@ -10,6 +10,8 @@
 
 #include "catch.h"
 
+namespace document_test {
+
 using namespace millwright::text;
 
 namespace {
@@ -332,3 +334,5 @@ TEST_CASE("files are read by their ending") {
   CHECK(diagnostics.error_count() == 2);
   std::filesystem::remove_all(name);
 }
+
+}  // namespace document_test

@@ -6,6 +6,8 @@
 
 #include "catch.h"
 
+namespace nearest_test {
+
 using namespace millwright::text;
 
 namespace {
@@ -63,3 +65,5 @@ TEST_CASE("the word that was meant is found") {
   CHECK(did_you_mean("nmae", keys) == "did you mean 'name'?");
   CHECK(did_you_mean("zzzzz", keys, "see the list") == "see the list");
 }
+
+}  // namespace nearest_test

@@ -6,6 +6,8 @@
 
 #include "catch.h"
 
+namespace number_test {
+
 using namespace millwright::text;
 
 TEST_CASE("numbers as people type them") {
@@ -103,3 +105,5 @@ TEST_CASE("a hint is found for any bytes") {
   }
   CHECK_FALSE(number_hint("").empty());
 }
+
+}  // namespace number_test

@@ -14,6 +14,8 @@
 
 #include "catch.h"
 
+namespace output_file_test {
+
 using namespace millwright::text;
 namespace fs = std::filesystem;
 
@@ -180,3 +182,5 @@ TEST_CASE("a file that is not committed leaves nothing") {
   CHECK(contents(scratch.path("b.csv")) == "two");
   CHECK(scratch.count() == 2);
 }
+
+}  // namespace output_file_test

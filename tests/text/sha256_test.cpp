@@ -6,6 +6,8 @@
 #include "text/diagnostic.h"
 #include "text/source_text.h"
 
+namespace sha256_test {
+
 using namespace millwright::text;
 
 TEST_CASE("SHA-256 of the examples of FIPS 180-4") {
@@ -34,3 +36,5 @@ TEST_CASE("what looks like a SHA-256") {
   CHECK_FALSE(is_sha256(std::string(63, 'a') + "g"));
   CHECK_FALSE(is_sha256(""));
 }
+
+}  // namespace sha256_test

@@ -13,6 +13,8 @@
 #include "text/text_check.h"
 #include "text/utf8.h"
 
+namespace source_text_test {
+
 using namespace millwright::text;
 namespace fs = std::filesystem;
 
@@ -287,3 +289,5 @@ TEST_CASE("random bytes never break the loader") {
     CHECK(format(diagnostics).find('\0') == std::string::npos);
   }
 }
+
+}  // namespace source_text_test

@@ -4,6 +4,8 @@
 #include "catch.h"
 #include "text/document.h"
 
+namespace table_reader_test {
+
 using namespace millwright::text;
 
 namespace {
@@ -112,3 +114,5 @@ TEST_CASE("a node that is no table is reported once") {
   REQUIRE(diagnostics.count() == 1);
   CHECK(diagnostics.all()[0].message == "'axis' must be a table, but this is a whole number");
 }
+
+}  // namespace table_reader_test
