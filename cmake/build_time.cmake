@@ -15,6 +15,18 @@ function(millwright_precompile target)
     "$<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>")
 endfunction()
 
+# The sources of a target in batches, each compiled as one: what they all include is read once, and what they all use of
+# templates is compiled once. A full build takes half the time that way. Names in anonymous namespaces have to be different
+# within a batch; OFF compiles every source by itself.
+option(MILLWRIGHT_UNITY "Compile sources in batches" ON)
+function(millwright_unite target)
+  if(MILLWRIGHT_UNITY)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    # A class hidden in a source may have members that are hidden there: a batch is no header.
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+  endif()
+endfunction()
+
 # The optimised build takes -O1 for this target. Results are the same: neither level reorders arithmetic.
 function(millwright_optimise_less target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
