@@ -21,6 +21,6 @@ found=$("$tidy" --quiet --config-file="$configuration" "$stamp.cpp" -- "${flags[
 awk -v batch="$stamp.cpp:" '
   FNR == 1 { file++ }
   file < ARGC - 1 { name[++lines] = FILENAME; line[lines] = FNR; next }
-  index($0, batch) == 1 { rest = substr($0, length(batch) + 1); n = rest + 0; sub(/^[0-9]+/, "", rest); $0 = name[n] ":" line[n] rest }
+  index($0, batch) == 1 { rest = substr($0, length(batch) + 1); n = rest + 0; if (n > lines) n = lines; sub(/^[0-9]+/, "", rest); $0 = name[n] ":" line[n] rest }
   { print }' "$@" - <<<"$found"
 exit "$status"
