@@ -1,5 +1,5 @@
-# What keeps a full build short: the headers of the tests and of the formula registry are parsed once, and code that no
-# search runs through is not optimised to the last.
+# What keeps a full build short: headers that a room or the tests include everywhere are parsed once, sources are compiled
+# in batches, and code that no search runs through is not optimised to the last.
 
 # millwright_precompile(<target> <headers...> | REUSE_FROM <other target>): both targets need the same optimisation.
 function(millwright_precompile target)
@@ -17,7 +17,7 @@ endfunction()
 
 # The sources of a target in batches, each compiled as one: what they all include is read once, and what they all use of
 # templates is compiled once. A full build takes half the time that way. Names in anonymous namespaces have to be different
-# within a batch; OFF compiles every source by itself.
+# within a room, as a new source moves the borders of the batches. OFF compiles every source by itself.
 option(MILLWRIGHT_UNITY "Compile sources in batches" ON)
 function(millwright_unite target)
   if(MILLWRIGHT_UNITY)

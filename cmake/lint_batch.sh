@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# clang-tidy over several sources as if they were one, as it goes through all headers of each: eight take as long as two
-# that way. Names in their anonymous namespaces have to be different. They become one text, not a list of includes, as
-# clang's analyser only follows functions of the main file. What a source does not include itself may be missed.
+# clang-tidy over several sources as if they were one: it goes through all headers of each, so eight take as long as two
+# that way. Names in their anonymous namespaces have to be different. They become one text, not a list of includes, as some
+# checks only look at the main file. What may be missed: an include that another source of the batch has, and a
+# using-declaration that only another one uses. Warnings have to be errors in CONFIGURATION, else they are not seen.
 #
 #   lint_batch.sh STAMP CLANG CLANG_TIDY CONFIGURATION FLAGS... -- SOURCES...
 #
@@ -13,7 +14,7 @@ flags=()
 while [[ $1 != -- ]]; do flags+=("$1"); shift; done
 shift
 cat "$@" >"$stamp.cpp"
-"$clang" "${flags[@]}" -MM -MT "$stamp" -MF "$stamp.d" "$stamp.cpp"
+"$clang" "${flags[@]}" -MM -MQ "$stamp" -MF "$stamp.d" "$stamp.cpp"
 status=0
 found=$("$tidy" --quiet --config-file="$configuration" "$stamp.cpp" -- "${flags[@]}" 2>&1) || status=$?
 ((status)) || { touch "$stamp"; exit 0; }

@@ -136,16 +136,17 @@ std::optional<double> parse_tolerance(std::string_view cell,
                                       const Companion& companion,
                                       double figure,
                                       std::string& reason) {
-  std::string_view text = text::without_blanks(cell);
+  std::string_view text = text::without_blanks(cell, " \t");
   for (const std::string_view mark : {std::string_view("+-"), std::string_view("+/-"), std::string_view("\u00B1")})
-    if (text.starts_with(mark)) text = text::without_blanks(text.substr(mark.size()));
+    if (text.starts_with(mark)) text = text::without_blanks(text.substr(mark.size()), " \t");
   double number = 0.0;
   const auto [rest, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (problem != std::errc() || !std::isfinite(number) || number < 0.0) {
     reason = "is no tolerance";
     return std::nullopt;
   }
-  const std::string_view written = text::without_blanks(text.substr(static_cast<std::size_t>(rest - text.data())));
+  const std::string_view written =
+      text::without_blanks(text.substr(static_cast<std::size_t>(rest - text.data())), " \t");
   if (!written.empty() && companion.unit) {
     reason = "has a unit, and so has the column";
     return std::nullopt;

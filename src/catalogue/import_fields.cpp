@@ -9,6 +9,7 @@
 
 #include "catalogue/column_unit.h"
 #include "catalogue/import_companions.h"
+#include "catalogue/import_sheet.h"
 #include "catalogue/standing.h"
 #include "text/characters.h"
 #include "text/number.h"
@@ -17,7 +18,6 @@ namespace millwright::catalogue {
 namespace {
 
 /// What a cell of a spreadsheet can hold; what is longer is no cell.
-constexpr std::size_t longest_cell = 32767 * std::size_t{4};
 
 /// Digits with at most one point between them: already a number of ours.
 bool is_plain(std::string_view cell) {

@@ -16,6 +16,9 @@
 
 namespace millwright::catalogue {
 
+/// What a cell of a spreadsheet can hold, in bytes of UTF-8: 32767 characters.
+inline constexpr std::size_t longest_cell = 32767 * std::size_t{4};
+
 /// What may be said about a file; empty or 0 where it is to be found out.
 struct SheetFormat {
   std::string sheet;     ///< of a workbook

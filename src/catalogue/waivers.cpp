@@ -10,21 +10,19 @@
 #include "text/nearest.h"
 
 namespace millwright::catalogue {
-namespace {}  // namespace
-
 Waivers::Waivers(const Table& table, text::Diagnostics& diagnostics)
     : table_(table), column_{table.family(), column(Family::steppers, "waiver").index} {
   for (int row = 0; row < table.rows(); ++row) {
     std::string_view rest = table.text(column_, row);
     if (rest.empty()) continue;
     std::vector<Waiver> waivers;
-    while (!text::without_blanks(rest).empty()) {
-      const std::string_view one = text::without_blanks(rest.substr(0, rest.find(';')));
+    while (!text::without_blanks(rest, " \t").empty()) {
+      const std::string_view one = text::without_blanks(rest.substr(0, rest.find(';')), " \t");
       rest = rest.find(';') == rest.npos ? std::string_view() : rest.substr(rest.find(';') + 1);
       if (one.empty()) continue;
-      const std::string_view rule = text::without_blanks(one.substr(0, one.find(':')));
+      const std::string_view rule = text::without_blanks(one.substr(0, one.find(':')), " \t");
       const std::string_view reason =
-          one.find(':') == one.npos ? "" : text::without_blanks(one.substr(one.find(':') + 1));
+          one.find(':') == one.npos ? "" : text::without_blanks(one.substr(one.find(':') + 1), " \t");
       const std::vector<std::string_view>& names = rule_names();
       if (std::find(names.begin(), names.end(), rule) == names.end()) {
         diagnostics.error(table.where(row, column_),

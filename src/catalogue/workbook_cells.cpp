@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "catalogue/import_sheet.h"
 #include "text/csv.h"
 #include "text/nearest.h"
 
@@ -15,8 +16,6 @@ namespace {
 
 constexpr std::int64_t most_rows = 1 << 20;
 constexpr auto most_columns = static_cast<std::int64_t>(text::CsvTable::column_limit);
-/// What a cell of a spreadsheet can hold: 32767 characters.
-constexpr std::size_t longest_cell = 32767 * std::size_t{4};
 
 void append_quoted(std::string& line, std::string_view text) {
   const bool quoted =

@@ -23,15 +23,15 @@ using text::Diagnostics;
 const std::vector<std::string> known_columns{
     "axis", "slot", "manufacturer", "part_number", "quantity", "length", "value", "origin"};
 const std::vector<std::string> origins{"paper", "ours"};
-constexpr double most_pieces = 10000.0;
+constexpr double most_pieces_of_a_line = 10000.0;
 
-bool contains(const std::vector<std::string>& words, const std::string& word) {
+bool is_among(const std::vector<std::string>& words, const std::string& word) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-class Reader {
+class BillReader {
  public:
-  Reader(const CsvTable& table, const Problem& problem, Diagnostics& diagnostics)
+  BillReader(const CsvTable& table, const Problem& problem, Diagnostics& diagnostics)
       : table_(table), problem_(problem), diagnostics_(diagnostics) {}
 
   BillOfMaterials read() {
@@ -46,7 +46,7 @@ class Reader {
  private:
   bool find_columns() {
     for (const text::CsvColumn& column : table_.columns())
-      if (!contains(known_columns, column.name))
+      if (!is_among(known_columns, column.name))
         diagnostics_.warning(column.name_span,
                              fmt::format("column '{}' is not used", column.name),
                              text::did_you_mean(column.name, known_columns));
@@ -83,7 +83,7 @@ class Reader {
     for (std::size_t row = 0; row < table_.row_count(); ++row) {
       const std::string axis = cell(row, "axis");
       if (find_axis(axis) != nullptr) return false;
-      if (axis.empty() || axis == "machine" || contains(names, axis)) continue;
+      if (axis.empty() || axis == "machine" || is_among(names, axis)) continue;
       if (names.empty()) first = row;
       names.push_back(axis);
     }
@@ -124,11 +124,11 @@ class Reader {
 
   std::optional<double> pieces(std::size_t row) {
     const auto value = quantity(row, "quantity", "1", "4");
-    if (!value || (*value == std::floor(*value) && *value <= most_pieces)) return value;
+    if (!value || (*value == std::floor(*value) && *value <= most_pieces_of_a_line)) return value;
     diagnostics_.error(span(row, "quantity"),
                        fmt::format("quantity: {:.6g} pieces", *value),
-                       *value > most_pieces ? "is this another column's value?"
-                                            : "a whole number of pieces; what is cut to length has a length");
+                       *value > most_pieces_of_a_line ? "is this another column's value?"
+                                                      : "a whole number of pieces; what is cut to length has a length");
     return std::nullopt;
   }
 
@@ -159,8 +159,8 @@ class Reader {
       slots = slot_names(*found);
       settings = setting_names(*found);
     }
-    is_setting_ = contains(settings, slot);
-    if (is_setting_ || contains(slots, slot)) return true;
+    is_setting_ = is_among(settings, slot);
+    if (is_setting_ || is_among(slots, slot)) return true;
     slots.insert(slots.end(), settings.begin(), settings.end());
     const std::string all = fmt::format("slots: {}", fmt::join(slots, ", "));
     if (slot.empty())
@@ -216,7 +216,7 @@ class Reader {
   }
 
   void check_origin(std::size_t row, const std::string& origin) {
-    if (origin.empty() || contains(origins, origin)) return;
+    if (origin.empty() || is_among(origins, origin)) return;
     diagnostics_.warning(span(row, "origin"),
                          fmt::format("origin: {} means nothing here", text::in_quotes(origin)),
                          text::did_you_mean(origin, origins, "paper, ours, or empty"));
@@ -307,7 +307,7 @@ std::optional<BillOfMaterials> read_bill_of_materials(std::shared_ptr<const text
   const CsvTable table = text::read_csv(std::move(text), diagnostics);
   const bool whole = diagnostics.error_count() == errors;
   if (!whole && table.columns().empty()) return std::nullopt;
-  BillOfMaterials bom = Reader(table, problem, diagnostics).read();
+  BillOfMaterials bom = BillReader(table, problem, diagnostics).read();
   if (whole && table.row_count() == 0 && diagnostics.error_count() == errors)
     diagnostics.error(table.header_span(),
                       "the bill of materials is empty",

@@ -9,7 +9,6 @@
 namespace millwright::machine {
 
 namespace {
-bool begins_name(char c) { return text::is_letter(c) || c == '_'; }
 constexpr int deepest = 100;
 constexpr std::size_t most_terms = 2000;  // numbers, names and operators; one below the other, they are walked down
 }  // namespace
@@ -103,7 +102,7 @@ class ExpressionParser {
     const char c = at();
     if (take('(')) return closed(sum());
     if (text::is_digit(c) || c == '.') return number();
-    if (begins_name(c)) return name();
+    if (text::begins_name(c)) return name();
     return fail(c == '\0' ? "the expression ends too early" : "a number, a name or a bracket was expected here");
   }
   std::size_t closed(std::size_t inner) {
@@ -120,7 +119,7 @@ class ExpressionParser {
   }
   std::size_t name() {
     const std::size_t begin = offset_;
-    while (offset_ < text_.size() && (begins_name(text_[offset_]) || text::is_digit(text_[offset_]))) ++offset_;
+    while (offset_ < text_.size() && (text::begins_name(text_[offset_]) || text::is_digit(text_[offset_]))) ++offset_;
     const std::string word(text_.substr(begin, offset_ - begin));
     if (word == "pi") return add(Operation::pi);
     if (at() == '(') {

@@ -46,9 +46,9 @@ bool is_code(const std::string& key) {
   return unit && unit->kind() == scalar::UnitKind::currency && unit->currency() == key;
 }
 
-class Reader {
+class CurrencyReader {
  public:
-  Reader(Problem& problem, Diagnostics& diagnostics) : problem_(problem), diagnostics_(diagnostics) {}
+  CurrencyReader(Problem& problem, Diagnostics& diagnostics) : problem_(problem), diagnostics_(diagnostics) {}
 
   void read(const Node& node) {
     describe_codes(node);
@@ -164,7 +164,7 @@ class Reader {
 }  // namespace
 
 void read_currencies(const Node& node, Problem& problem, Diagnostics& diagnostics) {
-  Reader(problem, diagnostics).read(node);
+  CurrencyReader(problem, diagnostics).read(node);
 }
 
 }  // namespace millwright::machine

@@ -30,8 +30,6 @@ std::vector<std::string_view> quantity_names() {
   return names;
 }
 
-bool begins_name(char c) { return text::is_letter(c) || c == '_'; }
-
 /// Reads terms one by one; the first fault ends it.
 class ObjectiveReader {
  public:
@@ -79,7 +77,7 @@ class ObjectiveReader {
       term.weight = *weight;
     }
     const std::size_t begin = at_;
-    while (at_ < text_.size() && (begins_name(text_[at_]) || (at_ > begin && text::is_digit(text_[at_])))) ++at_;
+    while (at_ < text_.size() && (text::begins_name(text_[at_]) || (at_ > begin && text::is_digit(text_[at_])))) ++at_;
     const std::string_view word = text_.substr(begin, at_ - begin);
     const std::string all = fmt::format("quantities: {}", fmt::join(quantity_names(), ", "));
     if (word.empty()) return fail(begin, rest_of_word(), "the name of a quantity is expected here", all);

@@ -26,13 +26,13 @@ constexpr std::size_t least_samples = 3;
 constexpr double least_step = 1e-9;  // s
 
 /// A column of a recording, and the unit that is expected of it.
-struct Quantity {
+struct ColumnQuantity {
   std::string name, unit;
 };
 
-class Reader {
+class ProfileReader {
  public:
-  Reader(const CsvTable& table, bool rotary, Diagnostics& diagnostics)
+  ProfileReader(const CsvTable& table, bool rotary, Diagnostics& diagnostics)
       : table_(table), rotary_(rotary), diagnostics_(diagnostics) {}
 
   std::optional<MeasuredProfile> read() {
@@ -61,7 +61,7 @@ class Reader {
 
  private:
   struct Found {
-    Quantity quantity;
+    ColumnQuantity quantity;
     std::optional<std::size_t> place = std::nullopt;
     scalar::Unit unit = {};
     [[nodiscard]] bool known() const { return place.has_value(); }
@@ -195,9 +195,9 @@ class Reader {
   bool rotary_;
   Diagnostics& diagnostics_;
   Found time_{{"time", "s"}};
-  Found position_{rotary_ ? Quantity{"angle", "deg"} : Quantity{"position", "mm"}};
-  Found speed_{rotary_ ? Quantity{"speed", "rpm"} : Quantity{"speed", "mm/s"}};
-  Found force_{rotary_ ? Quantity{"torque", "N.m"} : Quantity{"force", "N"}};
+  Found position_{rotary_ ? ColumnQuantity{"angle", "deg"} : ColumnQuantity{"position", "mm"}};
+  Found speed_{rotary_ ? ColumnQuantity{"speed", "rpm"} : ColumnQuantity{"speed", "mm/s"}};
+  Found force_{rotary_ ? ColumnQuantity{"torque", "N.m"} : ColumnQuantity{"force", "N"}};
 };
 
 }  // namespace
@@ -230,7 +230,7 @@ std::optional<MeasuredProfile> read_profile(const Node& node,
     diagnostics.error(text::whole(source), "the profile is empty", "the header is time [s],speed [mm/s]");
     return std::nullopt;
   }
-  return Reader(table, rotary, diagnostics).read();
+  return ProfileReader(table, rotary, diagnostics).read();
 }
 
 }  // namespace millwright::machine

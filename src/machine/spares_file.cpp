@@ -14,7 +14,7 @@ namespace millwright::machine {
 
 namespace {
 
-constexpr double most_pieces = 1000.0;
+constexpr double most_spares = 1000.0;
 
 void keep_unique(std::vector<std::string>& names) {
   std::sort(names.begin(), names.end());
@@ -79,7 +79,7 @@ void read_spares(const text::Node& node, Problem& problem, text::Diagnostics& di
       "by the slot, of every axis that has it, or \"axis.slot\": pieces bought beside those that the machine takes";
   pieces.expected = text::Expected::integer;
   pieces.least = 0.0;
-  pieces.most = most_pieces;
+  pieces.most = most_spares;
   pieces.example = "1";
   text::TableReader(node, "[spares]", diagnostics).describe(pieces);
   const std::vector<std::string> keys = keys_of(problem);
@@ -91,7 +91,7 @@ void read_spares(const text::Node& node, Problem& problem, text::Diagnostics& di
       continue;
     }
     const auto number = entry.value.as_number();
-    if (!number || *number < 0.0 || *number > most_pieces || *number != std::floor(*number)) {
+    if (!number || *number < 0.0 || *number > most_spares || *number != std::floor(*number)) {
       diagnostics.error(entry.value.span(),
                         fmt::format("spares: {} is no number of pieces", entry.key),
                         fmt::format("write a whole number: {} = 1", entry.key));

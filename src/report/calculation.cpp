@@ -17,7 +17,7 @@ std::string input_text(const CalculationInput& input) {
   return out;
 }
 
-std::string unit_text(const std::string& unit) { return unit.empty() || unit == "1" ? "-" : unit; }
+std::string unit_or_dash(const std::string& unit) { return unit.empty() || unit == "1" ? "-" : unit; }
 
 std::string kind_text(const mechanics::Argument& argument) {
   switch (argument.kind) {
@@ -64,12 +64,12 @@ std::string formula_text(const mechanics::Formula& formula, const Style& style) 
   if (style.brief) return formula.name() + "\n";
   const std::string result = formula.display_unit().empty() ? formula.unit() : formula.display_unit();
   std::string out = style.heading(formula.name()) + "  " + style.faint(formula.handbook_id()) + "\n";
-  out += fmt::format("  {}: {} [{}]\n", formula.title(), formula.symbol(), unit_text(result));
+  out += fmt::format("  {}: {} [{}]\n", formula.title(), formula.symbol(), unit_or_dash(result));
   TextTable arguments({{""}, {""}, {""}, {"", Align::left, 60}});
   for (const mechanics::Argument& argument : formula.arguments())
     arguments.add({argument.name,
                    argument.symbol == argument.name ? "" : argument.symbol,
-                   argument.kind == mechanics::ArgumentKind::choice ? "" : "[" + unit_text(argument.unit) + "]",
+                   argument.kind == mechanics::ArgumentKind::choice ? "" : "[" + unit_or_dash(argument.unit) + "]",
                    kind_text(argument) + argument.meaning});
   out += arguments.str(4, style);
   if (!formula.validity().empty()) out += "  valid: " + wrapped(formula.validity(), 70, 9) + "\n";

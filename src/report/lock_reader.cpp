@@ -20,7 +20,7 @@ using text::Node;
 using text::Presence;
 using text::TableReader;
 
-constexpr const char* how_to_write = "locks are not to be edited: write it again with --write-lock";
+constexpr const char* how_to_write_lock = "locks are not to be edited: write it again with --write-lock";
 constexpr std::int64_t known_format = 1;
 
 std::string required(TableReader& table, const char* key) { return table.string(key, Presence::required).value_or(""); }
@@ -28,7 +28,8 @@ std::string required(TableReader& table, const char* key) { return table.string(
 std::string required_sha256(TableReader& table, Diagnostics& diagnostics) {
   const std::string value = required(table, "sha256");
   if (const Node* node = table.find("sha256"); node != nullptr && node->is_string() && !text::is_sha256(value))
-    diagnostics.error(node->span(), "sha256: not 64 hexadecimal digits: " + text::in_quotes(value, 80), how_to_write);
+    diagnostics.error(
+        node->span(), "sha256: not 64 hexadecimal digits: " + text::in_quotes(value, 80), how_to_write_lock);
   return value;
 }
 
@@ -38,7 +39,7 @@ int required_count(TableReader& table, const char* key, Diagnostics& diagnostics
   const auto value = table.integer(key, Presence::required);
   if (!value) return 0;
   if (*value >= 0 && *value <= most) return static_cast<int>(*value);
-  diagnostics.error(table.find(key)->span(), fmt::format("{}: {} is no count", key, *value), how_to_write);
+  diagnostics.error(table.find(key)->span(), fmt::format("{}: {} is no count", key, *value), how_to_write_lock);
   return 0;
 }
 
@@ -130,7 +131,7 @@ void check_seal(const text::Document& document, const std::string& seal, Diagnos
   const Node* node = document.root().find("seal");
   diagnostics.error(node != nullptr ? node->span() : text::whole(document.text()),
                     "this lock was changed after it was written: its seal does not hold",
-                    how_to_write);
+                    how_to_write_lock);
 }
 
 }  // namespace

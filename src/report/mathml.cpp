@@ -20,7 +20,7 @@ constexpr int argument_digits = 5;
 constexpr int result_digits = 4;
 
 std::string row(const std::string& inner) { return "<mrow>" + inner + "</mrow>"; }
-std::string number(const std::string& text) { return "<mn>" + escaped(text) + "</mn>"; }
+std::string number_element(const std::string& text) { return "<mn>" + escaped(text) + "</mn>"; }
 std::string sign(std::string_view text) { return fmt::format("<mo>{}</mo>", text); }
 
 /// Characters, not bytes.
@@ -37,14 +37,14 @@ std::string number_mathml(std::string text) {
     text.erase(0, 1);
   }
   const std::size_t e = text.find('e');
-  if (e == std::string::npos) return front + number(text);
+  if (e == std::string::npos) return front + number_element(text);
   std::string exponent = text.substr(e + 1);
   const bool negative = exponent.front() == '-';
   exponent.erase(0, exponent.find_first_not_of("+-0"));
-  const std::string power = negative ? row(sign("−") + number(exponent)) : number(exponent);
+  const std::string power = negative ? row(sign("−") + number_element(exponent)) : number_element(exponent);
   const std::string ten = "<msup><mn>10</mn>" + power + "</msup>";
   const std::string mantissa = text.substr(0, e);
-  return front + (mantissa == "1" ? ten : number(mantissa) + sign("·") + ten);
+  return front + (mantissa == "1" ? ten : number_element(mantissa) + sign("·") + ten);
 }
 
 std::string plain_symbol(const std::string& text) {

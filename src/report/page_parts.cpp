@@ -133,14 +133,16 @@ std::string HtmlTable::str() const {
 
 namespace {
 
-bool fails(const Check& check) { return check.verdict == Verdict::violated && check.kind != ConstraintKind::soft; }
+bool breaks_design(const Check& check) {
+  return check.verdict == Verdict::violated && check.kind != ConstraintKind::soft;
+}
 
 }  // namespace
 
 const char* state_of(const Check& check) {
   constexpr double near_limit = 0.9;
   if (check.verdict == Verdict::not_evaluated || std::isnan(check.utilisation)) return "open";
-  if (fails(check)) return "bad";
+  if (breaks_design(check)) return "bad";
   if (check.verdict == Verdict::violated) return "over";
   return check.utilisation > near_limit ? "near" : "good";
 }
@@ -148,7 +150,7 @@ const char* state_of(const Check& check) {
 std::string verdict_word(const Check& check, const Texts& t) {
   return t(check.verdict == Verdict::satisfied       ? "verdict.ok"
            : check.verdict == Verdict::not_evaluated ? "verdict.open"
-           : fails(check)                            ? "verdict.fail"
+           : breaks_design(check)                    ? "verdict.fail"
                                                      : "verdict.over");
 }
 

@@ -15,7 +15,7 @@ namespace {
 using text::Diagnostics;
 using text::SourceText;
 
-constexpr const char* how_to_write = "write one with 'millwright solve PROBLEM --json FILE' (or check)";
+constexpr const char* how_to_write_result = "write one with 'millwright solve PROBLEM --json FILE' (or check)";
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
 /// The values of one object; complaints name its path in the file.
@@ -98,7 +98,7 @@ class Fields {
     return path_.empty() || key.empty() ? path_ + key : path_ + "." + key;
   }
   void complain(const std::string& key, const std::string& what) const {
-    diagnostics_.error(text::whole(text_), fmt::format("{} {}", inner(key), what), how_to_write);
+    diagnostics_.error(text::whole(text_), fmt::format("{} {}", inner(key), what), how_to_write_result);
   }
   const Json* find(const char* key, bool required) const {
     if (object_ == nullptr) return nullptr;
@@ -214,7 +214,7 @@ std::optional<std::size_t> find_deep_bracket(std::string_view json) {
 
 std::optional<Json> parse(const std::shared_ptr<const SourceText>& text, Diagnostics& diagnostics) {
   if (const auto deep = find_deep_bracket(text->contents())) {
-    diagnostics.error(text::span_at(text, *deep, 1), "nested more than 256 levels deep", how_to_write);
+    diagnostics.error(text::span_at(text, *deep, 1), "nested more than 256 levels deep", how_to_write_result);
     return std::nullopt;
   }
   try {
@@ -239,13 +239,13 @@ bool is_one_build(const Json& json, const std::shared_ptr<const SourceText>& tex
     diagnostics.error(text::whole(text), message, hint);
     return false;
   };
-  if (word("schema") != "millwright.result/1") return refuse("this is no result of millwright", how_to_write);
+  if (word("schema") != "millwright.result/1") return refuse("this is no result of millwright", how_to_write_result);
   const std::string command = word("command");
   if (command == "pareto")
     return refuse("a front holds several builds, and which one is meant is not said",
                   "compare results of 'solve' (with --limit for another place on the front) or 'check'");
   if (command != "solve" && command != "check")
-    return refuse(fmt::format("a result of {} holds no build", text::in_quotes(command)), how_to_write);
+    return refuse(fmt::format("a result of {} holds no build", text::in_quotes(command)), how_to_write_result);
   if (json.contains("build")) return true;
   return refuse(fmt::format("this result holds no build: {}",
                             command == "check"          ? "its bill of materials could not be evaluated"

@@ -12,8 +12,6 @@
 #include "solver/rest_curve.h"
 
 namespace millwright::solver {
-namespace {}  // namespace
-
 Frontier::Difficulty Frontier::find_difficulty() {
   if (control_.time_is_up()) return Difficulty::out_of_time;
   find_rest();

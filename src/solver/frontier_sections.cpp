@@ -7,13 +7,10 @@
 // left out.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "solver/frontier.h"
 
 namespace millwright::solver {
-namespace {}  // namespace
-
 /// A single objective: looks for builds that come to no more than a little above what every build comes to at least.
 /// There is little to look at below that, and the best of what is found is the best of all. Where it is too much, less
 /// is looked at. True when one is found.

@@ -15,9 +15,9 @@ using Ipopt::Number;
 
 std::size_t size(Index n) { return static_cast<std::size_t>(n); }
 
-class Adapter : public Ipopt::TNLP {
+class IpoptProblem : public Ipopt::TNLP {
  public:
-  Adapter(const LocalProblem& problem, std::span<const double> start)
+  IpoptProblem(const LocalProblem& problem, std::span<const double> start)
       : problem_(problem),
         start_(start),
         constraint_(problem.constraints),
@@ -111,7 +111,7 @@ std::optional<LocalSolution> solve_with_ipopt(const LocalProblem& problem, std::
     std::vector<double> inside(start.begin(), start.end());
     for (std::size_t i = 0; i < inside.size(); ++i)
       inside[i] = std::clamp(inside[i], problem.lower[i], problem.upper[i]);
-    Adapter* adapter = new Adapter(problem, inside);
+    IpoptProblem* adapter = new IpoptProblem(problem, inside);
     const Ipopt::SmartPtr<Ipopt::TNLP> owner = adapter;
     application->OptimizeTNLP(owner);
     return adapter->solution;

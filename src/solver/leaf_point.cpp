@@ -6,15 +6,10 @@
 
 #include "solver/ipopt_solver.h"
 #include "solver/nlopt_solver.h"
+#include "solver/variable_box.h"
 
 namespace millwright::solver {
 namespace {
-
-std::vector<double> middle_of(std::span<const Interval> box) {
-  std::vector<double> x;
-  for (const Interval& side : box) x.push_back(middle(side));
-  return x;
-}
 
 LocalProblem box_problem(std::span<const Interval> box) {
   LocalProblem problem;

@@ -9,12 +9,12 @@ namespace millwright::solver {
 namespace {
 
 /// NLopt asks for objective and constraints in separate calls; both come from one evaluation, kept for the point.
-struct Adapter {
+struct NloptProblem {
   const LocalProblem& problem;
   std::vector<double> x, constraint, objective_gradient, constraint_gradient;
   double objective = 0.0;
 
-  explicit Adapter(const LocalProblem& p)
+  explicit NloptProblem(const LocalProblem& p)
       : problem(p),
         constraint(p.constraints),
         objective_gradient(p.lower.size()),
@@ -35,14 +35,14 @@ struct Adapter {
 };
 
 double objective_of(unsigned n, const double* x, double* gradient, void* data) {
-  auto& adapter = *static_cast<Adapter*>(data);
+  auto& adapter = *static_cast<NloptProblem*>(data);
   adapter.at(x);
   if (gradient != nullptr) std::copy_n(adapter.objective_gradient.begin(), n, gradient);
   return adapter.objective;
 }
 
 void constraints_of(unsigned, double* result, unsigned, const double* x, double* gradient, void* data) {
-  auto& adapter = *static_cast<Adapter*>(data);
+  auto& adapter = *static_cast<NloptProblem*>(data);
   adapter.at(x);
   std::copy(adapter.constraint.begin(), adapter.constraint.end(), result);
   if (gradient != nullptr) {
@@ -53,7 +53,7 @@ void constraints_of(unsigned, double* result, unsigned, const double* x, double*
 }  // namespace
 
 std::optional<LocalSolution> solve_with_nlopt(const LocalProblem& problem, std::span<const double> start) {
-  Adapter adapter(problem);
+  NloptProblem adapter(problem);
   try {
     nlopt::opt solver(nlopt::LD_SLSQP, static_cast<unsigned>(problem.lower.size()));
     solver.set_lower_bounds(problem.lower);

@@ -2,7 +2,6 @@
 #include "solver/region_pool.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "solver/archive.h"
 #include "solver/relaxation.h"
@@ -11,8 +10,8 @@ namespace millwright::solver {
 namespace {
 
 constexpr std::size_t nodes_a_weighing = 200;  // refined for one weighing
-constexpr std::size_t most_refined_at_once =
-    100;  // before what is left is told: the search does the rest with all it knows
+// Before what is left is told: the search does the rest with all it knows.
+constexpr std::size_t most_refined_at_once = 100;
 
 Reached reached(const OpenRegion& part) { return {part.bounds.utilisation, part.bounds.score[0]}; }
 

@@ -2,11 +2,11 @@
 #include "solver/rest_vectors.h"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 #include <queue>
 
 #include "solver/archive.h"
+#include "solver/stage.h"
 
 namespace millwright::solver {
 namespace {

@@ -9,7 +9,7 @@ namespace millwright::solver {
 
 namespace {
 
-constexpr double most_combinations = 32.0;
+constexpr double most_shared_choices = 32.0;
 
 /// What the stage of this plan adds at least with each of its rows.
 std::vector<std::vector<double>> own_worths(const StagePlan& plan, Desk& desk) {
@@ -35,7 +35,7 @@ std::vector<RowWorth> row_worths(const Problem& problem, const Options& options,
   double combinations = 1.0;
   for (const Slot& slot : problem.shared) combinations *= static_cast<double>(slot.rows);
   std::vector<RowWorth> result;
-  if (combinations > most_combinations || combinations < 1.0) return result;
+  if (combinations > most_shared_choices || combinations < 1.0) return result;
   const Criteria criteria = make_criteria(problem, options);
   Desk desk;
   std::vector<Row> shared(problem.shared.size(), 0);

@@ -2,7 +2,8 @@
 #include "solver/staircase.h"
 
 #include <algorithm>
-#include <limits>
+
+#include "solver/stage.h"
 
 namespace millwright::solver {
 namespace {

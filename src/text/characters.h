@@ -11,6 +11,9 @@ constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 constexpr bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
+/// What a name in a file begins with: a letter or `_`.
+constexpr bool begins_name(char c) { return is_letter(c) || c == '_'; }
+
 /// With capitals A to Z made small; other bytes stay, so UTF-8 stays what it is.
 inline std::string lower_case(std::string_view text) {
   std::string result(text);

@@ -12,12 +12,6 @@
 
 namespace millwright::text {
 
-namespace {
-
-bool is_word_character(char c) { return is_letter(c) || c == '_'; }
-
-}  // namespace
-
 JsonReader::JsonReader(std::shared_ptr<const SourceText> text, Diagnostics& diagnostics)
     : text_(std::move(text)), bytes_(text_->contents()), diagnostics_(diagnostics) {}
 
@@ -75,7 +69,7 @@ bool JsonReader::read_value(std::optional<Node>& result) {
     }
     default:
       if (peek() == '-' || is_digit(peek())) return read_number(result);
-      if (is_word_character(peek())) return read_word(result);
+      if (begins_name(peek())) return read_word(result);
       return fail_at_value();
   }
 }
@@ -270,7 +264,7 @@ bool JsonReader::read_number(std::optional<Node>& result) {
     if (peek() == '+' || peek() == '-') advance();
     if (skip_digits() == 0) return fail(now_, "a digit is expected in the exponent");
   }
-  if (is_word_character(peek()) || peek() == '.') return fail(now_, "a number ends here", "quantities stand in quotes");
+  if (begins_name(peek()) || peek() == '.') return fail(now_, "a number ends here", "quantities stand in quotes");
   const std::string_view token = bytes_.substr(begin.offset, now_.offset - begin.offset);
   std::int64_t whole_number = 0;
   if (integral && std::from_chars(token.data(), token.data() + token.size(), whole_number).ec == std::errc{}) {
@@ -287,7 +281,7 @@ bool JsonReader::read_number(std::optional<Node>& result) {
 /// true, false and null; null leaves no result.
 bool JsonReader::read_word(std::optional<Node>& result) {
   const Mark begin = now_;
-  while (!at_end() && (is_word_character(peek()) || is_digit(peek()))) advance();
+  while (!at_end() && (begins_name(peek()) || is_digit(peek()))) advance();
   const std::string_view word = bytes_.substr(begin.offset, now_.offset - begin.offset);
   if (word == "null") return true;
   if (word == "true" || word == "false") {
