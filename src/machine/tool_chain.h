@@ -36,8 +36,9 @@ struct ToolPlace {
 
 /// Every element's compliance, and every axis's position error, counts in whole steps, rounded up, of so much of what
 /// is permitted: two motors whose fields differ by a hundredth of a micrometre at the tool then ask the same of the
-/// rest of the machine.
-inline constexpr double compliance_step = 0.01;
+/// rest of the machine. A little less than a hundredth: a hundred of them have to be no more than what is permitted
+/// however they are added up, or nothing would be feasible at the limit and nothing proved to be infeasible there.
+inline constexpr double compliance_step = 0.01 * (1.0 - 1e-12);
 
 /// How axis `index` sees the problem's tool. The problem must have one, and the axis must be linear.
 ToolPlace tool_place(const Problem& problem, std::size_t index);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <random>
 
 #include "evaluation/exhaustive.h"
 #include "evaluation/hand_worked.h"
@@ -22,6 +23,7 @@ using evaluation::MachineModel;
 using evaluation::Synthesis;
 using machine::Compliance;
 using machine::ToolPlace;
+using scalar::Interval;
 
 namespace {
 
@@ -207,6 +209,34 @@ TEST_CASE("Guides, screws and members give way as worked by hand") {
   CHECK(b[0] == 0.0);
   CHECK(b[1] == Approx(0.216 / (48.0 * 206e9 * 0.01 * 1e-3 / 12.0) + 0.04 * 0.04 * plate_turn).epsilon(2e-3));
   CHECK(b[2] == Approx(0.216 / (48.0 * 206e9 * 0.1 * 1e-6 / 12.0) + 0.03 * 0.03 * plate_turn).epsilon(2e-3));
+}
+
+TEST_CASE("A hundred steps of compliance are permitted however they are added up, the next one is not") {
+  constexpr int permitted = 100;
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> exponent(-6.0, 3.0);
+  machine::Problem problem = machine_with("", "3 mm");
+  for (int sample = 0; sample < 2000; ++sample) {
+    problem.tool->deflection = 1e-3 * std::pow(10.0, exponent(random));
+    problem.tool->force[2] = std::pow(10.0, exponent(random));
+    const double step = machine::tool_place(problem, 0).step[2];
+    // Elements that take some steps each, in the order of the machine.
+    double compliance = 0.0;
+    Interval bounds(0.0);
+    for (int left = permitted; left > 0;) {
+      const int taken = std::uniform_int_distribution<int>(1, left)(random);
+      left -= taken;
+      const double value = (taken - 0.5) * step;
+      const double counted = machine::whole_steps(value, step, scalar::dimension::none);
+      CHECK(counted == Approx(taken * step).epsilon(1e-14));
+      compliance += counted;
+      bounds = bounds + machine::whole_steps(Interval(value), step, scalar::dimension::none);
+    }
+    INFO(*problem.tool->deflection << " m, " << problem.tool->force[2] << " N");
+    CHECK(problem.tool->force[2] * compliance <= *problem.tool->deflection);
+    CHECK((Interval(problem.tool->force[2]) * bounds).upper <= *problem.tool->deflection);
+    CHECK((Interval(problem.tool->force[2]) * (bounds + Interval(step))).lower > *problem.tool->deflection);
+  }
 }
 
 TEST_CASE("The search holds what the tool may give way, and limits of cost and mass, as all builds say") {
