@@ -101,7 +101,7 @@ bool BoltStage::all_bear(double force, double torque) const {
     d.held_force = Interval(force);
     d.held_torque = Interval(torque);
     d.derive();
-    std::vector<Interval> used;
+    std::vector<Interval> used(constraint_count_);
     machine::bolted_joint_constraints(UtilisationVisitor<Interval, BoltedJoint<Interval>>(d, 0, used));
     if (!std::all_of(used.begin(), used.end(), [](const Interval& each) { return each.upper <= 1.0; })) return false;
   }

@@ -67,27 +67,19 @@ inline scalar::Dual<scalar::Interval, 1> utilisation(const scalar::Dual<scalar::
 template <class T, class Element>
 class UtilisationVisitor {
  public:
-  /// `kept`: as solver::Box::kept.
+  /// `kept`: as solver::Box::kept. `out` has a place for each of them, from its beginning.
   UtilisationVisitor(const Element& element, std::uint64_t kept, std::vector<T>& out)
       : element_(element), kept_(kept), out_(out) {}
   template <class When, class Demand, class Capacity>
   void operator()(const machine::Declaration& declaration, When when, Demand demand, Capacity capacity) {
     if (!machine::is_searched(declaration, element_.data->require)) return;
-    if (((kept_ >> (out_.size() % 64)) & 1U) != 0) {
-      out_.push_back(T(0.0));
-      return;
-    }
-    switch (when(element_)) {
-      case machine::Applies::no:
-        out_.push_back(T(0.0));
-        return;
-      case machine::Applies::yes:
-        out_.push_back(utilisation(demand(element_), capacity(element_)));
-        return;
-      case machine::Applies::some:
-        out_.push_back(anything());
-        return;
-    }
+    const bool is_kept = ((kept_ >> (next_ % 64)) & 1U) != 0;
+    T& used = out_[next_++];
+    const machine::Applies applies = is_kept ? machine::Applies::no : when(element_);
+    if (applies == machine::Applies::yes)
+      used = utilisation(demand(element_), capacity(element_));
+    else
+      used = applies == machine::Applies::no ? T(0.0) : anything();
   }
 
  private:
@@ -103,6 +95,7 @@ class UtilisationVisitor {
   const Element& element_;
   std::uint64_t kept_;
   std::vector<T>& out_;
+  std::size_t next_ = 0;
 };
 
 /// CRTP base. Derived has `slot_tables`, `name_`, `variables_`, `constraint_count_` and
@@ -251,7 +244,7 @@ class ElementStage : public solver::Stage {
  private:
   template <class T>
   void ask(const Selection<T>& selection, solver::Answer<T>& answer) const {
-    answer.utilisation.clear();
+    answer.utilisation.resize(constraint_count_);
     answer.resources.assign(resources_, T(0.0));
     answer.handed_on.assign(selection.inherited.begin(), selection.inherited.end());
     static_cast<const Derived&>(*this).template answer<T>(selection, answer);

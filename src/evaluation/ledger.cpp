@@ -150,6 +150,15 @@ class CheckVisitor {
   template <class When, class Demand, class Capacity>
   void operator()(const machine::Declaration& declaration, When when, Demand demand, Capacity capacity) {
     if (when(element_) != Applies::yes) return;
+    mechanics::ValidityWatch watch;
+    const double value = demand(element_);
+    const double limit = capacity(element_);
+    outside_.take(watch, entry_.axis, entry_.element, declaration.id);
+    add(declaration, value, limit);
+  }
+
+ private:
+  void add(const machine::Declaration& declaration, double value, double limit) {
     Check check;
     check.axis = entry_.axis;
     check.element = entry_.element;
@@ -161,10 +170,6 @@ class CheckVisitor {
     check.unit = declaration.unit;
     check.source = declaration.source;
     check.requirement = declaration.requirement;
-    mechanics::ValidityWatch watch;
-    const double value = demand(element_);
-    const double limit = capacity(element_);
-    outside_.take(watch, entry_.axis, entry_.element, declaration.id);
     std::string reason;
     const auto unit = scalar::Unit::parse(declaration.unit, reason);
     check.value = unit ? unit->from_si(value) : value;
@@ -185,7 +190,6 @@ class CheckVisitor {
     out_.push_back(std::move(check));
   }
 
- private:
   const Element& element_;
   const StageEntry& entry_;
   std::vector<Check>& out_;

@@ -80,10 +80,15 @@ class CalculationVisitor {
   template <class When, class Demand, class Capacity>
   void operator()(const machine::Declaration& declaration, When when, Demand demand, Capacity capacity) {
     if (when(element_) != machine::Applies::yes) return;
-    sheet_.checks.push_back({std::string(declaration.id), demand(element_), capacity(element_)});
+    const scalar::Traced used = demand(element_);
+    add(declaration.id, used, capacity(element_));
   }
 
  private:
+  void add(std::string_view id, const scalar::Traced& demand, const scalar::Traced& capacity) {
+    sheet_.checks.push_back({std::string(id), demand, capacity});
+  }
+
   const Element& element_;
   ElementWorksheet& sheet_;
 };

@@ -47,6 +47,7 @@ WholeMachine<T> WholeStage::design(const Selection<T>& s) const {
 
 void WholeStage::set_suppliers(std::vector<Shop> shops) {
   suppliers_ = std::move(shops);
+  declared_constraints_ = constraint_count_;
   for (const Shop& shop : suppliers_) constraint_count_ += shop.used_state ? 1 : 0;
 }
 
@@ -62,10 +63,12 @@ void WholeStage::pay(const T& charged, double preference, solver::Answer<T>& out
 template <class T>
 void WholeStage::charge_orders(const Selection<T>& s, solver::Answer<T>& out) const {
   using scalar::larger;
+  std::size_t constraint = declared_constraints_;
   for (std::size_t i = 0; i < suppliers_.size(); ++i) {
     const Shop& shop = suppliers_[i];
     const bool open = ((s.shared[shop_choice] >> i) & 1U) != 0;
-    if (shop.used_state) out.utilisation.push_back(open ? utilisation(T(1.0), s.inherited[*shop.used_state]) : T(0.0));
+    if (shop.used_state)
+      out.utilisation[constraint++] = open ? utilisation(T(1.0), s.inherited[*shop.used_state]) : T(0.0);
     if (!open) continue;
     pay(T(shop.shipping_fee), 1.0, out);
     if (!shop.spent_state) continue;

@@ -144,6 +144,7 @@ class WholeStage final : public ElementStage<WholeStage> {
   std::optional<std::size_t> error_resource_;
   std::vector<LateCharge> charges_;
   std::vector<Shop> suppliers_;
+  std::size_t declared_constraints_ = 0;  ///< those of suppliers stand behind them
 
   template <class T>
   void pay(const T& charged, double preference, solver::Answer<T>& out) const;
