@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A set of points in which one asks "is some member at most this in every coordinate?". Members are kept in blocks with
-// their common lower bound, so that most blocks are passed by after one comparison, and the member that answered last
-// is asked first.
+// their common lower bound, so that most blocks are passed by after one or two comparisons. Where a block has become
+// full it is divided in the coordinate in which its members differ most: alike members stay together, and their lower
+// bound says much about each of them.
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
@@ -15,33 +18,84 @@ namespace millwright::solver {
 
 class Archive {
  public:
-  explicit Archive(std::size_t dimensions) : dimensions_(dimensions) {}
+  using Name = std::uint32_t;
 
-  void add(std::span<const double> point) {
-    if (size_ % block == 0) least_.insert(least_.end(), dimensions_, std::numeric_limits<double>::infinity());
-    double* least = least_.data() + (size_ / block) * dimensions_;
-    for (std::size_t d = 0; d < dimensions_; ++d) least[d] = std::min(least[d], point[d]);
-    members_.insert(members_.end(), point.begin(), point.end());
+  explicit Archive(std::size_t dimensions)
+      : dimensions_(dimensions),
+        least_(dimensions, std::numeric_limits<double>::infinity()),
+        lowest_(least_),
+        highest_(dimensions, -std::numeric_limits<double>::infinity()) {}
+
+  void add(std::span<const double> point, Name name = 0) {
+    const std::size_t place = place_of(point);
+    Block& block = blocks_[places_[place].block];
+    double* const least = least_.data() + places_[place].block * dimensions_;
+    for (std::size_t d = 0; d < dimensions_; ++d) {
+      least[d] = std::min(least[d], point[d]);
+      lowest_[d] = std::min(lowest_[d], point[d]);
+      highest_[d] = std::max(highest_[d], point[d]);
+    }
+    block.points.insert(block.points.end(), point.begin(), point.end());
+    block.names.push_back(name);
     ++size_;
+    if (block.names.size() > block.most) divide(place);
   }
 
+  /// Whether some member is at most `point`.
   [[nodiscard]] bool dominates(std::span<const double> point) const {
-    if (latest_ < size_ && at_most(members_.data() + latest_ * dimensions_, point)) return true;
-    for (std::size_t first = 0; first < size_; first += block) {
-      if (!at_most(least_.data() + (first / block) * dimensions_, point)) continue;
-      const std::size_t end = std::min(first + block, size_);
-      for (std::size_t i = first; i < end; ++i) {
-        if (!at_most(members_.data() + i * dimensions_, point)) continue;
-        latest_ = i;
-        return true;
+    return any_at_most(point, [](Name) { return true; });
+  }
+  /// The same of members that are accepted by their names.
+  template <class Accepted>
+  [[nodiscard]] bool any_at_most(std::span<const double> point, Accepted&& accepted) const {
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+      if (!at_most(least_.data() + b * dimensions_, point)) continue;
+      const Block& block = blocks_[b];
+      const double* member = block.points.data();
+      for (const Name name : block.names) {
+        if (at_most(member, point) && accepted(name)) return true;
+        member += dimensions_;
       }
     }
     return false;
   }
+
+  /// Removes the member that was added so.
+  void remove(std::span<const double> point, Name name) {
+    Block& block = blocks_[places_[place_of(point)].block];
+    const auto found = std::find(block.names.begin(), block.names.end(), name);
+    if (found != block.names.end()) erase(block, static_cast<std::size_t>(found - block.names.begin()));
+  }
+  /// Removes members that are at most `point` where `removed(member, name)` says so.
+  template <class Removed>
+  void remove_at_most(std::span<const double> point, Removed&& removed) {
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+      if (!at_most(least_.data() + b * dimensions_, point)) continue;
+      Block& block = blocks_[b];
+      for (std::size_t i = block.names.size(); i-- > 0;) {
+        const std::span<const double> member(block.points.data() + i * dimensions_, dimensions_);
+        if (at_most(member.data(), point) && removed(member, block.names[i])) erase(block, i);
+      }
+    }
+  }
+
   [[nodiscard]] std::size_t size() const { return size_; }
 
  private:
-  static constexpr std::size_t block = 32;
+  static constexpr std::size_t block_size = 32;
+  struct Block {
+    std::vector<double> points;  ///< [member * dimensions_ + coordinate]
+    std::vector<Name> names;
+    std::size_t most = block_size;  ///< members
+  };
+  /// A block, or two places that are told apart by one coordinate.
+  struct Place {
+    std::size_t block = 0;
+    std::size_t coordinate = 0;
+    double from = 0.0;                  ///< of the coordinate, for the second
+    std::size_t first = 0, second = 0;  ///< no second: a block
+  };
+
   [[nodiscard]] bool at_most(const double* member, std::span<const double> point) const {
     for (std::size_t d = 0; d < dimensions_; ++d) {
       if (member[d] > point[d]) return false;
@@ -49,11 +103,83 @@ class Archive {
     return true;
   }
 
+  [[nodiscard]] std::size_t place_of(std::span<const double> point) const {
+    std::size_t at = 0;
+    while (places_[at].second != 0)
+      at = point[places_[at].coordinate] < places_[at].from ? places_[at].first : places_[at].second;
+    return at;
+  }
+
+  void erase(Block& block, std::size_t i) {
+    const std::size_t last = block.names.size() - 1;
+    std::copy_n(block.points.begin() + static_cast<std::ptrdiff_t>(last * dimensions_),
+                dimensions_,
+                block.points.begin() + static_cast<std::ptrdiff_t>(i * dimensions_));
+    block.points.resize(last * dimensions_);
+    block.names[i] = block.names[last];
+    block.names.pop_back();
+    --size_;
+  }
+
+  /// The coordinate in which members of a block differ most, as a share of what all members differ by; dimensions_
+  /// where they do not differ.
+  [[nodiscard]] std::size_t widest(const Block& block) const {
+    std::size_t widest = dimensions_;
+    double most = 0.0;
+    for (std::size_t d = 0; d < dimensions_; ++d) {
+      double low = block.points[d];
+      double high = low;
+      for (std::size_t i = d; i < block.points.size(); i += dimensions_) {
+        low = std::min(low, block.points[i]);
+        high = std::max(high, block.points[i]);
+      }
+      const double all = highest_[d] - lowest_[d];
+      const double share = (high - low) / (std::isfinite(all) ? all : std::max(std::fabs(low), std::fabs(high)));
+      if (!(share > most) || !std::isfinite(share)) continue;
+      widest = d;
+      most = share;
+    }
+    return widest;
+  }
+
+  void divide(std::size_t place) {
+    const std::size_t index = places_[place].block;
+    const std::size_t coordinate = widest(blocks_[index]);
+    if (coordinate == dimensions_) {
+      blocks_[index].most *= 2;
+      return;
+    }
+    std::vector<double> values;
+    for (std::size_t i = coordinate; i < blocks_[index].points.size(); i += dimensions_)
+      values.push_back(blocks_[index].points[i]);
+    std::sort(values.begin(), values.end());
+    double from = values[values.size() / 2];
+    if (from == values.front()) from = *std::upper_bound(values.begin(), values.end(), from);
+
+    const Block whole = std::move(blocks_[index]);
+    blocks_[index] = {};
+    std::fill_n(least_.begin() + static_cast<std::ptrdiff_t>(index * dimensions_),
+                dimensions_,
+                std::numeric_limits<double>::infinity());
+    least_.insert(least_.end(), dimensions_, std::numeric_limits<double>::infinity());
+    blocks_.emplace_back();
+    places_[place].coordinate = coordinate;
+    places_[place].from = from;
+    places_[place].first = places_.size();
+    places_[place].second = places_.size() + 1;
+    places_.push_back({.block = index});
+    places_.push_back({.block = blocks_.size() - 1});
+    size_ -= whole.names.size();
+    for (std::size_t i = 0; i < whole.names.size(); ++i)
+      add(std::span(whole.points).subspan(i * dimensions_, dimensions_), whole.names[i]);
+  }
+
   std::size_t dimensions_;
   std::size_t size_ = 0;
-  std::vector<double> members_;  ///< [member * dimensions_ + coordinate]
-  std::vector<double> least_;    ///< [block * dimensions_ + coordinate]
-  mutable std::size_t latest_ = 0;
+  std::vector<Block> blocks_ = std::vector<Block>(1);
+  std::vector<Place> places_ = std::vector<Place>(1);  ///< the first is where one begins to look
+  std::vector<double> least_;                          ///< [block * dimensions_ + coordinate]
+  std::vector<double> lowest_, highest_;               ///< [coordinate] of all that were added
 };
 
 }  // namespace millwright::solver

@@ -5,67 +5,95 @@
 #include <cmath>
 
 namespace millwright::solver {
+namespace {
 
-/// Whether the label is at least as good in scores: -1 no, 0 equal in all that decides, +1 strictly better.
-int LabelSet::compare_scores(const Label& label, std::span<const double> score) const {
-  const std::size_t objectives = criteria_->objectives;
-  bool strictly = false;
-  for (std::size_t k = 0; k < objectives; ++k) {
-    const double known = rounded(label.score[k]);
-    const double other = rounded(score[k]);
-    if (known > other) return -1;
-    strictly = strictly || known < other;
-  }
-  for (std::size_t k = objectives; k < criteria_->size(); ++k) {
-    if (std::isfinite(criteria_->limit[k]) && label.score[k] > score[k]) return -1;
-  }
-  if (strictly) return 1;
-  for (std::size_t k = objectives; k < objectives + criteria_->ties; ++k) {
-    const double known = rounded(label.score[k]);
-    const double other = rounded(score[k]);
-    if (known != other) return known < other ? 1 : -1;
-  }
-  return 0;
+std::vector<std::pair<std::size_t, Direction>> components_that_matter(std::span<const Direction> directions) {
+  std::vector<std::pair<std::size_t, Direction>> compared;
+  for (std::size_t c = 0; c < directions.size(); ++c)
+    if (directions[c] != Direction::irrelevant) compared.emplace_back(c, directions[c]);
+  return compared;
 }
 
-bool LabelSet::dominates(const Label& label, const Worth& worth) const {
-  const int comparison = compare_scores(label, worth.score);
-  if (comparison < 0 || (comparison == 0 && label.utilisation > worth.utilisation)) return false;
+/// One coordinate for each objective and each further score with a limit, one or two for each state component.
+std::size_t coordinates(const Criteria& criteria, std::span<const Direction> directions) {
+  std::size_t count = criteria.objectives;
+  for (std::size_t k = criteria.objectives; k < criteria.size(); ++k) count += std::isfinite(criteria.limit[k]) ? 1 : 0;
+  for (const Direction direction : directions)
+    count += direction == Direction::irrelevant ? 0 : direction == Direction::equal_only ? 2 : 1;
+  return count;
+}
+
+void add_scores(const Criteria& criteria, std::span<const double> score, std::vector<double>& key) {
+  for (std::size_t k = 0; k < criteria.objectives; ++k) key.push_back(rounded(score[k]));
+  for (std::size_t k = criteria.objectives; k < criteria.size(); ++k)
+    if (std::isfinite(criteria.limit[k])) key.push_back(score[k]);
+}
+
+}  // namespace
+
+LabelSet::LabelSet(const Criteria& criteria, std::span<const Direction> directions, std::deque<Label>& store)
+    : criteria_(&criteria),
+      compared_(components_that_matter(directions)),
+      store_(&store),
+      known_(coordinates(criteria, directions)),
+      replaced_(known_) {}
+
+void LabelSet::key_of(const Label& label, std::vector<double>& key) const {
+  key.clear();
+  add_scores(*criteria_, label.score, key);
   for (const auto& [component, direction] : compared_) {
-    const Interval& state = worth.state[component];
-    const double known = label.state[component];
-    if (direction == Direction::smaller_is_better  ? known > state.lower
-        : direction == Direction::larger_is_better ? known < state.upper
-                                                   : known != state.lower || known != state.upper) {
-      return false;
-    }
+    if (direction != Direction::larger_is_better) key.push_back(label.state[component]);
+    if (direction != Direction::smaller_is_better) key.push_back(-label.state[component]);
   }
-  return true;
+}
+
+void LabelSet::key_of(const Worth& worth, std::vector<double>& key) const {
+  key.clear();
+  add_scores(*criteria_, worth.score, key);
+  for (const auto& [component, direction] : compared_) {
+    if (direction != Direction::larger_is_better) key.push_back(worth.state[component].lower);
+    if (direction != Direction::smaller_is_better) key.push_back(-worth.state[component].upper);
+  }
+}
+
+/// Of a label that is at least as good in all objectives.
+bool LabelSet::wins_tie(const Label& label, const Worth& worth) const {
+  const std::size_t objectives = criteria_->objectives;
+  for (std::size_t k = 0; k < objectives + criteria_->ties; ++k) {
+    const double known = rounded(label.score[k]);
+    const double other = rounded(worth.score[k]);
+    if (known != other) return known < other;
+  }
+  return label.utilisation <= worth.utilisation;
 }
 
 bool LabelSet::dominates(const Worth& worth) const {
-  const double limit = rounded(worth.score[0]);
-  for (const std::uint32_t index : members_) {
-    const Label& label = (*store_)[index];
-    if (rounded(label.score[0]) > limit) return false;
-    if (dominates(label, worth)) return true;
-  }
-  return false;
+  thread_local std::vector<double> key;
+  key_of(worth, key);
+  return known_.any_at_most(key, [&](Archive::Name index) { return wins_tie((*store_)[index], worth); });
 }
 
 void LabelSet::add(std::uint32_t index) {
   const Label& added = (*store_)[index];
-  std::erase_if(members_, [&](std::uint32_t other) {
-    Label& label = (*store_)[other];
-    if (rounded(label.score_lower[0]) < rounded(added.score[0])) return false;
-    if (!dominates(added, Worth{label.score_lower, label.enclosure, label.utilisation})) return false;
+  const auto turned = [](std::vector<double>& key) {
+    for (double& each : key) each = -each;
+  };
+  std::vector<double> key, other;
+  key_of(added, key);
+  turned(key);
+  replaced_.remove_at_most(key, [&](std::span<const double>, Archive::Name name) {
+    Label& label = (*store_)[name];
+    if (!wins_tie(added, Worth{label.score_lower, label.enclosure, label.utilisation})) return false;
     label.alive = false;
+    key_of(label, other);
+    known_.remove(other, name);
     return true;
   });
-  const auto place = std::upper_bound(members_.begin(), members_.end(), added.score[0], [&](double score, auto other) {
-    return score < (*store_)[other].score[0];
-  });
-  members_.insert(place, index);
+  turned(key);
+  known_.add(key, index);
+  key_of(Worth{added.score_lower, added.enclosure, added.utilisation}, key);
+  turned(key);
+  replaced_.add(key, index);
 }
 
 }  // namespace millwright::solver

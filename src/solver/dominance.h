@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "solver/archive.h"
 #include "solver/labels.h"
 
 namespace millwright::solver {
@@ -20,27 +21,25 @@ namespace millwright::solver {
 /// The labels before one stage.
 class LabelSet {
  public:
-  LabelSet(const Criteria& criteria, std::span<const Direction> directions, std::deque<Label>& store)
-      : criteria_(&criteria), store_(&store) {
-    for (std::size_t c = 0; c < directions.size(); ++c) {
-      if (directions[c] != Direction::irrelevant) compared_.emplace_back(c, directions[c]);
-    }
-  }
+  LabelSet(const Criteria& criteria, std::span<const Direction> directions, std::deque<Label>& store);
 
   /// Whether some label makes everything in `worth` superfluous.
   [[nodiscard]] bool dominates(const Worth& worth) const;
   /// Adds label `index` of the store and marks those it dominates as not alive.
   void add(std::uint32_t index);
-  [[nodiscard]] std::size_t size() const { return members_.size(); }
+  [[nodiscard]] std::size_t size() const { return known_.size(); }
 
  private:
-  [[nodiscard]] int compare_scores(const Label& label, std::span<const double> score) const;
-  [[nodiscard]] bool dominates(const Label& label, const Worth& worth) const;
+  /// What has to be at most as large for one to dominate the other: of labels, and of what they stand for.
+  void key_of(const Label& label, std::vector<double>& key) const;
+  void key_of(const Worth& worth, std::vector<double>& key) const;
+  [[nodiscard]] bool wins_tie(const Label& label, const Worth& worth) const;
 
   const Criteria* criteria_;
   std::vector<std::pair<std::size_t, Direction>> compared_;  ///< state components that matter
   std::deque<Label>* store_;
-  std::vector<std::uint32_t> members_;  ///< alive, ascending in the first score
+  Archive known_;     ///< keys of labels that are alive
+  Archive replaced_;  ///< the same turned round: minus the keys of what they stand for
 };
 
 }  // namespace millwright::solver

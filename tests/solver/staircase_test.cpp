@@ -4,7 +4,9 @@
 #include "solver/staircase.h"
 
 #include <limits>
+#include <map>
 #include <random>
+#include <set>
 
 #include "catch.h"
 #include "solver/archive.h"
@@ -116,6 +118,50 @@ TEST_CASE("An archive answers as a search through all its members does") {
       members.push_back(point);
     }
     REQUIRE(archive.size() == members.size());
+  }
+}
+
+TEST_CASE("An archive forgets what is removed, one by one or below a point, and nothing else") {
+  std::mt19937 rng(10);
+  const auto at_most = [](const std::vector<double>& a, const std::vector<double>& b) {
+    return a[0] <= b[0] && a[1] <= b[1] && a[2] <= b[2];
+  };
+  for (int trial = 0; trial < 40; ++trial) {
+    Archive archive(3);
+    std::map<Archive::Name, std::vector<double>> members;
+    constexpr double endless = std::numeric_limits<double>::infinity();
+    const auto some_point = [&] {
+      // Among few values many members are equal in all coordinates; infinite ones are known to differ by nothing else.
+      std::vector<double> point(3);
+      for (double& x : point) x = rng() % 50 == 0 ? endless : static_cast<double>(rng() % (trial % 2 == 0 ? 4 : 40));
+      return point;
+    };
+    for (Archive::Name name = 0; name < 600; ++name) {
+      const std::vector<double> point = some_point();
+      archive.add(point, name);
+      members[name] = point;
+      if (rng() % 4 == 0) {
+        const auto victim = std::next(members.begin(), static_cast<std::ptrdiff_t>(rng() % members.size()));
+        archive.remove(victim->second, victim->first);
+        members.erase(victim);
+      }
+      if (rng() % 40 == 0) {
+        const std::vector<double> bound = some_point();
+        archive.remove_at_most(bound, [&](std::span<const double> member, Archive::Name each) {
+          REQUIRE(at_most(members.at(each), bound));
+          REQUIRE(std::equal(member.begin(), member.end(), members.at(each).begin()));
+          return each % 2 == 0;
+        });
+        std::erase_if(members, [&](const auto& each) { return each.first % 2 == 0 && at_most(each.second, bound); });
+      }
+      REQUIRE(archive.size() == members.size());
+      const std::vector<double> question = some_point();
+      std::set<Archive::Name> found, expected;
+      CHECK_FALSE(archive.any_at_most(question, [&](Archive::Name each) { return !found.insert(each).second; }));
+      for (const auto& [each, member] : members)
+        if (at_most(member, question)) expected.insert(each);
+      REQUIRE(found == expected);
+    }
   }
 }
 
