@@ -110,8 +110,7 @@ T drive_power(const MotorReading<T>& motor, const T& torque, const T& angular_sp
 template <class T>
 T whole_watts(const T& power) {
   using namespace scalar;
-  const T watt = in_unit<T>(1.0, dimension::power_output);
-  return -floor_of(-power / watt) * watt;
+  return up_to_whole(power, in_unit<T>(1.0, dimension::power_output));
 }
 
 /// Pull-out torque by the winding model.

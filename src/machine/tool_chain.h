@@ -60,8 +60,7 @@ Compliance<T> no_compliance() {
 template <class T>
 T whole_steps(const T& value, double step, const scalar::Dimension& dimension) {
   using namespace scalar;
-  const T one = in_unit<T>(step, dimension);
-  return -floor_of(-value / one) * one;
+  return up_to_whole(value, in_unit<T>(step, dimension));
 }
 
 }  // namespace millwright::machine

@@ -73,6 +73,13 @@ inline double smaller(double a, double b) { return b < a || b != b ? b : a; }
 /// The greater of the two, the first of equals; NaN if either is NaN.
 inline double larger(double a, double b) { return b > a || b != b ? b : a; }
 
+/// The least whole multiple of a unit (above 0) that is not below x. An interval is told without any rounding in units
+/// of 1: of equal whole numbers none is taken for a little less than another.
+template <class T>
+T up_to_whole(const T& x, const T& unit) {
+  return -floor_of(-x / unit) * unit;
+}
+
 /// One side of a branch: a value, a lambda without argument, or a lambda of x, which a scalar that stands for a range
 /// calls with the part of x that lies on this side.
 template <class T, class Branch>

@@ -260,6 +260,25 @@ TEST_CASE("degenerate arguments give narrow results") {
   }
 }
 
+TEST_CASE("whole multiples above a range have whole ends in units of 1, and contain those of its numbers in any unit") {
+  Boxes boxes;
+  for (int i = 0; i < 20000; ++i) {
+    const double unit = boxes.pick(2) == 0 ? 1.0 : boxes.real(0.01, 3.0);
+    const double low = boxes.pick(3) == 0 ? std::round(boxes.real(0.0, 50.0)) : boxes.real(0.0, 50.0);
+    const Interval x(low, boxes.pick(2) == 0 ? low : low + boxes.real(0.0, 5.0));
+    const Interval whole = up_to_whole(x, Interval(unit));
+    CAPTURE(x.lower, x.upper, unit, whole.lower, whole.upper);
+    for (const double at : {x.lower, boxes.sample(x), x.upper})
+      if (!contains(whole, up_to_whole(at, unit))) FAIL("not contained: " << at);
+    if (unit != 1.0) continue;
+    const bool exact = whole.lower == std::ceil(x.lower) && whole.upper == std::ceil(x.upper);
+    if (!exact) FAIL("not the whole numbers above its ends");
+  }
+  CHECK(up_to_whole(5.2, 1.0) == 6.0);
+  CHECK(up_to_whole(6.0, 1.0) == 6.0);
+  CHECK(up_to_whole(Interval(5.2, 5.9), Interval(1.0)).is_point());
+}
+
 TEST_CASE("ranges known by hand") {
   const auto is = [](const Interval& x, double lower, double upper) {
     CAPTURE(x.lower, x.upper);
