@@ -139,7 +139,7 @@ inline Interval absolute(const Interval& x) { return {mignitude(x), magnitude(x)
 inline Interval floor_of(const Interval& x) { return {std::floor(x.lower), std::floor(x.upper)}; }
 inline Interval up_to_whole(const Interval& x, const Interval& unit) {
   if (unit.lower == 1.0 && unit.upper == 1.0) return {std::ceil(x.lower), std::ceil(x.upper)};
-  return -floor_of(-x / unit) * unit;
+  return up_to_whole<Interval>(x, unit);
 }
 inline Interval smaller(const Interval& a, const Interval& b) {
   return {smaller(a.lower, b.lower), smaller(a.upper, b.upper)};

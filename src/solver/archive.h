@@ -66,15 +66,14 @@ class Archive {
     const auto found = std::find(block.names.begin(), block.names.end(), name);
     if (found != block.names.end()) erase(block, static_cast<std::size_t>(found - block.names.begin()));
   }
-  /// Removes members that are at most `point` where `removed(member, name)` says so.
+  /// Removes members that are at most `point` where `removed(name)` says so.
   template <class Removed>
   void remove_at_most(std::span<const double> point, Removed&& removed) {
     for (std::size_t b = 0; b < blocks_.size(); ++b) {
       if (!at_most(least_.data() + b * dimensions_, point)) continue;
       Block& block = blocks_[b];
       for (std::size_t i = block.names.size(); i-- > 0;) {
-        const std::span<const double> member(block.points.data() + i * dimensions_, dimensions_);
-        if (at_most(member.data(), point) && removed(member, block.names[i])) erase(block, i);
+        if (at_most(block.points.data() + i * dimensions_, point) && removed(block.names[i])) erase(block, i);
       }
     }
   }
@@ -121,8 +120,8 @@ class Archive {
     --size_;
   }
 
-  /// The coordinate in which members of a block differ most, as a share of what all members differ by; dimensions_
-  /// where they do not differ.
+  /// The coordinate in which members of a block differ most, as a share of what all members differ by (of what they are
+  /// where some are infinite); dimensions_ where they do not differ.
   [[nodiscard]] std::size_t widest(const Block& block) const {
     std::size_t widest = dimensions_;
     double most = 0.0;

@@ -81,7 +81,7 @@ void LabelSet::add(std::uint32_t index) {
   std::vector<double> key, other;
   key_of(added, key);
   turned(key);
-  replaced_.remove_at_most(key, [&](std::span<const double>, Archive::Name name) {
+  replaced_.remove_at_most(key, [&](Archive::Name name) {
     Label& label = (*store_)[name];
     if (!wins_tie(added, Worth{label.score_lower, label.enclosure, label.utilisation})) return false;
     label.alive = false;
