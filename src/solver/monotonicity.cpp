@@ -149,8 +149,7 @@ void halve(const MonotonicityQuestion& question, const Part& part, std::size_t i
   const std::size_t slots = part.region.rows.size();
   const std::size_t variables = part.region.variables.size();
   if (index < slots) {
-    const RowHalves::Halves& halves =
-        question.halves->of(*question.stage, question.shared, index, part.region.rows[index]);
+    const RowHalves::Halves& halves = question.halves->of(index, part.region.rows[index]);
     left.region.rows[index] = halves.left;
     right.region.rows[index] = halves.right;
   } else if (index < slots + variables) {
@@ -226,17 +225,11 @@ bool Claim::prove(Desk& desk) {
 
 }  // namespace
 
-const RowHalves::Halves& RowHalves::of(const Stage& stage,
-                                       std::span<const Row> shared,
-                                       std::size_t slot,
-                                       const RowSet& whole) {
+const RowHalves::Halves& RowHalves::of(std::size_t slot, const RowSet& whole) {
   Halves& known = known_[{slot, whole.get()}];
   if (known.whole == nullptr) {
-    const std::vector<Row>& rows = whole->all();
-    const auto cut = rows.begin() + static_cast<std::ptrdiff_t>(rows.size() / 2);
-    known.whole = whole;
-    known.left = make_rows(stage, shared, slot, std::vector<Row>(rows.begin(), cut));
-    known.right = make_rows(stage, shared, slot, std::vector<Row>(cut, rows.end()));
+    RowProfile::Split split = profile_.split_slot(*whole, slot);
+    known = {whole, std::move(split.left), std::move(split.right)};
   }
   return known;
 }

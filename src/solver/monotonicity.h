@@ -15,30 +15,33 @@
 #pragma once
 
 #include <map>
-#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "solver/box.h"
 #include "solver/criteria.h"
+#include "solver/row_profile.h"
 
 namespace millwright::solver {
 
 enum class Direction { irrelevant, smaller_is_better, larger_is_better, equal_only };
 
-/// Row sets cut in two, with what the stage reads of the halves: proofs about one stage cut the same sets again and
-/// again, and reading a large one takes far longer than asking about it.
+/// Row sets cut in two, alike rows together, with what the stage reads of the halves: proofs about one stage cut the
+/// same sets again and again, and reading a large one takes far longer than asking about it.
 class RowHalves {
  public:
+  explicit RowHalves(RowProfile profile) : profile_(std::move(profile)) {}
+
   struct Halves {
     RowSet whole;  ///< held, so that no other set comes to have its address
     RowSet left, right;
   };
   /// Of a set of at least two rows.
-  const Halves& of(const Stage& stage, std::span<const Row> shared, std::size_t slot, const RowSet& whole);
+  const Halves& of(std::size_t slot, const RowSet& whole);
 
  private:
+  RowProfile profile_;
   std::map<std::pair<std::size_t, const Rows*>, Halves> known_;
 };
 
@@ -50,8 +53,8 @@ struct MonotonicityQuestion {
   const Region* region = nullptr;       ///< rows that can be in a feasible design
   std::span<const Interval> inherited;  ///< every state that can arrive
   std::span<const Direction> next;      ///< directions of the components handed on
+  RowHalves* halves = nullptr;          ///< one for all questions about the stage
   std::size_t node_limit = 3000;
-  std::shared_ptr<RowHalves> halves = std::make_shared<RowHalves>();  ///< one for all questions about the stage
 };
 
 /// The direction of component `component` of the inherited state.

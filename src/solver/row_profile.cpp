@@ -205,6 +205,19 @@ RowProfile::Split RowProfile::halves(const Rows& rows, const Cut& cut) const {
           make_rows(*stage_, shared_, cut.slot, std::move(right))};
 }
 
+RowProfile::Split RowProfile::split_slot(const Rows& rows, std::size_t slot) const {
+  const Features& features = features_[slot];
+  Ranges ranges;
+  ranges.find(features.numbers, features.width, rows);
+  Cut best{slot, 0, 0.0F, 0.0};
+  for (std::size_t i = 0; i < features.of.size(); ++i) {
+    const double size =
+        features.of[i].weight * (static_cast<double>(ranges.high[i]) - static_cast<double>(ranges.low[i]));
+    if (size > best.size) best = {slot, i, 0.5F * ranges.low[i] + 0.5F * ranges.high[i], size};
+  }
+  return halves(rows, best);
+}
+
 RowProfile::Split RowProfile::split(const Region& region, std::uint64_t open, std::span<const double> worth) const {
   const Cut cut = best_cut(region, open, worth);
   const Rows& rows = *region.rows[cut.slot];

@@ -39,6 +39,9 @@ class RowProfile {
   /// Not to be called on a region with a single row in every slot. `open` are the constraints still undecided, `worth`
   /// weighs the slots.
   [[nodiscard]] Split split(const Region& region, std::uint64_t open, std::span<const double> worth) const;
+  /// Of at least two rows of one slot, by what they differ in most. Nothing is noted: the plan's profile may split the
+  /// same sets.
+  [[nodiscard]] Split split_slot(const Rows& rows, std::size_t slot) const;
 
  private:
   /// A reading that rows differ in.

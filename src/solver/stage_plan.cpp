@@ -96,12 +96,17 @@ bool cut_variables(
 
 namespace {
 
+/// What tells rows apart at these states.
+RowProfile profile_at(const StagePlan& plan, std::span<const Interval> inherited, Desk& desk) {
+  RowProfile profile(*plan.stage, plan.shared);
+  for (std::size_t slot = 0; slot < plan.region.rows.size(); ++slot) find_profile(plan, inherited, slot, profile, desk);
+  return profile;
+}
+
 /// Drops rows without hope at the best state that can arrive, and finds out what tells the others apart.
 bool shave_and_profile(StagePlan& plan, Desk& desk) {
   if (!shave(plan, plan.best_inherited, desk)) return false;
-  plan.profile = RowProfile(*plan.stage, plan.shared);
-  for (std::size_t slot = 0; slot < plan.region.rows.size(); ++slot)
-    find_profile(plan, plan.best_inherited, slot, plan.profile, desk);
+  plan.profile = profile_at(plan, plan.best_inherited, desk);
   return true;
 }
 
@@ -187,8 +192,9 @@ void find_directions(std::vector<StagePlan>& plans, Desk& desk) {
     plan->after = next;
     plan->before.clear();
     plan->priced.clear();
+    RowHalves halves(profile_at(*plan, plan->inherited, desk));
     const MonotonicityQuestion question{
-        plan->stage, plan->shared, plan->criteria, &plan->region, plan->inherited, plan->after};
+        plan->stage, plan->shared, plan->criteria, &plan->region, plan->inherited, plan->after, &halves};
     for (std::size_t c = 0; c < next.size(); ++c) {
       // A state that is known exactly needs no direction.
       const bool known = plan->inherited[c].lower == plan->inherited[c].upper;

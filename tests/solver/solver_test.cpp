@@ -7,6 +7,7 @@
 #include "solver/large_stack.h"
 #include "solver/monotonicity.h"
 #include "solver/random_stack.h"
+#include "solver/shaving.h"
 
 namespace solver_test {
 
@@ -202,6 +203,13 @@ TEST_CASE("A machine with 1e38 combinations is solved to the proven optimum") {
   }
 }
 
+RowHalves halves_at(const Stage& stage, const Criteria& criteria, std::span<const Interval> inherited, Desk& desk) {
+  const StagePlan plan(stage, {}, criteria);
+  RowProfile profile(stage, {});
+  for (std::size_t slot = 0; slot < stage.slots().size(); ++slot) find_profile(plan, inherited, slot, profile, desk);
+  return RowHalves(std::move(profile));
+}
+
 TEST_CASE("Directions are proved where they hold and refused where they do not") {
   std::mt19937 rng(5);
   zoo::Axis axis = zoo::random_axis(rng, {}, false);
@@ -215,7 +223,8 @@ TEST_CASE("Directions are proved where they hold and refused where they do not")
     problem.resources = {{"cost", unlimited}, {"mass", unlimited}, {"power", unlimited}};
     const Criteria criteria = make_criteria(problem, options);
     Desk desk;
-    return prove_direction({&stage, {}, &criteria, &region, inherited, next}, component, desk);
+    RowHalves halves = halves_at(stage, criteria, inherited, desk);
+    return prove_direction({&stage, {}, &criteria, &region, inherited, next, &halves}, component, desk);
   };
   CHECK(direction(0) == Direction::smaller_is_better);
   CHECK(direction(1) == Direction::irrelevant);  // the power limit is far away
@@ -263,7 +272,8 @@ TEST_CASE("No random design contradicts a proved direction, with structure that 
     problem.resources = {{"cost", unlimited}, {"mass", unlimited}, {"power", unlimited}};
     const Criteria criteria = make_criteria(problem, {});
     Desk desk;
-    const Direction direction = prove_direction({&stage, {}, &criteria, &region, inherited, next}, 0, desk);
+    RowHalves halves = halves_at(stage, criteria, inherited, desk);
+    const Direction direction = prove_direction({&stage, {}, &criteria, &region, inherited, next, &halves}, 0, desk);
     (direction == Direction::equal_only ? refused : proved) += 1;
     CAPTURE(seed);
     REQUIRE_FALSE(contradicted(stage, direction, rng));
