@@ -15,6 +15,17 @@ constexpr int slices = 4;                  // a slice of a variable that is test
 constexpr std::size_t state_nodes = 200;   // spent on the best value of one state component
 constexpr std::size_t score_nodes = 4000;  // spent on the least of one score
 
+/// Of the ends of equal slices, ascending, the one with number `end`. What a variable does goes by ratios, where it has
+/// them: halving a time of acceleration asks as much more of a motor wherever it was.
+double end_of_slice(const Interval& whole, int end) {
+  if (end == 0) return whole.lower;
+  if (end == slices) return whole.upper;
+  const double part = static_cast<double>(end) / slices;
+  const double at = whole.lower > 0.0 ? whole.lower * std::pow(whole.upper / whole.lower, part)
+                                      : whole.lower + part * (whole.upper - whole.lower);
+  return std::clamp(at, whole.lower, whole.upper);
+}
+
 /// A slice that is not empty will hardly be so when the region has been halved once; the further from it, the later.
 /// (Of machines and stacks tried, this asks least in all.)
 std::uint8_t patience_after(double worst) { return worst > 0.95 ? 1 : worst > 0.6 ? 2 : 4; }
@@ -35,15 +46,10 @@ bool cut_slices(const StagePlan& plan,
   const Interval whole = region.variables[variable];
   std::vector<Interval>& trial = desk.trial;
   trial = region.variables;
-  const double step = (whole.upper - whole.lower) / slices;
   for (int i = 0; i < slices; ++i) {
     Interval& slice = trial[variable];
-    const bool last = i + 1 == slices;
-    if (from_below) {
-      slice = {whole.lower + i * step, last ? whole.upper : whole.lower + (i + 1) * step};
-    } else {
-      slice = {last ? whole.lower : whole.upper - (i + 1) * step, whole.upper - i * step};
-    }
+    const int first = from_below ? i : slices - 1 - i;
+    slice = {end_of_slice(whole, first), end_of_slice(whole, first + 1)};
     const auto& answer = desk.bound(*plan.stage, plan.shared, inherited, region, trial);
     const double worst = worst_lower(answer.utilisation);
     if (worst <= 1.0) {
