@@ -97,8 +97,10 @@ void MotorSet::read(std::size_t voltage, std::span<const solver::Row> rows, std:
 }
 
 Interval MotorSet::torque_bounds(const RowsAlive& alive, std::size_t voltage, const Interval& speed) const {
+  // A range of the table may hold more torques of one motor than there lie between two: a few are asked one by one.
+  constexpr std::size_t few = 8;
   const std::size_t ranges = speeds_.size() - 1;
-  if (speed.lower < speeds_.front() || speed.upper > speeds_.back()) {
+  if (alive.size() <= few || speed.lower < speeds_.front() || speed.upper > speeds_.back()) {
     Interval hull_all = available_torque<Interval>(motors_.pairs[alive.front()], voltage, speed);
     for (const solver::Row row : alive)
       hull_all = hull(hull_all, available_torque<Interval>(motors_.pairs[row], voltage, speed));

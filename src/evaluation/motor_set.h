@@ -3,7 +3,8 @@
 // A set of motors (each with its driver) at one supply voltage, on any scalar: hulls of their readings, and their
 // available torque at a speed. Bounds of the torque over many motors come from a table: for each motor and each of a
 // few speed ranges the interval of its torque there, worked out when it is first asked for, so that the hull over a set
-// is a few comparisons, and a design that is only evaluated costs nothing.
+// is a few comparisons, and a design that is only evaluated costs nothing. Of sets of a few motors the torque is worked
+// out at the speed asked for.
 #pragma once
 
 #include <mutex>
