@@ -53,9 +53,7 @@ const std::vector<Interval>& MotorSet::torque_ranges(std::size_t voltage, solver
 }
 
 Interval MotorSet::torque_in_range(std::span<const solver::Row> rows, std::size_t voltage, std::size_t range) const {
-  Interval torque = torque_ranges(voltage, rows.front())[range];
-  for (const solver::Row row : rows.subspan(1)) torque = hull(torque, torque_ranges(voltage, row)[range]);
-  return torque;
+  return hull_of_ranges(rows, [&](solver::Row row) { return torque_ranges(voltage, row)[range]; });
 }
 
 void MotorSet::read_ranges(std::size_t voltage, const MotorPair& pair, std::vector<Interval>& readings) const {
@@ -101,10 +99,8 @@ Interval MotorSet::torque_bounds(const RowsAlive& alive, std::size_t voltage, co
   constexpr std::size_t few = 8;
   const std::size_t ranges = speeds_.size() - 1;
   if (alive.size() <= few || speed.lower < speeds_.front() || speed.upper > speeds_.back()) {
-    Interval hull_all = available_torque<Interval>(motors_.pairs[alive.front()], voltage, speed);
-    for (const solver::Row row : alive)
-      hull_all = hull(hull_all, available_torque<Interval>(motors_.pairs[row], voltage, speed));
-    return hull_all;
+    return hull_of_ranges(
+        alive.rows, [&](solver::Row row) { return available_torque<Interval>(motors_.pairs[row], voltage, speed); });
   }
   const auto range_of = [&](double x) {
     const auto above = std::upper_bound(speeds_.begin(), speeds_.end(), x);
