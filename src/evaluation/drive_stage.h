@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "evaluation/axis_place.h"
@@ -30,6 +31,15 @@ class DriveStage : public ElementStage<Derived> {
                  std::vector<scalar::Interval>& readings) const {
     if (slot == Derived::motor_slot) motors_->read(shared.empty() ? 0 : shared.front(), rows, readings);
     if (reduction_.is(slot)) reduction_.read(rows, readings);
+  }
+
+  /// Motors and reductions are looked up by their rows; of the other slots the derived stage says what it reads of a
+  /// row by its number (`own_row_kind`).
+  [[nodiscard]] std::optional<std::size_t> row_kind_of(std::size_t slot, solver::Row row) const {
+    const auto& derived = static_cast<const Derived&>(*this);
+    if constexpr (requires { derived.own_row_kind(slot, row); })
+      if (slot != Derived::motor_slot && !reduction_.is(slot)) return derived.own_row_kind(slot, row);
+    return std::nullopt;
   }
 
   /// The most that any of its motors turns its flange by [N.m].

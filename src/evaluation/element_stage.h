@@ -154,6 +154,22 @@ class ElementStage : public solver::Stage {
       if (count.slot == slot) readings.push_back(range_of(rows, [&](solver::Row row) { return count.of_row[row]; }));
   }
 
+  /// Of slots whose rows the derived stage says the kinds of (`row_kind_of`: all that it reads of a row by its number):
+  /// the table's fields and the totals.
+  [[nodiscard]] std::size_t graded_readings(std::size_t slot) const final {
+    const auto& derived = static_cast<const Derived&>(*this);
+    if constexpr (requires { derived.row_kind_of(slot, solver::Row{}); }) {
+      if (tables_[slot].has_ranges() || !derived.row_kind_of(slot, 0)) return 0;
+      return tables_[slot].fields() + total_count;
+    }
+    return 0;
+  }
+  [[nodiscard]] std::size_t row_kind(std::size_t slot, solver::Row row) const final {
+    const auto& derived = static_cast<const Derived&>(*this);
+    if constexpr (requires { derived.row_kind_of(slot, row); }) return derived.row_kind_of(slot, row).value_or(row);
+    return row;
+  }
+
   static void read_numbers(const SlotTable& table,
                            std::span<const solver::Row> rows,
                            std::vector<scalar::Interval>& readings) {
@@ -195,7 +211,14 @@ class ElementStage : public solver::Stage {
   void slopes(const solver::Box& box, solver::Input input, solver::Answer<scalar::Interval>& answer) const final {
     using T = scalar::Dual<scalar::Interval, 1>;
     Selection<T> selection = box_selection<T>(box);
-    seed(selection, input);
+    std::vector<RowsAlive> rows;
+    if (input.kind == solver::Input::Kind::reading) {
+      rows.assign(box.rows.begin(), box.rows.end());
+      rows[input.slot].with_respect_to = input.index;
+      selection.rows = rows;
+    } else {
+      seed(selection, input);
+    }
     solver::Answer<T> duals;
     ask(selection, duals);
     slopes_of(duals, answer);

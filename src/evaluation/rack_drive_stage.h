@@ -33,6 +33,9 @@ class RackDriveStage final : public DriveStage<RackDriveStage> {
                                        std::size_t other_slot) const override;
   [[nodiscard]] const machine::GearedDriveData& data() const { return data_; }
 
+  /// Everything is read as figures.
+  [[nodiscard]] static std::optional<std::size_t> own_row_kind(std::size_t /*slot*/, solver::Row /*row*/) { return 0; }
+
   enum SlotIndex : std::size_t { rack_slot, pinion_slot, motor_slot };
 
  private:

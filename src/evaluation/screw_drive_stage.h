@@ -59,6 +59,11 @@ class ScrewDriveStage final : public DriveStage<ScrewDriveStage> {
     return machine::screw_reading(screws_.figures[screw], screws_.sites[screw]);
   }
 
+  /// Kinds of screws; everything else is read as figures.
+  [[nodiscard]] std::optional<std::size_t> own_row_kind(std::size_t slot, solver::Row row) const {
+    return slot == screw_slot ? static_cast<std::size_t>(screws_.kinds[row]) : 0;
+  }
+
   enum SlotIndex : std::size_t { screw_slot, motor_slot };
 
  private:

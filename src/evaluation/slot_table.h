@@ -251,7 +251,10 @@ T hull_of(const RowsAlive& alive, std::size_t reading, Value&& value) {
   if constexpr (std::is_same_v<T, double> || std::is_same_v<T, scalar::Dual<double, 1>>) {
     return T(value(alive.front()));
   } else {
-    return T(reading < alive.readings.size() ? alive.readings[reading] : range_of(alive.rows, value));
+    T hull = T(reading < alive.readings.size() ? alive.readings[reading] : range_of(alive.rows, value));
+    if constexpr (std::is_same_v<T, scalar::Dual<scalar::Interval, 1>>)
+      if (reading == alive.with_respect_to) hull.slope[0] = scalar::Interval(1.0);
+    return hull;
   }
 }
 

@@ -48,14 +48,22 @@ class ModelInput {
   ModelInput(std::span<const Row> shared, std::span<const T> state, std::span<const T> variables)
       : shared_(shared), state_(state), variables_(variables) {}
 
-  [[nodiscard]] T row(std::size_t slot, std::size_t column) const { return T(rows_[slot][column]); }
+  [[nodiscard]] T row(std::size_t slot, std::size_t column) const {
+    T number(rows_[slot][column]);
+    if constexpr (std::is_same_v<T, scalar::Dual<scalar::Interval, 1>>)
+      if (by_.kind == Input::Kind::reading && slot == by_.slot && column == by_.index) number.slope[0] = 1.0;
+    return number;
+  }
   [[nodiscard]] const T& variable(std::size_t i) const { return variables_[i]; }
   [[nodiscard]] const T& state(std::size_t i) const { return state_[i]; }
   [[nodiscard]] Row shared(std::size_t i) const { return shared_[i]; }
 
   void set_row(std::size_t slot, const Number* numbers) { rows_[slot] = numbers; }
+  /// Slopes are asked for by this, if it is a reading.
+  void differentiate_by(const Input& input) { by_ = input; }
 
  private:
+  Input by_;
   const Number* rows_[most_slots] = {};
   std::span<const Row> shared_;
   std::span<const T> state_;
@@ -87,6 +95,10 @@ class ModelStage final : public Stage {
   [[nodiscard]] std::size_t constraints() const override { return constraints_; }
 
   [[nodiscard]] bool may_misfit(std::size_t, std::size_t) const override { return false; }
+
+  /// A model sees nothing of a row but its columns.
+  [[nodiscard]] std::size_t graded_readings(std::size_t slot) const override { return tables_[slot]->width; }
+  [[nodiscard]] std::size_t row_kind(std::size_t, Row) const override { return 0; }
 
   /// The hull of each column.
   void read(std::span<const Row>,
@@ -124,6 +136,7 @@ class ModelStage final : public Stage {
     std::vector<T> variables(box.variables.begin(), box.variables.end());
     seed(with_respect_to, state, variables);
     ModelInput<T> input(box.shared, state, variables);
+    input.differentiate_by(with_respect_to);
     std::vector<std::vector<Interval>> read_here;
     set_rows(input, box, read_here);
     differentiate(input, answer);
@@ -165,6 +178,7 @@ class ModelStage final : public Stage {
   }
   template <class T>
   static void seed(Input with_respect_to, std::vector<T>& state, std::vector<T>& variables) {
+    if (with_respect_to.kind == Input::Kind::reading) return;
     const bool variable = with_respect_to.kind == Input::Kind::variable;
     (variable ? variables : state)[with_respect_to.index].slope[0] = 1.0;
   }

@@ -39,13 +39,15 @@ class Pace {
 
 bool is_zero(const Interval& slope) { return slope.lower >= -nothing && slope.upper <= nothing; }
 
-/// The claim to be proved: a direction of one component.
+/// The claim to be proved: a direction of one component of the state, or of one reading.
 class Claim {
  public:
-  Claim(const MonotonicityQuestion& question, std::size_t component, Direction direction)
-      : question_(question), component_(component), direction_(direction) {}
+  Claim(const MonotonicityQuestion& question, Input input, Direction direction)
+      : question_(question), input_(input), direction_(direction) {}
 
   bool prove(Desk& desk);
+  /// See below; of slopes that are known, too.
+  [[nodiscard]] double doubt(const Answer<Interval>& slopes, const Part& part, Desk& desk) const;
 
  private:
   void find_influences(Desk& desk);
@@ -61,7 +63,7 @@ class Claim {
   [[nodiscard]] bool split(const Part& part, Part& left, Part& right, Desk& desk) const;
 
   const MonotonicityQuestion& question_;
-  std::size_t component_;
+  Input input_;
   Direction direction_;
   std::vector<bool> influences_;  ///< [inherited component]: some utilisation depends on it
 };
@@ -71,7 +73,7 @@ void Claim::find_influences(Desk& desk) {
   for (std::size_t i = 0; i < question_.inherited.size(); ++i) {
     const Input input{Input::Kind::inherited, i};
     const auto& slopes = desk.slopes(*question_.stage, question_.shared, question_.inherited, *question_.region, input);
-    influences_.push_back(i == component_ ||
+    influences_.push_back(i == input_.index ||
                           !std::all_of(slopes.utilisation.begin(), slopes.utilisation.end(), is_zero));
   }
 }
@@ -105,9 +107,10 @@ double spread(const Interval& utilisation) {
 /// How far the claim is from proved over the part: 0 when it holds there, else a share of wrong slope for each
 /// constraint, resource or state that stands against it, and how wide such a constraint's range is.
 double Claim::doubt(const Part& part, Desk& desk) const {
-  const Stage& stage = *question_.stage;
-  const Input input{Input::Kind::inherited, component_};
-  const auto& slopes = desk.slopes(stage, question_.shared, part.inherited, part.region, input);
+  return doubt(desk.slopes(*question_.stage, question_.shared, part.inherited, part.region, input_), part, desk);
+}
+
+double Claim::doubt(const Answer<Interval>& slopes, const Part& part, Desk& desk) const {
   double sum = 0.0;
   for (std::size_t r = 0; r < slopes.resources.size(); ++r) {
     if (question_.criteria->reads(r)) sum += wrong_share(slopes.resources[r], 1);
@@ -121,7 +124,7 @@ double Claim::doubt(const Part& part, Desk& desk) const {
   const auto is_right = [](double share) { return share == 0.0; };
   if (sum == 0.0 && std::all_of(wrong.begin(), wrong.end(), is_right)) return 0.0;
 
-  const auto& values = desk.bound(stage, question_.shared, part.inherited, part.region);
+  const auto& values = desk.bound(*question_.stage, question_.shared, part.inherited, part.region);
   if (worst_lower(values.utilisation) > 1.0) return 0.0;
   for (std::size_t c = 0; c < wrong.size(); ++c) {
     if (wrong[c] > 0.0 && !(values.utilisation[c].upper <= 1.0)) sum += wrong[c] + spread(values.utilisation[c]);
@@ -234,9 +237,30 @@ const RowHalves::Halves& RowHalves::of(std::size_t slot, const RowSet& whole) {
   return known;
 }
 
+namespace {
+
+constexpr Direction directions[] = {Direction::irrelevant, Direction::smaller_is_better, Direction::larger_is_better};
+
+}  // namespace
+
 Direction prove_direction(const MonotonicityQuestion& question, std::size_t component, Desk& desk) {
-  for (const Direction direction : {Direction::irrelevant, Direction::smaller_is_better, Direction::larger_is_better}) {
-    if (Claim(question, component, direction).prove(desk)) return direction;
+  for (const Direction direction : directions) {
+    if (Claim(question, {Input::Kind::inherited, component}, direction).prove(desk)) return direction;
+  }
+  return Direction::equal_only;
+}
+
+Direction prove_reading_direction(const MonotonicityQuestion& question,
+                                  std::size_t slot,
+                                  std::size_t reading,
+                                  Desk& desk) {
+  const Input input{Input::Kind::reading, reading, slot};
+  const Part whole{*question.region, {question.inherited.begin(), question.inherited.end()}, 1.0, std::nullopt};
+  // Copied: what is asked next is answered in the same place.
+  const Answer<Interval> slopes =
+      desk.slopes(*question.stage, question.shared, question.inherited, *question.region, input);
+  for (const Direction direction : directions) {
+    if (Claim(question, input, direction).doubt(slopes, whole, desk) == 0.0) return direction;
   }
   return Direction::equal_only;
 }

@@ -60,6 +60,13 @@ struct MonotonicityQuestion {
 /// The direction of component `component` of the inherited state.
 Direction prove_direction(const MonotonicityQuestion& question, std::size_t component, Desk& desk);
 
+/// The direction of a graded reading (Stage::graded_readings) of a slot. The box is not divided: between the hulls of
+/// two halves of the rows there are readings that nothing would be said of.
+Direction prove_reading_direction(const MonotonicityQuestion& question,
+                                  std::size_t slot,
+                                  std::size_t reading,
+                                  Desk& desk);
+
 /// Whether variable `variable` moves no scored resource and no handed-on component that matters (it decides feasibility
 /// only).
 bool moves_feasibility_only(const MonotonicityQuestion& question, std::size_t variable, Desk& desk);

@@ -22,28 +22,6 @@ std::vector<double> before(const StateForm& form, const std::vector<double>& aft
   return weight;
 }
 
-/// What regions have in common with another.
-void keep_within(const StagePlan& plan, std::vector<OpenRegion>& regions) {
-  for (OpenRegion& open : regions) {
-    for (std::size_t slot = 0; slot < open.region.rows.size(); ++slot) {
-      const std::vector<Row>& allowed = plan.region.rows[slot]->all();
-      std::vector<Row> rows;
-      std::set_intersection(open.region.rows[slot]->begin(),
-                            open.region.rows[slot]->end(),
-                            allowed.begin(),
-                            allowed.end(),
-                            std::back_inserter(rows));
-      if (rows.empty()) {
-        open.bounds.utilisation = infinity;
-        break;
-      }
-      if (rows.size() < open.region.rows[slot]->size())
-        open.region.rows[slot] = make_rows(*plan.stage, plan.shared, slot, std::move(rows));
-    }
-  }
-  std::erase_if(regions, [](const OpenRegion& open) { return open.bounds.utilisation == infinity; });
-}
-
 }  // namespace
 
 /// What a handed-on component takes over from inherited states.
@@ -189,7 +167,7 @@ bool RestPlanes::Prices::restrict_to(const std::vector<Pair>& corners) {
     };
     if (!stages_[i].pool->keep_only(may_lead, desk_)) return false;
     stages_[i].pool->narrow(plans_[i].region);
-    keep_within(plans_[i], plans_[i].frontier);
+    keep_within_region(plans_[i]);
   }
   return true;
 }

@@ -14,6 +14,7 @@
 #include "solver/incumbents.h"
 #include "solver/neighbours.h"
 #include "solver/rest_curve.h"
+#include "solver/row_dominance.h"
 #include "solver/search_control.h"
 #include "solver/shared_choices.h"
 #include "solver/stage_plan.h"
@@ -202,6 +203,7 @@ class Solve {
       priced_stages_[i] = priced_stages_[i] || plans[i].any_priced;
     }
     if (criteria_.objectives > 1) {
+      control_.while_there_is_time([&] { leave_out_dominated_rows(plans, control_.desk(0)); });
       sharpen(plans);
       if (stage_by_stage(plans, combination.score[0])) return std::nullopt;
     }
@@ -251,6 +253,7 @@ class Solve {
     if (criteria_.objectives == 1) {
       const bool again = open.tried && incumbents_.builds().empty();
       if (!again && settle_briefly(open, 1)) return;
+      control_.while_there_is_time([&] { leave_out_dominated_rows(*open.plans, control_.desk(0)); });
       if (settle_briefly(open, 1, CurveEffort::thorough())) return;  // its curves serve all that follows
       if (stage_by_stage(*open.plans, open.score[0])) return;
       // Regions may have been left out: a search that was begun before counts them by numbers that are no longer

@@ -57,8 +57,10 @@ struct Point {
 /// The rows alive of one slot, ascending, never empty, with what the stage reads of them (`Stage::read`; no readings:
 /// it was not asked).
 struct RowsAlive {
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
   std::span<const Row> rows;
   std::span<const Interval> readings = {};
+  std::size_t with_respect_to = none;  ///< the reading by which slopes are asked for
 
   RowsAlive() = default;
   RowsAlive(std::span<const Row> alive, std::span<const Interval> read = {})  // NOLINT(google-explicit-constructor)
@@ -94,8 +96,9 @@ struct Answer {
 
 /// With respect to what a slope is taken.
 struct Input {
-  enum class Kind { variable, inherited } kind = Kind::variable;
+  enum class Kind { variable, inherited, reading } kind = Kind::variable;
   std::size_t index = 0;
+  std::size_t slot = 0;  ///< of a reading
 };
 
 /// What decides which rows of another slot a row fits: rows with equal keys fit the same ones.
@@ -134,7 +137,15 @@ class Stage {
   /// Intervals that contain the derivatives of every answer with respect to `input`, over the box.
   virtual void slopes(const Box& box, Input input, Answer<Interval>& answer) const = 0;
 
-  /// Exact derivatives at one design: the same as `slopes` on a degenerate box, but in double (for local solvers).
+  /// How many of a slot's readings, from the first on, are quantities of a row that `slopes` can be asked about: all
+  /// that tells rows of one kind (`row_kind`) with equal other readings apart. Rows that others are proved to be at
+  /// least as good as are left out (row_dominance.h). Default: none, then no two rows are compared.
+  [[nodiscard]] virtual std::size_t graded_readings(std::size_t /*slot*/) const { return 0; }
+  /// See `graded_readings`. Default: every row is of a kind of its own.
+  [[nodiscard]] virtual std::size_t row_kind(std::size_t /*slot*/, Row row) const { return row; }
+
+  /// Exact derivatives at one design, by a variable or an inherited state: the same as `slopes` on a degenerate box,
+  /// but in double (for local solvers).
   virtual void gradient(const Point& point, Input input, Answer<double>& answer) const = 0;
 
   /// Whether a row can be chosen at all with these shared choices. The search looks at no other; `evaluate` and `bound`

@@ -254,6 +254,27 @@ bool find_least(StagePlan& plan, Desk& desk) {
 
 }  // namespace
 
+void keep_within_region(StagePlan& plan) {
+  for (OpenRegion& open : plan.frontier) {
+    for (std::size_t slot = 0; slot < open.region.rows.size(); ++slot) {
+      const std::vector<Row>& allowed = plan.region.rows[slot]->all();
+      std::vector<Row> rows;
+      std::set_intersection(open.region.rows[slot]->begin(),
+                            open.region.rows[slot]->end(),
+                            allowed.begin(),
+                            allowed.end(),
+                            std::back_inserter(rows));
+      if (rows.empty()) {
+        open.bounds.utilisation = std::numeric_limits<double>::infinity();
+        break;
+      }
+      if (rows.size() < open.region.rows[slot]->size())
+        open.region.rows[slot] = make_rows(*plan.stage, plan.shared, slot, std::move(rows));
+    }
+  }
+  std::erase_if(plan.frontier, [](const OpenRegion& open) { return std::isinf(open.bounds.utilisation); });
+}
+
 void look_again(const Problem& problem, std::vector<StagePlan>& plans, Desk& desk) {
   std::vector<Interval> state(problem.first_state.begin(), problem.first_state.end());
   for (StagePlan& plan : plans) {

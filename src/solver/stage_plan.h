@@ -136,6 +136,9 @@ bool cut_variables(
 /// Asks `bound`, then cuts the variables' intervals.
 bool assess(const StagePlan& plan, std::span<const Interval> inherited, Region& region, Bounds& bounds, Desk& desk);
 
+/// Leaves rows out of the plan's frontier that have been left out of its region.
+void keep_within_region(StagePlan& plan);
+
 /// The states that can arrive and the directions once more, after rows have been left out of the regions.
 void look_again(const Problem& problem, std::vector<StagePlan>& plans, Desk& desk);
 

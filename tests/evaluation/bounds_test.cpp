@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <optional>
 
 #include "catalogue/temporary_folder.h"
 #include "catch.h"
@@ -624,6 +625,96 @@ TEST_CASE("Slopes of random sets contain the secants between their members") {
     CHECK(findings.count() == 0);
     CHECK(looked > 1000);
   }
+}
+
+namespace {
+
+/// Two rows of a slot that may be compared with each other: of one kind, and equal in what is no quantity.
+std::optional<std::pair<Row, Row>> comparable_rows(const solver::Stage& stage,
+                                                   const SampledBox& box,
+                                                   std::size_t slot,
+                                                   BoxSampler& sampler) {
+  const auto any = [&] { return static_cast<Row>(sampler.below(stage.slots()[slot].rows)); };
+  const auto not_graded = [&](Row row) {
+    std::vector<Interval> readings;
+    stage.read(box.shared, slot, std::span(&row, 1), readings);
+    std::vector<double> numbers;
+    for (std::size_t r = stage.graded_readings(slot); r < readings.size(); ++r)
+      numbers.insert(numbers.end(), {readings[r].lower, readings[r].upper});
+    return numbers;
+  };
+  const Row a = any();
+  for (int tries = 0; tries < 20; ++tries) {
+    const Row b = any();
+    if (a != b && stage.row_kind(slot, a) == stage.row_kind(slot, b) && not_graded(a) == not_graded(b))
+      return std::pair(a, b);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+// Rows are compared by what is read of them: were anything else of a row used, or a reading without its slope, then
+// what two rows differ by would not be the sum of what their readings do.
+TEST_CASE("What two rows of a kind differ by lies within the slopes in their readings") {
+  std::map<std::size_t, std::size_t> graded_slots;  // [kind of stage]
+  for (const StageEntry* entry : all_stages()) {
+    const solver::Stage& stage = entry->as_stage();
+    BoxSampler sampler = sampler_of(*entry, 16);
+    for (std::size_t slot = 0; slot < stage.slots().size(); ++slot) {
+      const std::size_t graded = stage.graded_readings(slot);
+      if (graded == 0) continue;
+      ++graded_slots[entry->stage.index()];
+      Findings findings;
+      std::size_t differ = 0;
+      for (int n = 0; n < 200; ++n) {
+        SampledPoint p = sampler.point(sampler.box());
+        SampledBox box;
+        box.stage = &stage;
+        box.shared = p.shared;
+        for (const Row row : p.rows) box.rows.push_back({row});
+        for (const double x : p.inherited) box.inherited.emplace_back(x);
+        for (const double x : p.variables) box.variables.emplace_back(x);
+        const auto rows = comparable_rows(stage, box, slot, sampler);
+        if (!rows) continue;
+        const auto [a, b] = *rows;
+        box.rows[slot] = {std::min(a, b), std::max(a, b)};
+        std::vector<Interval> of_a, of_b;
+        stage.read(p.shared, slot, std::span(&a, 1), of_a);
+        stage.read(p.shared, slot, std::span(&b, 1), of_b);
+        const auto at = [&](Row row) {
+          p.rows[slot] = row;
+          Answer<double> answer;
+          stage.evaluate(p.point(), answer);
+          return flat(answer);
+        };
+        const auto at_a = at(a), at_b = at(b);
+        std::vector<Interval> change(at_a.size(), Interval(0.0));
+        for (std::size_t r = 0; r < graded; ++r) {
+          if (of_a[r].lower != of_a[r].upper) findings.add("one row is read as a range");
+          if (of_a[r].lower == of_b[r].lower) continue;
+          Answer<Interval> slopes;
+          stage.slopes(box.box(), {Input::Kind::reading, r, slot}, slopes);
+          const auto by = flat(slopes);
+          for (std::size_t i = 0; i < change.size(); ++i) change[i] = change[i] + by[i].second * (of_b[r] - of_a[r]);
+        }
+        for (std::size_t i = 0; i < change.size(); ++i) {
+          const double x = at_a[i].second, y = at_b[i].second;
+          if (std::max(x, y) >= machine::useless_utilisation) continue;
+          differ += x != y && std::isfinite(change[i].lower) && std::isfinite(change[i].upper);
+          const double noise = 1e-12 * (std::abs(x) + std::abs(y)) + 1e-300;
+          if (!(change[i].lower - noise <= y - x && y - x <= change[i].upper + noise))
+            findings.add(shown(at_a[i].first, y - x, change[i]));
+        }
+      }
+      INFO(entry->axis << "." << entry->element << " " << stage.slots()[slot].name << ": " << findings.count()
+                       << " outside, " << differ << " differ\n"
+                       << findings.text());
+      CHECK(findings.count() == 0);
+      CHECK(differ > 100);
+    }
+  }
+  CHECK(graded_slots.size() == 3);  // screw, belt and rack drives
 }
 
 TEST_CASE("Gradients are the derivatives") {
