@@ -7,7 +7,9 @@
 
 #include "solver/box_slopes.h"
 #include "solver/leaf_point.h"
+#include "solver/point_comparison.h"
 #include "solver/relaxation.h"
+#include "solver/relief.h"
 #include "solver/variable_box.h"
 
 namespace millwright::solver {
@@ -20,20 +22,26 @@ constexpr std::size_t ipopt_after = 401;  // boxes after which Ipopt is asked if
 /// Covers the useful designs of a box of priced variables by feasible points.
 class Cover {
  public:
-  Cover(const LeafQuestion& question, Desk& desk) : question_(question), desk_(desk), design_(question, desk) {}
+  Cover(const LeafQuestion& question, Desk& desk)
+      : question_(question), desk_(desk), design_(question, desk), relief_(design_) {}
 
   LeafAnswer run() {
     const auto& variables = question_.region->variables;
     if (!start_points(variables)) return std::move(answer_);
     if (leaves_to_later()) measure_label(variables);
-    if (question_.among.empty()) push(variables, 0, nullptr);
-    for (const OpenBox& box : question_.among) push(box.sides.empty() ? variables : box.sides, box.origin, nullptr);
+    if (question_.among.empty()) push({.side = variables}, nullptr);
+    for (const OpenBox& box : question_.among)
+      push({.side = box.sides.empty() ? variables : box.sides, .origin = box.origin}, nullptr);
     std::size_t boxes = 0;
     for (; !heap_.empty() && boxes < cover_boxes && !stopped(boxes); ++boxes) {
       VariableBox box = heap_.pop();
       if (covered(box.side, box.origin, box.bounds)) continue;
-      look_inside(box, boxes);
-      if (!covered(box.side, box.origin, box.bounds) && !has_stand_in(box)) divide(box);
+      const bool smaller = look_inside(box, boxes);
+      if (covered(box.side, box.origin, box.bounds) || has_stand_in(box)) continue;
+      if (smaller)
+        push_part(box, box.side);
+      else
+        divide(box);
     }
     for (const VariableBox& box : heap_.all()) leave_undecided(box);
     drop_unused();
@@ -52,6 +60,7 @@ class Cover {
   /// takes to look for a feasible point.
   bool start_points(std::span<const Interval> variables) {
     std::vector<double> start = middle_of(variables);
+    relief_.relieve(start, variables);
     if (const auto feasible = design_.try_points(variables))
       start = *feasible;
     else if (proves_infeasible(*question_.plan, question_.label->enclosure, *question_.region, proof_boxes, desk_))
@@ -66,6 +75,7 @@ class Cover {
   /// Narrows the box and raises its bounds by first-order enclosures; if that helps little it is halved as well.
   void divide(VariableBox& box) {
     constexpr double much = 0.7;
+    if (!relief_.sieve(box)) return;
     const BoxSlopes slopes(question_, box, desk_);
     std::vector<Interval> side = box.side;
     if (!slopes.narrow(side)) return;
@@ -73,47 +83,60 @@ class Cover {
     if (useless(side, box.origin, box.bounds)) return;
     for (std::size_t v = 0; v < side.size(); ++v) {
       const double before = box.side[v].upper - box.side[v].lower;
-      if (side[v].upper - side[v].lower < much * before) return push(side, box.origin, &box.bounds);
+      if (side[v].upper - side[v].lower < much * before) return push_part(box, std::move(side));
     }
     box.side = std::move(side);
+    if (!relief_.clip(box)) return;
     const std::size_t deciding = deciding_side(box, slopes);
     if (deciding == box.side.size()) return leave_undecided(box);
-    const auto [left, right] = halves(box.side, deciding);
-    push(left, box.origin, &box.bounds);
-    push(right, box.origin, &box.bounds);
+    if (relief_.has(deciding)) {
+      if (relief_.refine(box, deciding)) push_part(box, box.side);
+      return;
+    }
+    auto [left, right] = halves(box.side, deciding);
+    push_part(box, std::move(left));
+    push_part(box, std::move(right));
   }
 
   /// The side over which scores, states or undecided utilisations change most, by slope times width: halving a
   /// diameter that moves the cost decides more than halving an acceleration time that moves nothing undecided. While no
   /// point is feasible and none stands in nothing can be covered: only the proof that there is none can close boxes.
-  std::size_t deciding_side(const VariableBox& box, const BoxSlopes& slopes) {
-    const Stage& stage = *question_.plan->stage;
-    std::size_t best = widest_side(stage, box.side);
-    double most = 0.0;
+  std::size_t deciding_side(const VariableBox& box, const BoxSlopes& slopes) const {
+    constexpr double few_parts = 32.0;
+    std::size_t best = box.side.size();
+    double most = -1.0;
     for (std::size_t v = 0; v < box.side.size(); ++v) {
-      const Variable& variable = stage.variables()[v];
-      const double width = box.side[v].upper - box.side[v].lower;
-      if (!(width > narrowest * (variable.upper - variable.lower))) continue;
-      const double change = slopes.change_over(v, box.bounds, !answer_.points.empty() || leaves_to_later());
-      if (change > most) {
-        most = change;
+      const Variable& variable = question_.plan->stage->variables()[v];
+      const double range = variable.upper - variable.lower, width = Relief::widest_part(box, v);
+      const std::size_t parts = Relief::parts(box, v);
+      if (!(width > narrowest * range) || parts > Relief::most_parts) continue;
+      const double share = width / (box.side[v].upper - box.side[v].lower);
+      const double change = share * slopes.change_over(v, box.bounds, !answer_.points.empty() || leaves_to_later());
+      // The more parts there are, the more it costs; the widest, where nothing changes.
+      const double worth =
+          change > 0.0 ? change / (1.0 + static_cast<double>(parts) / few_parts) : -1.0 + 1e-3 * width / range;
+      if (worth > most) {
+        most = worth;
         best = v;
       }
     }
     return best;
   }
 
-  void look_inside(const VariableBox& box, std::size_t boxes) {
+  /// Tries points of the box. True: the box has become smaller by what they say.
+  bool look_inside(VariableBox& box, std::size_t boxes) {
     constexpr std::size_t local_every = 16;
-    const std::vector<double> center = middle_of(box.side);
+    std::vector<double> center = middle_of(box.side);
+    relief_.relieve(center, box.side);
     add(center);
     std::vector<double> low;
-    for (const Interval& side : box.side) low.push_back(side.lower);
+    for (std::size_t v = 0; v < center.size(); ++v) low.push_back(relief_.has(v) ? center[v] : box.side[v].lower);
     add(low);
     const bool with_ipopt = boxes == ipopt_after && answer_.points.empty();
     if (boxes % local_every == 0 || with_ipopt) {
       if (const auto found = design_.small_worth(box.side, center, with_ipopt)) add(*found);
     }
+    return relief_.settle(box, center);
   }
 
   /// Keeps a feasible point unless a known one is as good.
@@ -122,7 +145,7 @@ class Cover {
     // Where more is better what is more than later stages can bear must not stand for less.
     if (!design_.take(variables, point) || !bearable(*question_.plan, point.state)) return;
     for (const StagePoint& known : answer_.points) {
-      if (as_good(score_of(known), known.state, point.score_lower, point.enclosure, {0.0, {}, {}})) return;
+      if (as_good(question_, score_of(known), known.state, point.score_lower, point.enclosure, {0.0, {}, {}})) return;
     }
     std::vector<double> score = point.score_lower;
     const bool used = replace_dominated(point);
@@ -139,7 +162,7 @@ class Cover {
     bool used = false;
     std::size_t kept = 0;
     for (std::size_t i = 0; i < answer_.points.size(); ++i) {
-      if (dominated_by(points_score_[i], answer_.points[i].state, own_score, point.state)) {
+      if (dominated_by(*question_.plan, points_score_[i], answer_.points[i].state, own_score, point.state)) {
         if (!used_[i]) continue;
         used = true;
         point.boxes.insert(point.boxes.end(), answer_.points[i].boxes.begin(), answer_.points[i].boxes.end());
@@ -147,7 +170,7 @@ class Cover {
         for (std::size_t k = 0; k < point.score_lower.size(); ++k)
           point.score_lower[k] = std::min(point.score_lower[k], answer_.points[i].score_lower[k]);
         for (std::size_t c = 0; c < point.enclosure.size(); ++c)
-          stand_for(point.enclosure[c], answer_.points[i].enclosure[c], c);
+          stand_for(*question_.plan, point.enclosure[c], answer_.points[i].enclosure[c], c);
         continue;
       }
       if (kept != i) {
@@ -163,81 +186,16 @@ class Cover {
     return used;
   }
 
-  /// Whether a point is no better than another in any score and in any component of the state, in its proved direction.
-  [[nodiscard]] bool dominated_by(std::span<const double> old_score,
-                                  std::span<const double> old_state,
-                                  std::span<const double> score,
-                                  std::span<const double> state) const {
-    for (std::size_t k = 0; k < score.size(); ++k)
-      if (score[k] > old_score[k]) return false;
-    for (std::size_t c = 0; c < state.size(); ++c) {
-      switch (question_.plan->after[c]) {
-        case Direction::irrelevant:
-          break;
-        case Direction::smaller_is_better:
-          if (state[c] > old_state[c]) return false;
-          break;
-        case Direction::larger_is_better:
-          if (state[c] < old_state[c]) return false;
-          break;
-        case Direction::equal_only:
-          if (state[c] != old_state[c]) return false;
-          break;
-      }
-    }
-    return true;
-  }
-
-  /// By how much a point may be worse than what it stands for: a part of it, and what the label itself does not tell.
-  struct Slack {
-    double part = 0.0;
-    std::span<const double> score, state;
-
-    [[nodiscard]] double of_score(std::size_t k) const { return score.empty() ? 0.0 : score[k]; }
-    [[nodiscard]] double of_state(std::size_t c) const { return state.empty() ? 0.0 : state[c]; }
-  };
   [[nodiscard]] Slack slack() const { return {question_.tolerance, label_score_, label_state_}; }
 
   [[nodiscard]] const std::vector<double>& score_of(const StagePoint& known) const {
     return points_score_[static_cast<std::size_t>(&known - answer_.points.data())];
   }
 
-  [[nodiscard]] bool as_good(std::span<const double> known_score,
-                             std::span<const double> known_state,
-                             std::span<const double> score,
-                             std::span<const Interval> state,
-                             const Slack& allowed) const {
-    const StagePlan& plan = *question_.plan;
-    for (std::size_t k = 0; k < score.size(); ++k) {
-      const double total = question_.label->score_lower[k] + score[k] + plan.rest[k];
-      if (known_score[k] > score[k] + allowed.part * std::fabs(total) + allowed.of_score(k)) return false;
-    }
-    for (std::size_t c = 0; c < state.size(); ++c) {
-      // Without a bound nothing is known of what a point would stand for.
-      if (plan.after[c] != Direction::irrelevant && !state[c].is_bounded()) return false;
-      const double slack = allowed.part * magnitude(state[c]) + allowed.of_state(c);
-      switch (plan.after[c]) {
-        case Direction::irrelevant:
-          break;
-        case Direction::smaller_is_better:
-          if (known_state[c] > state[c].lower + slack) return false;
-          break;
-        case Direction::larger_is_better:
-          if (known_state[c] < state[c].upper - slack) return false;
-          break;
-        case Direction::equal_only:
-          if (state[c].upper - state[c].lower > slack) return false;
-          if (!(std::fabs(known_state[c] - middle(state[c])) <= slack)) return false;
-          break;
-      }
-    }
-    return true;
-  }
-
   bool covered(std::span<const Interval> side, OpenBox::Origin origin, const Bounds& bounds) {
     for (std::size_t i = 0; i < answer_.points.size(); ++i) {
       StagePoint& point = answer_.points[i];
-      if (!as_good(points_score_[i], point.state, bounds.score, bounds.handed_on, slack())) continue;
+      if (!as_good(question_, points_score_[i], point.state, bounds.score, bounds.handed_on, slack())) continue;
       used_[i] = true;
       take_over(side, origin, bounds, point);
       return true;
@@ -250,10 +208,11 @@ class Cover {
                  const Bounds& bounds,
                  StagePoint& point) const {
     point.exact = false;
-    if (question_.refined_later) point.boxes.push_back({{side.begin(), side.end()}, origin});
+    if (question_.refined_later) point.boxes.push_back({relief_.as_given(side), origin});
     for (std::size_t k = 0; k < bounds.score.size(); ++k)
       point.score_lower[k] = std::min(point.score_lower[k], bounds.score[k]);
-    for (std::size_t c = 0; c < point.enclosure.size(); ++c) stand_for(point.enclosure[c], bounds.handed_on[c], c);
+    for (std::size_t c = 0; c < point.enclosure.size(); ++c)
+      stand_for(*question_.plan, point.enclosure[c], bounds.handed_on[c], c);
   }
 
   [[nodiscard]] bool leaves_to_later() const { return question_.refined_later && !question_.label->exact; }
@@ -263,7 +222,7 @@ class Cover {
   bool has_stand_in(const VariableBox& box) {
     if (!leaves_to_later()) return false;
     const auto stands_for_it = [&](std::span<const double> score, std::span<const double> state) {
-      return as_good(score, state, box.bounds.score, box.bounds.handed_on, slack());
+      return as_good(question_, score, state, box.bounds.score, box.bounds.handed_on, slack());
     };
     for (std::size_t i = 0; i < stand_ins_.size(); ++i) {
       StagePoint& known = stand_ins_[i];
@@ -301,34 +260,21 @@ class Cover {
       label_state_.push_back(state.is_bounded() ? state.upper - state.lower : 0.0);
   }
 
-  /// In a good direction only the better side needs to be enclosed: the worse is no better than the point.
-  void stand_for(Interval& enclosure, const Interval& state, std::size_t component) const {
-    switch (question_.plan->after[component]) {
-      case Direction::irrelevant:
-        break;
-      case Direction::smaller_is_better:
-        enclosure.lower = std::min(enclosure.lower, state.lower);
-        break;
-      case Direction::larger_is_better:
-        enclosure.upper = std::max(enclosure.upper, state.upper);
-        break;
-      case Direction::equal_only:
-        enclosure = hull(enclosure, state);
-        break;
-    }
-  }
-
   bool useless(std::span<const Interval> side, OpenBox::Origin origin, const Bounds& bounds) {
     return (question_.hopeless && question_.hopeless({bounds.score, bounds.handed_on, bounds.utilisation})) ||
            covered(side, origin, bounds);
   }
 
-  /// `around`: bounds that hold in a larger box.
-  void push(std::span<const Interval> side, OpenBox::Origin origin, const Bounds* around) {
+  /// Part of a box, whose bounds hold there, too.
+  void push_part(const VariableBox& box, std::vector<Interval> side) {
+    push({.side = std::move(side), .origin = box.origin, .parts = box.parts}, &box.bounds);
+  }
+  void push(VariableBox box, const Bounds* around) {
     Region region = *question_.region;
-    region.variables.assign(side.begin(), side.end());
-    VariableBox box;
+    region.variables = std::move(box.side);
     if (!assess(*question_.plan, question_.label->enclosure, region, box.bounds, desk_)) return;
+    box.side = std::move(region.variables);
+    if (!relief_.clip(box)) return;
     if (around != nullptr) {
       for (std::size_t k = 0; k < box.bounds.score.size(); ++k)
         box.bounds.score[k] = std::max(box.bounds.score[k], around->score[k]);
@@ -336,16 +282,14 @@ class Cover {
         box.bounds.handed_on[s] =
             intersect(box.bounds.handed_on[s], around->handed_on[s]).value_or(box.bounds.handed_on[s]);
     }
-    if (useless(region.variables, origin, box.bounds)) return;
-    box.side = std::move(region.variables);
+    if (useless(box.side, box.origin, box.bounds)) return;
     box.value = box.bounds.score[0];
-    box.origin = origin;
     heap_.push(std::move(box));
   }
 
   void leave_undecided(const VariableBox& box) {
     answer_.leave_undecided(box.bounds.score);
-    if (question_.refined_later) answer_.undecided_boxes.push_back({box.side, box.origin});
+    if (question_.refined_later) answer_.undecided_boxes.push_back({relief_.as_given(box.side), box.origin});
   }
 
   /// A point may lie in boxes that another one stands for; where it lies in none it has been settled before.
@@ -378,6 +322,7 @@ class Cover {
   const LeafQuestion& question_;
   Desk& desk_;
   LeafDesign design_;
+  Relief relief_;
   BoxHeap heap_;
   LeafAnswer answer_;
   std::vector<std::vector<double>> points_score_;  ///< own share of each point itself

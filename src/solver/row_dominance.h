@@ -7,8 +7,8 @@
 //     good: better towards the side for which it is proved, over all designs and all states that can arrive, that every
 //     utilisation, every scored resource and everything handed on that matters becomes better (monotonicity.h);
 //   - among equals, a has the smaller number.
-// Whatever is feasible with b is so with a, and no worse in any score. A dearer and heavier driver for the same motor
-// is such a row, or a coupling that bears less at the same price.
+// Whatever is feasible with b is so with a, and no worse in any score. A coupling that bears less at the same price is
+// such a row.
 //
 // Only for who looks for what is best: that a row is missing in a plan then no longer says that it cannot be chosen.
 #pragma once

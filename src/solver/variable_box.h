@@ -17,8 +17,10 @@ constexpr double narrowest = 1e-12;  ///< of a variable's range: a narrower side
 struct VariableBox {
   std::vector<Interval> side;
   double value = 0.0;  ///< the smaller, the sooner
-  Bounds bounds;
+  Bounds bounds = {};
   OpenBox::Origin origin = 0;
+  /// [variable]: of those that are divided by themselves (relief.h) what is left of the side, ascending; none: all.
+  std::vector<std::vector<Interval>> parts = {};
 };
 
 struct LaterBox {
