@@ -60,7 +60,7 @@ class Cover {
   /// takes to look for a feasible point.
   bool start_points(std::span<const Interval> variables) {
     std::vector<double> start = middle_of(variables);
-    relief_.relieve(start, variables);
+    relief_.relieve(start, variables, true);
     if (const auto feasible = design_.try_points(variables))
       start = *feasible;
     else if (proves_infeasible(*question_.plan, question_.label->enclosure, *question_.region, proof_boxes, desk_))
@@ -89,7 +89,7 @@ class Cover {
     if (!relief_.clip(box)) return;
     const std::size_t deciding = deciding_side(box, slopes);
     if (deciding == box.side.size()) return leave_undecided(box);
-    if (relief_.has(deciding)) {
+    if (relief_.divides(deciding)) {
       if (relief_.refine(box, deciding)) push_part(box, box.side);
       return;
     }
@@ -127,13 +127,14 @@ class Cover {
   bool look_inside(VariableBox& box, std::size_t boxes) {
     constexpr std::size_t local_every = 16;
     std::vector<double> center = middle_of(box.side);
-    relief_.relieve(center, box.side);
+    const bool thoroughly = boxes % local_every == 0;
+    relief_.relieve(center, box.side, thoroughly);
     add(center);
     std::vector<double> low;
     for (std::size_t v = 0; v < center.size(); ++v) low.push_back(relief_.has(v) ? center[v] : box.side[v].lower);
     add(low);
     const bool with_ipopt = boxes == ipopt_after && answer_.points.empty();
-    if (boxes % local_every == 0 || with_ipopt) {
+    if (thoroughly || with_ipopt) {
       if (const auto found = design_.small_worth(box.side, center, with_ipopt)) add(*found);
     }
     return relief_.settle(box, center);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "solver/ipopt_solver.h"
 #include "solver/nlopt_solver.h"
@@ -75,36 +76,57 @@ std::optional<std::vector<double>> LeafDesign::try_points(std::span<const Interv
   return std::nullopt;
 }
 
-/// min z subject to utilisation_i <= z: the point with the smallest worst utilisation.
 std::optional<std::vector<double>> LeafDesign::least_violation(std::span<const Interval> box,
                                                                std::span<const double> start) {
-  const std::size_t n = box.size();
-  LocalProblem problem = box_problem(box);
+  std::vector<std::size_t> variables(box.size()), constraints(question.plan->stage->constraints());
+  std::iota(variables.begin(), variables.end(), 0);
+  std::iota(constraints.begin(), constraints.end(), 0);
+  auto found = least_worst(box, start, variables, constraints);
+  if (found && worst_at(*found) <= 1.0) return found;
+  return std::nullopt;
+}
+
+/// min z subject to utilisation_i <= z.
+std::optional<std::vector<double>> LeafDesign::least_worst(std::span<const Interval> box,
+                                                           std::span<const double> start,
+                                                           std::span<const std::size_t> moved,
+                                                           std::span<const std::size_t> constraints) {
+  const std::size_t n = moved.size();
+  std::vector<double> all(start.begin(), start.end());
+  std::vector<Interval> sides;
+  std::vector<double> from;
+  for (const std::size_t v : moved) {
+    sides.push_back(box[v]);
+    from.push_back(start[v]);
+  }
+  worst_at(start);
+  double worst = 0.0;
+  for (const std::size_t c : constraints) worst = std::max(worst, desk.number.utilisation[c]);
+  from.push_back(std::min(worst, 1e3));
+  LocalProblem problem = box_problem(sides);
   problem.lower.push_back(0.0);
   problem.upper.push_back(1e3);
-  problem.constraints = question.plan->stage->constraints();
+  problem.constraints = constraints.size();
   problem.function = [&](auto x, auto constraint, auto gradient, auto jacobian) {
-    const Point at = point(x.first(n));
+    for (std::size_t i = 0; i < n; ++i) all[moved[i]] = x[i];
+    const Point at = point(all);
     const auto& value = desk.evaluate(*question.plan->stage, at);
     for (std::size_t c = 0; c < constraint.size(); ++c) {
-      constraint[c] = std::min(value.utilisation[c], 1e6) - x[n];
+      constraint[c] = std::min(value.utilisation[constraints[c]], 1e6) - x[n];
       jacobian[c * (n + 1) + n] = -1.0;
     }
     for (std::size_t v = 0; v < n; ++v) {
-      const auto& slope = desk.gradient(*question.plan->stage, at, {Input::Kind::variable, v});
-      for (std::size_t c = 0; c < constraint.size(); ++c) jacobian[c * (n + 1) + v] = slope.utilisation[c];
+      const auto& slope = desk.gradient(*question.plan->stage, at, {Input::Kind::variable, moved[v]});
+      for (std::size_t c = 0; c < constraint.size(); ++c) jacobian[c * (n + 1) + v] = slope.utilisation[constraints[c]];
       gradient[v] = 0.0;
     }
     gradient[n] = 1.0;
     return x[n];
   };
-  std::vector<double> from(start.begin(), start.end());
-  from.push_back(std::min(worst_at(start), 1e3));
   const auto solution = solve_with_nlopt(problem, from);
   if (!solution) return std::nullopt;
-  std::vector<double> x(solution->x.begin(), solution->x.end() - 1);
-  if (worst_at(x) <= 1.0) return x;
-  return std::nullopt;
+  for (std::size_t i = 0; i < n; ++i) all[moved[i]] = solution->x[i];
+  return all;
 }
 
 /// Scores and states in units of what they are here, so that none drowns.

@@ -22,6 +22,12 @@ class LeafDesign {
   /// A feasible point inside the box, if one is found by trying or by a local solver.
   std::optional<std::vector<double>> try_points(std::span<const Interval> box);
   std::optional<std::vector<double>> least_violation(std::span<const Interval> box, std::span<const double> start);
+  /// From this point on only these variables are moved, to where the worst of these constraints is least. Nothing if
+  /// the local solver fails.
+  std::optional<std::vector<double>> least_worst(std::span<const Interval> box,
+                                                 std::span<const double> start,
+                                                 std::span<const std::size_t> moved,
+                                                 std::span<const std::size_t> constraints);
   /// A feasible point that makes the weighted sum of scores and good-direction states small.
   std::optional<std::vector<double>> small_worth(std::span<const Interval> box,
                                                  std::span<const double> start,

@@ -12,37 +12,47 @@ Interval hull_of(const std::vector<Interval>& parts) { return {parts.front().low
 
 }  // namespace
 
-Relief::Relief(LeafDesign& design) : design_(design), constraints_(design.question.region->variables.size()) {
-  const LeafQuestion& question = design.question;
-  const StagePlan& plan = *question.plan;
-  std::vector<std::size_t> candidates;
-  for (std::size_t v = 0; v < constraints_.size(); ++v)
-    if (!plan.priced[v] && !question.region->variables[v].is_point()) candidates.push_back(v);
-  if (candidates.size() < 2) return;
-  std::vector<std::size_t> readers(plan.stage->constraints(), 0);
-  std::vector<std::vector<std::size_t>> read_by(constraints_.size());
-  for (const std::size_t v : candidates) {
-    const Input input{Input::Kind::variable, v};
-    const auto& slopes =
-        design.desk.slopes(*plan.stage, plan.shared, question.label->enclosure, *question.region, input);
-    for (std::size_t c = 0; c < readers.size(); ++c) {
-      if (is_zero(slopes.utilisation[c])) continue;
-      ++readers[c];
-      read_by[v].push_back(c);
-    }
+Relief::Relief(LeafDesign& design)
+    : design_(design), held_(design.question.region->variables.size()), divided_(held_.size()) {
+  std::vector<std::size_t> variables;
+  for (std::size_t v = 0; v < divided_.size(); ++v)
+    if (!design.question.plan->priced[v] && !design.question.region->variables[v].is_point()) variables.push_back(v);
+  if (variables.size() > 1) find_groups(variables);
+  for (const Group& group : groups_) {
+    for (const std::size_t v : group.variables) held_[v] = true;
+    if (group.variables.size() == 1) divided_[group.variables.front()] = true;
   }
-  for (const std::size_t v : candidates) {
-    const auto is_shared = [&](std::size_t c) { return readers[c] > 1; };
-    if (!read_by[v].empty() && std::none_of(read_by[v].begin(), read_by[v].end(), is_shared)) variables_.push_back(v);
-  }
-  for (const std::size_t v : variables_) constraints_[v] = std::move(read_by[v]);
 }
 
-template <class Value, class Utilisations>
-double Relief::worst_of_own(std::size_t variable, const Utilisations& utilisation, Value&& value) const {
-  double worst = 0.0;
-  for (const std::size_t c : constraints_[variable]) worst = std::max(worst, value(utilisation[c]));
-  return worst;
+void Relief::find_groups(const std::vector<std::size_t>& variables) {
+  const LeafQuestion& question = design_.question;
+  const StagePlan& plan = *question.plan;
+  for (const std::size_t v : variables) {
+    Group group{{v}, {}};
+    const Input input{Input::Kind::variable, v};
+    const auto& slopes =
+        design_.desk.slopes(*plan.stage, plan.shared, question.label->enclosure, *question.region, input);
+    for (std::size_t c = 0; c < slopes.utilisation.size(); ++c)
+      if (!is_zero(slopes.utilisation[c])) group.constraints.push_back(c);
+    // Groups that share a constraint with it become one with it.
+    std::erase_if(groups_, [&](const Group& other) {
+      if (std::find_first_of(
+              group.constraints.begin(), group.constraints.end(), other.constraints.begin(), other.constraints.end()) ==
+          group.constraints.end())
+        return false;
+      group.variables.insert(group.variables.end(), other.variables.begin(), other.variables.end());
+      group.constraints.insert(group.constraints.end(), other.constraints.begin(), other.constraints.end());
+      return true;
+    });
+    std::sort(group.constraints.begin(), group.constraints.end());
+    group.constraints.erase(std::unique(group.constraints.begin(), group.constraints.end()), group.constraints.end());
+    groups_.push_back(std::move(group));
+  }
+}
+
+bool Relief::is_free(const Group& group, std::span<const Interval> side) {
+  return std::any_of(
+      group.variables.begin(), group.variables.end(), [&](std::size_t v) { return !side[v].is_point(); });
 }
 
 const Answer<Interval>& Relief::bound(std::span<const Interval> side) const {
@@ -51,21 +61,38 @@ const Answer<Interval>& Relief::bound(std::span<const Interval> side) const {
       *question.plan->stage, question.plan->shared, question.label->enclosure, *question.region, side);
 }
 
-bool Relief::any_free(std::span<const Interval> side) const {
-  return std::any_of(variables_.begin(), variables_.end(), [&](std::size_t v) { return !side[v].is_point(); });
+void Relief::relieve(std::vector<double>& variables, std::span<const Interval> box, bool thoroughly) {
+  relieve_single(variables, box);
+  for (Group& group : groups_) {
+    if (group.variables.size() == 1 || !is_free(group, box)) continue;
+    if (thoroughly || group.values.empty()) {
+      const auto moved = design_.least_worst(box, variables, group.variables, group.constraints);
+      group.values = moved ? *moved : variables;
+    }
+    for (const std::size_t v : group.variables) variables[v] = std::clamp(group.values[v], box[v].lower, box[v].upper);
+  }
 }
 
-/// All at once, since none changes what another one's constraints are: from a coarse grid, then halving the step.
-void Relief::relieve(std::vector<double>& variables, std::span<const Interval> box) const {
-  if (!any_free(box)) return;
+/// Groups of one: all at once, since none changes what another one's constraints are; from a coarse grid, then halving
+/// the step.
+void Relief::relieve_single(std::vector<double>& variables, std::span<const Interval> box) const {
   constexpr int grid = 8, refinements = 10;
+  std::vector<const Group*> moved;
+  for (const Group& group : groups_)
+    if (group.variables.size() == 1 && is_free(group, box)) moved.push_back(&group);
+  if (moved.empty()) return;
   std::vector<double> worst(variables.size(), std::numeric_limits<double>::infinity());
   std::vector<double> trial = variables;
   const auto look = [&](auto&& value_of) {
-    for (const std::size_t v : variables_) trial[v] = std::clamp(value_of(v), box[v].lower, box[v].upper);
+    for (const Group* group : moved) {
+      const std::size_t v = group->variables.front();
+      trial[v] = std::clamp(value_of(v), box[v].lower, box[v].upper);
+    }
     design_.worst_at(trial);
-    for (const std::size_t v : variables_) {
-      const double own = worst_of_own(v, design_.desk.number.utilisation, [](double u) { return u; });
+    for (const Group* group : moved) {
+      const std::size_t v = group->variables.front();
+      double own = 0.0;
+      for (const std::size_t c : group->constraints) own = std::max(own, design_.desk.number.utilisation[c]);
       if (!(own < worst[v])) continue;
       worst[v] = own;
       variables[v] = trial[v];
@@ -83,17 +110,24 @@ void Relief::relieve(std::vector<double>& variables, std::span<const Interval> b
 }
 
 bool Relief::settle(VariableBox& box, std::span<const double> values) const {
-  if (!any_free(box.side)) return false;
   std::vector<Interval> side = box.side;
-  for (const std::size_t v : variables_) side[v] = Interval(values[v]);
+  bool any_free = false;
+  for (const Group& group : groups_) {
+    any_free = any_free || is_free(group, box.side);
+    for (const std::size_t v : group.variables) side[v] = Interval(values[v]);
+  }
+  if (!any_free) return false;
   const auto& utilisation = bound(side).utilisation;
+  const auto is_kept = [&](std::size_t c) { return utilisation[c].upper <= 1.0; };
   bool some = false;
-  for (const std::size_t v : variables_) {
-    if (box.side[v].is_point()) continue;
-    if (!(worst_of_own(v, utilisation, [](const Interval& u) { return u.upper; }) <= 1.0)) continue;
-    box.side[v] = side[v];
-    if (!box.parts.empty()) box.parts[v].clear();
+  for (const Group& group : groups_) {
+    if (!is_free(group, box.side)) continue;
+    if (!std::all_of(group.constraints.begin(), group.constraints.end(), is_kept)) continue;
     some = true;
+    for (const std::size_t v : group.variables) {
+      box.side[v] = side[v];
+      if (!box.parts.empty()) box.parts[v].clear();
+    }
   }
   return some;
 }
@@ -112,9 +146,9 @@ bool Relief::sieve(VariableBox& box, std::size_t variable) const {
 }
 
 bool Relief::sieve(VariableBox& box) const {
-  if (box.parts.empty()) return true;
-  return std::all_of(
-      variables_.begin(), variables_.end(), [&](std::size_t v) { return box.parts[v].size() < 2 || sieve(box, v); });
+  for (std::size_t v = 0; v < box.parts.size(); ++v)
+    if (box.parts[v].size() > 1 && !sieve(box, v)) return false;
+  return true;
 }
 
 std::size_t Relief::parts(const VariableBox& box, std::size_t variable) {
@@ -143,8 +177,7 @@ bool Relief::refine(VariableBox& box, std::size_t variable) const {
 }
 
 bool Relief::clip(VariableBox& box) const {
-  if (box.parts.empty()) return true;
-  for (const std::size_t v : variables_) {
+  for (std::size_t v = 0; v < box.parts.size(); ++v) {
     std::vector<Interval>& parts = box.parts[v];
     if (parts.empty()) continue;
     std::vector<Interval> left;
@@ -159,7 +192,8 @@ bool Relief::clip(VariableBox& box) const {
 
 std::vector<Interval> Relief::as_given(std::span<const Interval> side) const {
   std::vector<Interval> sides(side.begin(), side.end());
-  for (const std::size_t v : variables_) sides[v] = design_.question.region->variables[v];
+  for (const Group& group : groups_)
+    for (const std::size_t v : group.variables) sides[v] = design_.question.region->variables[v];
   return sides;
 }
 

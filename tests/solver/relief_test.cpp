@@ -32,11 +32,23 @@ struct Window {
 
 struct Model {
   std::vector<Window> windows;
+  double two_together = 0.0;  ///< if positive, the most that the first two times may be in sum
 
-  [[nodiscard]] std::size_t constraints() const { return 2 * windows.size(); }
+  [[nodiscard]] std::size_t constraints() const { return 2 * windows.size() + (two_together > 0.0 ? 1 : 0); }
   [[nodiscard]] double least_diameter(double load) const {
     double least = thinnest;
     for (const Window& window : windows) least = std::max(least, window.least_diameter(load));
+    if (two_together > 0.0) {
+      // Both are as short as they may be.
+      const auto sum = [&](double diameter) {
+        return std::max(windows[0].need * load / diameter, shortest) +
+               std::max(windows[1].need * load / diameter, shortest);
+      };
+      if (sum(thickest) > two_together) return 2.0 * thickest;
+      double low = thinnest, high = thickest;
+      for (int i = 0; i < 100; ++i) (sum(0.5 * (low + high)) > two_together ? low : high) = 0.5 * (low + high);
+      least = std::max(least, high);
+    }
     return least;
   }
   template <class Input, class Answer>
@@ -53,6 +65,7 @@ struct Model {
         out.utilisation.push_back(time / (windows[i].room * diameter));
       }
     }
+    if (two_together > 0.0) out.utilisation.push_back((in.variable(0) + in.variable(1)) / two_together);
     out.resources.push_back(in.row(0, price) * diameter);
     out.resources.push_back(in.row(0, weight) * diameter);
     out.handed_on.push_back(in.state(0) + in.row(0, weight) * diameter);
@@ -76,6 +89,7 @@ class Trial {
       Model model;
       for (std::size_t i = 0; i < times; ++i)
         model.windows.push_back({stage * between(1.0, 6.0), between(0.1, 0.6), seed % 3 == 0 && i + 1 == times});
+      if (seed % 4 == 1) model.two_together = between(0.5, 2.0);
       if (seed % 9 == 0) model.windows[0].need *= 60.0;
       models_.push_back(model);
     }
