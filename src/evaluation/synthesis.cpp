@@ -10,6 +10,7 @@
 
 #include "evaluation/element_stage.h"
 #include "solver/alternatives.h"
+#include "solver/nearby.h"
 #include "solver/restricted_problem.h"
 
 namespace millwright::evaluation {
@@ -108,14 +109,25 @@ bool starts_blind(const SearchOptions& options) {
   return counts(objective, machine::Quantity::energy) || counts(objective, machine::Quantity::position_error);
 }
 
-/// Solves, with the cheapest build to fall back on when time is up before any other is known: searched for in the first
-/// quarter of the time, and nothing that is worse by the objective need be looked at then.
+/// Solves, with a build to fall back on when time is up before any other is known: the cheapest, searched for in the
+/// first quarter of the time, and from there on the best nearby. Nothing that is worse by the objective need be looked
+/// at then.
 solver::Summary solve_with_start(const MachineModel& model, const SearchOptions& options) {
   SearchOptions cheapest = options;
   cheapest.objectives = {"cost"};
   cheapest.time_limit_seconds = 0.25 * options.time_limit_seconds;
-  const solver::Summary start = solver::solve(model.problem(), solver_options(model, cheapest));
+  const auto begin = std::chrono::steady_clock::now();
+  solver::Summary start = solver::solve(model.problem(), solver_options(model, cheapest));
   if (start.builds.empty() && start.status == solver::Status::infeasible) return start;
+  if (!start.builds.empty()) {
+    const auto stop = [&] {
+      return seconds_since(begin) > 0.5 * options.time_limit_seconds ||
+             (options.stop != nullptr && options.stop->load());
+    };
+    start.builds.front() =
+        solver::best_nearby(model.problem(), solver_options(model, options), start.builds.front(), stop);
+  }
+  start.seconds = seconds_since(begin);
   SearchOptions rest = options;
   rest.time_limit_seconds = std::max(0.0, options.time_limit_seconds - start.seconds);
   const machine::Objective objective = machine::objective_named(options.objectives.front());

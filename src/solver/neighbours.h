@@ -23,6 +23,8 @@ class Neighbours {
   /// by slot to the best row there. Its worst utilisation is not worked out. `stop` is asked now and then.
   [[nodiscard]] Build improved(Build build, const Value& value, const std::function<bool()>& stop) const;
   [[nodiscard]] double worst_utilisation(const Build& build) const;
+  /// Works out the states and totals of a build whose rows fit; false if it is not feasible.
+  bool evaluate(Build& build) const { return complete(build, 0, std::vector<double>(problem_.resources.size(), 0.0)); }
 
  private:
   /// The best row of one slot, if it is better than the build's own. `before`: what the stages before add.

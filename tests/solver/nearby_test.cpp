@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// The best build nearby is feasible, no worse than what it began with, and not better than the proven optimum.
+#include "solver/nearby.h"
+
+#include <algorithm>
+#include <random>
+
+#include "catch.h"
+#include "solver/box.h"
+#include "solver/model_stage.h"
+
+namespace nearby_test {
+
+namespace {
+
+using namespace millwright::solver;
+
+/// A bar of free diameter that bears what stands on it; rows of bars (price, strength, weight) and of feet (price,
+/// capacity).
+auto model_of(double load) {
+  return [load](const auto& in, auto& out) {
+    const auto carried = load + in.state(0);
+    const auto diameter = in.variable(0);
+    out.utilisation.push_back(carried / (in.row(0, 1) * diameter));
+    out.utilisation.push_back(carried / in.row(1, 1));
+    out.resources.push_back(in.row(0, 0) * diameter + in.row(1, 0));
+    out.resources.push_back(in.row(0, 2) * diameter);
+    out.handed_on.push_back(in.state(0) + in.row(0, 2) * diameter);
+  };
+}
+
+/// Totals from single evaluations; nothing if it is not feasible.
+std::optional<std::vector<double>> totals_of(const Problem& problem, const Build& build) {
+  std::vector<double> totals(problem.resources.size(), 0.0);
+  std::vector<double> state = problem.first_state;
+  Answer<double> answer;
+  for (std::size_t i = 0; i < problem.stages.size(); ++i) {
+    problem.stages[i]->evaluate({{}, state, build.stages[i].rows, build.stages[i].variables}, answer);
+    if (worst_of(answer.utilisation) > 1.0) return std::nullopt;
+    for (std::size_t r = 0; r < totals.size(); ++r) totals[r] += answer.resources[r];
+    state = answer.handed_on;
+  }
+  return totals;
+}
+
+}  // namespace
+
+TEST_CASE("The best build nearby is feasible, and no row nor diameter alone makes it better") {
+  std::mt19937 rng(7);
+  const auto between = [&](double low, double high) {
+    return low + (high - low) * (static_cast<double>(rng() % 1000000) / 1e6);
+  };
+  int trials = 0, better = 0, best = 0;
+  for (int n = 0; n < 60; ++n) {
+    Columns bars{"bar", 3, {}}, feet{"foot", 2, {}};
+    for (int i = 0; i < 8; ++i)
+      bars.numbers.insert(bars.numbers.end(), {between(1.0, 4.0), between(0.5, 3.0), between(0.01, 0.3)});
+    for (int i = 0; i < 6; ++i) feet.numbers.insert(feet.numbers.end(), {between(1.0, 9.0), between(1.0, 6.0)});
+    const std::vector<Variable> diameter{{"diameter", 0.5, 6.0}};
+    const auto upper = model_stage("upper", {&bars, &feet}, diameter, 2, model_of(between(0.5, 2.0)));
+    const auto lower = model_stage("lower", {&bars, &feet}, diameter, 2, model_of(between(0.5, 2.0)));
+    Problem problem;
+    problem.stages = {&upper, &lower};
+    problem.first_state = {0.0};
+    problem.resources = {{"cost"}, {"mass"}};
+    Options lightest;
+    lightest.objectives = {1};
+    const Summary start = solve(problem, lightest);
+    const Summary proved = solve(problem, {});
+    REQUIRE((start.builds.empty() == proved.builds.empty()));
+    if (start.builds.empty()) continue;
+    ++trials;
+    CAPTURE(n);
+    const Build& from = start.builds.front();
+    const Build found = best_nearby(problem, {}, from, [] { return false; });
+    const auto totals = totals_of(problem, found);
+    REQUIRE(totals);
+    CHECK(found.resources == *totals);
+    const double cost = (*totals)[0];
+    CHECK(cost <= from.resources[0]);
+    CHECK(cost >= proved.lower_bound * (1.0 - 1e-9));
+    better += cost < 0.99 * from.resources[0];
+    best += cost <= proved.builds[0].resources[0] * (1.0 + 1e-5);
+    for (std::size_t stage = 0; stage < 2; ++stage) {
+      for (std::size_t slot = 0; slot < 2; ++slot)
+        for (Row row = 0; row < problem.stages[stage]->slots()[slot].rows; ++row) {
+          Build other = found;
+          other.stages[stage].rows[slot] = row;
+          const auto its = totals_of(problem, other);
+          CHECK((!its || (*its)[0] >= cost * (1.0 - 1e-8)));
+        }
+      for (const double part : {0.9, 0.99, 0.9999, 1.0001, 1.01}) {
+        Build other = found;
+        other.stages[stage].variables[0] = std::clamp(part * other.stages[stage].variables[0], 0.5, 6.0);
+        const auto its = totals_of(problem, other);
+        CHECK((!its || (*its)[0] >= cost * (1.0 - 1e-6)));
+      }
+    }
+    // Who is not given the time gets what he had.
+    CHECK(best_nearby(problem, {}, from, [] { return true; }).resources == from.resources);
+  }
+  CHECK(trials > 40);
+  CHECK(better > 20);
+  CHECK(best > 20);
+}
+
+}  // namespace nearby_test
