@@ -135,19 +135,22 @@ solver::Summary solve_with_start(const MachineModel& model, const SearchOptions&
   if (const auto single = objective.single(); single && !start.builds.empty()) {
     const std::size_t resource = model.resource(*single);
     problem.resources[resource].limit =
-        std::min(problem.resources[resource].limit, start.builds.front().resources[resource] * (1.0 + 1e-9));
+        std::min(problem.resources[resource].limit,
+                 start.builds.front().resources[resource] * (1.0 + std::max(1e-9, 0.25 * options.gap)));
   }
   solver::Summary summary = solver::solve(problem, solver_options(model, rest));
   summary.nodes += start.nodes;
   summary.evaluations += start.evaluations;
   summary.seconds += start.seconds;
-  if (!summary.builds.empty() || summary.status != solver::Status::limit || start.builds.empty()) return summary;
+  if (!summary.builds.empty() || start.builds.empty()) return summary;
   summary.builds = start.builds;
   double value = 0.0;
   for (const machine::ObjectiveTerm& term : objective.terms)
     value += term.weight * start.builds.front().resources[model.compared(term.quantity)];
   summary.lower_bound = std::min(summary.lower_bound, value);
   summary.gap = (value - summary.lower_bound) / std::max(std::abs(value), 1e-300);
+  // Nothing that is better by more than the gap exists; what is there is as good.
+  summary.status = summary.gap <= options.gap ? solver::Status::optimal : solver::Status::limit;
   return summary;
 }
 

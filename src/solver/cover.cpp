@@ -31,7 +31,8 @@ class Cover {
     if (leaves_to_later()) measure_label(variables);
     if (question_.among.empty()) push({.side = variables}, nullptr);
     for (const OpenBox& box : question_.among)
-      push({.side = box.sides.empty() ? variables : box.sides, .origin = box.origin}, nullptr);
+      if (auto sides = within(box.sides.empty() ? variables : box.sides, variables))
+        push({.side = std::move(*sides), .origin = box.origin}, nullptr);
     std::size_t boxes = 0;
     for (; !heap_.empty() && boxes < cover_boxes && !stopped(boxes); ++boxes) {
       VariableBox box = heap_.pop();
@@ -54,6 +55,19 @@ class Cover {
   [[nodiscard]] bool stopped(std::size_t boxes) const {
     constexpr std::size_t asked_every = 16;
     return boxes % asked_every == 0 && question_.stop && question_.stop();
+  }
+
+  /// What boxes have in common. (Where the region has been cut since a box was left open nothing is feasible, and what
+  /// is known of the region, such as its groups, holds nowhere else.)
+  static std::optional<std::vector<Interval>> within(std::span<const Interval> sides,
+                                                     std::span<const Interval> region) {
+    std::vector<Interval> common;
+    for (std::size_t v = 0; v < sides.size(); ++v) {
+      const auto side = intersect(sides[v], region[v]);
+      if (!side) return std::nullopt;
+      common.push_back(*side);
+    }
+    return common;
   }
 
   /// False: nothing is feasible. Where nothing that is tried is, a few boxes often prove so, at a small part of what it
@@ -109,7 +123,7 @@ class Cover {
       const Variable& variable = question_.plan->stage->variables()[v];
       const double range = variable.upper - variable.lower, width = Relief::widest_part(box, v);
       const std::size_t parts = Relief::parts(box, v);
-      if (!(width > narrowest * range) || parts > Relief::most_parts) continue;
+      if (!(width > narrowest * range) || parts >= Relief::most_parts) continue;
       const double share = width / (box.side[v].upper - box.side[v].lower);
       const double change = share * slopes.change_over(v, box.bounds, !answer_.points.empty() || leaves_to_later());
       // The more parts there are, the more it costs; the widest, where nothing changes.

@@ -126,8 +126,11 @@ double Claim::doubt(const Answer<Interval>& slopes, const Part& part, Desk& desk
 
   const auto& values = desk.bound(*question_.stage, question_.shared, part.inherited, part.region);
   if (worst_lower(values.utilisation) > 1.0) return 0.0;
+  // Between equals the worst utilisation decides: a row that another one stands in for has to be no better in any.
+  const bool all_count = input_.kind == Input::Kind::reading;
   for (std::size_t c = 0; c < wrong.size(); ++c) {
-    if (wrong[c] > 0.0 && !(values.utilisation[c].upper <= 1.0)) sum += wrong[c] + spread(values.utilisation[c]);
+    if (wrong[c] > 0.0 && (all_count || !(values.utilisation[c].upper <= 1.0)))
+      sum += wrong[c] + spread(values.utilisation[c]);
   }
   return sum;
 }

@@ -53,7 +53,7 @@ struct MonotonicityQuestion {
   const Region* region = nullptr;       ///< rows that can be in a feasible design
   std::span<const Interval> inherited;  ///< every state that can arrive
   std::span<const Direction> next;      ///< directions of the components handed on
-  RowHalves* halves = nullptr;          ///< not null; one for all questions about the stage
+  RowHalves* halves = nullptr;          ///< one for all questions about the stage; readings need none
   std::size_t node_limit = 3000;
 };
 

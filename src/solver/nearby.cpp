@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solver/nearby.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "solver/criteria.h"
@@ -47,11 +48,15 @@ class Nearby {
     if (move(build, [&](std::size_t i, std::size_t v) { return moved.stages[i].variables[v]; })) return;
     for (std::size_t stage = 0; stage < build.stages.size(); ++stage)
       for (std::size_t variable = 0; variable < build.stages[stage].variables.size(); ++variable)
-        move(build, [&, from = build](std::size_t i, std::size_t v) {
-          return (i == stage && v == variable ? moved : from).stages[i].variables[v];
-        });
+        if (!stop_())
+          move(build, [&, from = build](std::size_t i, std::size_t v) {
+            return (i == stage && v == variable ? moved : from).stages[i].variables[v];
+          });
   }
 
+  static void go(double& from, double to, double part) {
+    from = std::clamp(from + part * (to - from), std::min(from, to), std::max(from, to));
+  }
   /// Towards these values, as far as that is feasible and better.
   template <class Values>
   bool move(Build& build, Values&& values) {
@@ -59,7 +64,7 @@ class Nearby {
       Build trial = build;
       for (std::size_t i = 0; i < trial.stages.size(); ++i)
         for (std::size_t v = 0; v < trial.stages[i].variables.size(); ++v)
-          trial.stages[i].variables[v] += part * (values(i, v) - trial.stages[i].variables[v]);
+          go(trial.stages[i].variables[v], values(i, v), part);
       if (!neighbours_.evaluate(trial) || !(value(trial.resources) < value(build.resources))) continue;
       build = std::move(trial);
       return true;

@@ -40,7 +40,7 @@ class Relief {
   [[nodiscard]] bool refine(VariableBox& box, std::size_t variable) const;
   /// How many parts of a variable's side are left.
   [[nodiscard]] static std::size_t parts(const VariableBox& box, std::size_t variable);
-  static constexpr std::size_t most_parts = 4096;  ///< no more are halved
+  static constexpr std::size_t most_parts = 1024;  ///< so many are not halved
   /// Of a variable's side, what its widest part is.
   [[nodiscard]] static double widest_part(const VariableBox& box, std::size_t variable);
 

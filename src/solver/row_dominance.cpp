@@ -2,8 +2,8 @@
 #include "solver/row_dominance.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
-#include <numeric>
 #include <optional>
 
 #include "solver/archive.h"
@@ -45,8 +45,15 @@ class DominatedRows {
       return std::span<const double>(coordinates_.data() + i * dimensions, dimensions);
     };
     // What is at most another one in all coordinates comes before it, among equals the smaller number.
-    std::vector<std::uint32_t> order(rows.size());
-    std::iota(order.begin(), order.end(), 0);
+    std::vector<std::uint32_t> order;
+    for (std::uint32_t i = 0; i < rows.size(); ++i) {
+      const auto of = of_row(i);
+      // What is not known compares with nothing.
+      if (std::any_of(of.begin(), of.end(), [](double coordinate) { return std::isnan(coordinate); }))
+        left.push_back(rows[i]);
+      else
+        order.push_back(i);
+    }
     std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
       return std::lexicographical_compare(of_row(a).begin(), of_row(a).end(), of_row(b).begin(), of_row(b).end());
     });
@@ -119,22 +126,26 @@ class DominatedRows {
   std::vector<double> coordinates_;                   ///< [row][dimension]
 };
 
-bool leave_out_dominated_rows_of(StagePlan& plan, std::size_t slot, Desk& desk) {
+/// The rows of a slot that are left; nothing where all are.
+RowSet others_of(const StagePlan& plan, std::size_t slot, Desk& desk) {
   const std::size_t rows = plan.region.rows[slot]->size();
-  if (rows < 2 || plan.stage->graded_readings(slot) == 0) return false;
+  if (rows < 2 || plan.stage->graded_readings(slot) == 0) return nullptr;
   std::vector<Row> left = DominatedRows(plan, slot, desk).others();
-  if (left.size() == rows) return false;
-  plan.region.rows[slot] = make_rows(*plan.stage, plan.shared, slot, std::move(left));
-  return true;
+  return left.size() < rows ? make_rows(*plan.stage, plan.shared, slot, std::move(left)) : nullptr;
 }
 
 }  // namespace
 
 void leave_out_dominated_rows(std::vector<StagePlan>& plans, Desk& desk) {
   for (StagePlan& plan : plans) {
+    std::vector<RowSet> rows;  // all of a plan or none: it may be interrupted
+    for (std::size_t slot = 0; slot < plan.region.rows.size(); ++slot) rows.push_back(others_of(plan, slot, desk));
     bool fewer = false;
-    for (std::size_t slot = 0; slot < plan.region.rows.size(); ++slot)
-      fewer = leave_out_dominated_rows_of(plan, slot, desk) || fewer;
+    for (std::size_t slot = 0; slot < rows.size(); ++slot) {
+      if (rows[slot] == nullptr) continue;
+      plan.region.rows[slot] = std::move(rows[slot]);
+      fewer = true;
+    }
     if (fewer) keep_within_region(plan);
   }
 }

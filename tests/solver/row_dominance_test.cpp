@@ -7,6 +7,7 @@
 #include <array>
 #include <optional>
 #include <random>
+#include <tuple>
 
 #include "catch.h"
 #include "solver/model_stage.h"
@@ -64,7 +65,7 @@ auto model_of(const Asked& asked) {
 }
 
 struct Total {
-  double cost, mass;
+  double cost, mass, worst_utilisation;
 };
 
 /// Totals of all feasible combinations of two stages.
@@ -78,13 +79,15 @@ std::vector<Total> all_totals(const StageType& tool, const StageType& base) {
         const std::array<Row, 2> rows{a, b};
         const std::array<double, 1> state{carried};
         stage.evaluate({{}, state, rows, {}}, answer);
-        if (*std::max_element(answer.utilisation.begin(), answer.utilisation.end()) > 1.0) continue;
-        taken(Total{answer.resources[0], answer.resources[1]}, answer.handed_on[0]);
+        const double worst = *std::max_element(answer.utilisation.begin(), answer.utilisation.end());
+        if (worst <= 1.0) taken(Total{answer.resources[0], answer.resources[1], worst}, answer.handed_on[0]);
       }
   };
   ask(tool, 1.0, [&](const Total& above, double carried) {
     ask(base, carried, [&](const Total& below, double) {
-      totals.push_back({above.cost + below.cost, above.mass + below.mass});
+      totals.push_back({above.cost + below.cost,
+                        above.mass + below.mass,
+                        std::max(above.worst_utilisation, below.worst_utilisation)});
     });
   });
   return totals;
@@ -144,11 +147,12 @@ TEST_CASE("Leaving out rows that others stand in for changes neither optimum nor
     }
     ++feasible;
     const auto least = std::min_element(totals.begin(), totals.end(), [](const Total& a, const Total& b) {
-      return std::pair(a.cost, a.mass) < std::pair(b.cost, b.mass);
+      return std::tuple(a.cost, a.mass, a.worst_utilisation) < std::tuple(b.cost, b.mass, b.worst_utilisation);
     });
     REQUIRE(found.status == Status::optimal);
     REQUIRE(found.builds.front().resources[0] == least->cost);
     REQUIRE(found.builds.front().resources[1] == least->mass);
+    REQUIRE(found.builds.front().worst_utilisation == Approx(least->worst_utilisation).epsilon(1e-12));
 
     Options both;
     both.objectives = {0, 1};
