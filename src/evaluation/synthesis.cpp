@@ -110,8 +110,8 @@ bool starts_blind(const SearchOptions& options) {
 }
 
 /// Solves, with a build to fall back on when time is up before any other is known: the cheapest, searched for in the
-/// first quarter of the time, and from there on the best nearby. Nothing that is worse by the objective need be looked
-/// at then.
+/// first quarter of the time, and from there on the best nearby. Where the objective is a single quantity nothing that
+/// is worse need be looked at then; a little worse is let in, since what the search finds itself keeps off the limits.
 solver::Summary solve_with_start(const MachineModel& model, const SearchOptions& options) {
   SearchOptions cheapest = options;
   cheapest.objectives = {"cost"};

@@ -10,8 +10,8 @@
 //    it is proved infeasible, hopeless, or covered: a known feasible point is, in every score and every state component
 //    with a direction, at most `tolerance` (relative) worse than the box can be; where that is refined later, also by
 //    what an inexact label leaves open itself. What a point covers becomes the enclosure of its label. Points come from
-//    SLSQP (and Ipopt where SLSQP finds none), so few boxes are needed. Variables beside them that only decide
-//    feasibility are divided each by itself where no constraint reads two of them (relief.h).
+//    SLSQP (and Ipopt where SLSQP finds none), so few boxes are needed. Several variables beside them that only decide
+//    feasibility are settled, and divided, in groups that share no constraint (relief.h).
 //
 // Guarantee: a point counts as feasible only if `evaluate` in double gives every utilisation <= 1. A feasible set
 // narrower than 1e-12 of a variable's range may be overlooked. What the box limit leaves undecided is returned as

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 
 #include "solver/box_slopes.h"
 #include "solver/leaf_point.h"

@@ -2,6 +2,7 @@
 #include "solver/relief.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace millwright::solver {
 namespace {
