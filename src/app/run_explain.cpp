@@ -9,7 +9,7 @@
 #include "app/machine_input.h"
 #include "app/machine_result.h"
 #include "app/output.h"
-#include "app/search_watch.h"
+#include "app/search_machine.h"
 #include "evaluation/explanation.h"
 #include "report/explanation_text.h"
 
@@ -57,8 +57,7 @@ int run_explain(const Options& options) {
   const machine::Asked asked{input->problem, input->steering.fixed, input->steering.without, input->steering.limits};
   const catalogue::Catalogue& parts = input->whole_catalogue ? *input->whole_catalogue : input->catalogue;
   const StopSignal stop;
-  evaluation::SearchOptions how = search_options(
-      options, options.objectives.empty() ? std::vector<std::string>{input->problem.objective} : options.objectives);
+  evaluation::SearchOptions how = search_options(options, objectives_of(options, *input));
   how.stop = stop.stopped();
   evaluation::Explanation explanation;
   {

@@ -23,7 +23,7 @@ namespace {
 /// The runners-up are found among those of one quantity that no ramp moves.
 void check_alternatives(const Options& options, const MachineInput& input, text::Diagnostics& diagnostics) {
   if (options.builds <= 1) return;
-  const std::string objective = options.objectives.empty() ? input.problem.objective : options.objectives.front();
+  const std::string objective = objectives_of(options, input).front();
   if (objective == "cost" || objective == "mass") return;
   diagnostics.error(text::SourceSpan{},
                     fmt::format("--alternatives: the best builds are known by cost or mass, not by {}", objective),
@@ -70,7 +70,9 @@ int run_search(const Options& options) {
     model.emplace(input->problem,
                   input->catalogue,
                   evaluation::GivenSlots{},
-                  evaluation::ModelOptions{.fixed = input->steering.fixed, .every_candidate = options.builds > 1});
+                  evaluation::ModelOptions{.fixed = input->steering.fixed,
+                                           .every_candidate = options.builds > 1,
+                                           .objectives = objectives_of(options, *input)});
     for (const evaluation::BomProblem& problem : model->problems())
       diagnostics.error(problem.where, problem.message, problem.hint);
   }

@@ -108,10 +108,11 @@ class Sweeper {
                    ProgressLine& line,
                    report::SweepPoint& point,
                    text::Diagnostics& diagnostics) {
-    const evaluation::MachineModel model(input.problem,
-                                         input.catalogue,
-                                         evaluation::GivenSlots{},
-                                         evaluation::ModelOptions{.fixed = input.steering.fixed});
+    const evaluation::MachineModel model(
+        input.problem,
+        input.catalogue,
+        evaluation::GivenSlots{},
+        evaluation::ModelOptions{.fixed = input.steering.fixed, .objectives = objectives_of(options_, input)});
     for (const evaluation::BomProblem& problem : model.problems())
       diagnostics.error(problem.where, problem.message, problem.hint);
     if (diagnostics.has_errors()) return false;
@@ -120,8 +121,7 @@ class Sweeper {
     point.solved = !stop_.stopped()->load() && at.time_limit > 0.0;
     if (!point.solved) {
       point.result = result_for(input);
-      point.result.objectives =
-          options_.objectives.empty() ? std::vector<std::string>{input.problem.objective} : options_.objectives;
+      point.result.objectives = objectives_of(options_, input);
       point.result.status = report::Status::limit;
       return true;
     }

@@ -23,15 +23,11 @@ report::Status status_of(solver::Status status) {
   return report::Status::infeasible;
 }
 
-std::vector<std::string> objectives_of(const Options& options, const MachineInput& input) {
-  return options.objectives.empty() ? std::vector<std::string>{input.problem.objective} : options.objectives;
-}
-
 evaluation::Synthesis robust_synthesis(const MachineInput& input,
                                        const evaluation::SearchOptions& how,
                                        report::MachineResult& result) {
-  evaluation::RobustSynthesis found =
-      evaluation::synthesise_robustly(input.problem, input.catalogue, {.fixed = input.steering.fixed}, how);
+  evaluation::RobustSynthesis found = evaluation::synthesise_robustly(
+      input.problem, input.catalogue, {.fixed = input.steering.fixed, .objectives = how.objectives}, how);
   result.robust = true;
   result.robust_scenarios = found.scenarios;
   result.robust_without = found.without;
@@ -39,6 +35,10 @@ evaluation::Synthesis robust_synthesis(const MachineInput& input,
 }
 
 }  // namespace
+
+std::vector<std::string> objectives_of(const Options& options, const MachineInput& input) {
+  return options.objectives.empty() ? std::vector<std::string>{input.problem.objective} : options.objectives;
+}
 
 std::string objective_unit_of(const Options& options, const MachineInput& input) {
   return report::objective_unit(objectives_of(options, input).front(), input.problem.currency);

@@ -10,6 +10,9 @@
 
 namespace millwright::app {
 
+/// By name (machine/objective.h): those asked for, or that of the problem file.
+std::vector<std::string> objectives_of(const Options& options, const MachineInput& input);
+
 /// The unit in which progress counts.
 std::string objective_unit_of(const Options& options, const MachineInput& input);
 

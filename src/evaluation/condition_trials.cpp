@@ -72,7 +72,8 @@ std::optional<Design> ConditionTrials::solve(const SearchOptions& options, const
   machine::Asked asked = asked_;
   if (change) change(asked);
   asked.problem.counted = machine::counted_quantities(options.objectives);
-  const MachineModel model(asked.problem, catalogue_for(asked), {}, {.fixed = asked.fixed});
+  const MachineModel model(
+      asked.problem, catalogue_for(asked), {}, {.fixed = asked.fixed, .objectives = options.objectives});
   if (!model.problems().empty()) return std::nullopt;
   Synthesis found = synthesise(model, options);
   if (found.status == solver::Status::limit) {

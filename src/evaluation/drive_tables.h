@@ -4,6 +4,7 @@
 // this axis because it lacks a figure a hard check needs, or because two parts of one candidate do not go together.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -21,7 +22,10 @@ struct ScrewTable {
   SlotTable table;
   std::vector<machine::ScrewKind> kinds;               ///< per row
   std::vector<machine::ScrewFigures<double>> figures;  ///< per row, for the calculation sheet
-  std::vector<machine::ScrewSite> sites;               ///< per row: what the axis adds, by the kind of screw
+  std::array<machine::ScrewSite, 2> sites;             ///< [kind]: what the axis adds
+  [[nodiscard]] const machine::ScrewSite& site(std::size_t row) const {
+    return sites[static_cast<std::size_t>(kinds[row])];
+  }
 };
 ScrewTable screw_table(const catalogue::Catalogue& catalogue, const machine::Axis& axis, const PriceBook& prices);
 

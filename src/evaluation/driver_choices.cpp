@@ -36,18 +36,22 @@ bool DriverChoices::runs_at(const Driver& driver, double voltage) const {
 }
 
 /// b is never better than a at this current: it gives the same, and is at least as dear, as heavy and as fussy about
-/// the voltage.
+/// the voltage, as far as that counts.
 bool DriverChoices::covers(const Driver& a, const Driver& b, double current) const {
   if (a.row == b.row) return false;
   if (std::min(a.peak_current, current) != std::min(b.peak_current, current)) return false;
-  if (a.price > b.price || a.mass > b.mass) return false;
-  if (a.preference * a.price > b.preference * b.price) return false;
+  const double worth_a = a.preference * a.price, worth_b = b.preference * b.price;
+  const bool dearer = a.price > b.price || worth_a > worth_b;
+  const bool cheaper = !dearer && worth_a < worth_b;
+  const bool lighter = a.mass < b.mass;
+  if (dearer && (axis_.cost_counts || !lighter)) return false;
+  if (a.mass > b.mass && (axis_.mass_counts || !cheaper)) return false;
   // An order more is not for nothing, and what is bought may help to reach a minimum.
   if (a.supplier != nullptr && a.supplier != b.supplier) return false;
   if (b.supplier != nullptr && b.supplier->minimum_order > 0.0) return false;
   for (const double v : voltages_)
     if (runs_at(b, v) && !runs_at(a, v)) return false;
-  return a.price < b.price || a.mass < b.mass || a.preference * a.price < b.preference * b.price || a.row < b.row;
+  return cheaper || lighter || a.price < b.price || a.row < b.row;
 }
 
 /// A driver that a bill names is judged, not passed over (C-DR-VOLT, F-DRIVER-VOLTAGE-MIN, C-DR-CURRENT).
@@ -83,7 +87,9 @@ DriverChoices::Choice DriverChoices::choice_at(double current) const {
 /// One that covers another comes before it in the order taken, and what covers the one covers the other: a driver has
 /// to be compared with those kept so far only.
 void DriverChoices::drop_covered(std::vector<const Driver*>& drivers, double current) const {
-  const auto key = [](const Driver* d) { return std::tuple(d->price, d->mass, d->preference * d->price, d->row); };
+  const auto key = [&](const Driver* d) {
+    return std::tuple(axis_.cost_counts ? 0.0 : d->mass, d->price, d->preference * d->price, d->mass, d->row);
+  };
   std::sort(drivers.begin(), drivers.end(), [&](const Driver* a, const Driver* b) { return key(a) < key(b); });
   std::vector<const Driver*> kept;
   for (const Driver* driver : drivers)

@@ -2,7 +2,9 @@
 //
 // The drivers of the catalogue that are worth keeping for motors of an axis. Drivers that give a motor the same current
 // differ only in price, mass and the voltages they bear: those that are dearer or heavier than another that bears at
-// least the same voltages are left out, or marked as covered by it.
+// least the same voltages are left out, or marked as covered by it. Where nothing that is asked reads the total mass
+// (Axis::mass_counts), the cheaper one is the better one, and the mass decides only between equals; and the other way
+// round.
 #pragma once
 
 #include <map>

@@ -63,6 +63,20 @@ bool is_fixed(const machine::BillOfMaterials& fixed, const std::string& axis, co
   });
 }
 
+/// What comparing builds by these objectives reads. Of a mass alone equals are told apart by their cost, of everything
+/// else first by their cost (ties in synthesis.cpp).
+void note_what_counts(const std::vector<std::string>& objectives, machine::Problem& problem) {
+  if (objectives.empty()) return;
+  bool cost = problem.cost_limit.has_value(), mass = problem.mass_limit.has_value();
+  for (const std::string& name : objectives)
+    for (const machine::ObjectiveTerm& term : machine::objective_named(name).terms)
+      (term.quantity == machine::Quantity::mass ? mass : cost) = true;
+  for (machine::Axis& axis : problem.axes) {
+    axis.cost_counts = cost;
+    axis.mass_counts = mass;
+  }
+}
+
 bool has_tolerances(const catalogue::Table& table) {
   for (std::size_t index = 0; index < catalogue::column_count(table.family()); ++index)
     for (int row = 0; row < table.rows(); ++row)
@@ -82,6 +96,7 @@ MachineModel::MachineModel(const machine::Problem& given,
       prices_(given, catalogue_) {
   const catalogue::Catalogue& catalogue = catalogue_;
   take_fixed_settings(problem_, options_.fixed, problems_);
+  if (!options_.every_candidate) note_what_counts(options_.objectives, problem_);
   for (machine::Axis& axis : problem_.axes)
     axis.keep_covered_candidates =
         axis.keep_covered_candidates || options_.every_candidate || is_fixed(options_.fixed, axis.name, "driver");
@@ -226,6 +241,8 @@ void MachineModel::add_scenarios(const machine::Problem& given, const GivenSlots
   for (std::size_t i = 0; i < problem.axes.size(); ++i) {
     problem.axes[i].keep_every_candidate = problem_.axes[i].keep_every_candidate;
     problem.axes[i].keep_covered_candidates = problem_.axes[i].keep_covered_candidates;
+    problem.axes[i].cost_counts = problem_.axes[i].cost_counts;
+    problem.axes[i].mass_counts = problem_.axes[i].mass_counts;
     problem.axes[i].motor.currents = problem_.axes[i].motor.currents;
   }
   problem.supply_voltages = problem_.supply_voltages;

@@ -82,6 +82,9 @@ struct ModelOptions {
   /// outlive the model.
   std::vector<std::shared_ptr<const catalogue::Catalogue>> scenarios = {};
   bool every_candidate = false;  ///< also candidates that another one covers: no best build has one, the next best may
+  /// What builds of it are compared by (SearchOptions::objectives): drivers with which none is best by that are left
+  /// out, if not every candidate is asked for. Empty: by anything.
+  std::vector<std::string> objectives = {};
 };
 
 class MachineModel {

@@ -119,6 +119,7 @@ struct Motor {
   int row;
   machine::MotorFigures<double> figures;
   double shaft, mass, price;
+  double frame_size;  ///< m; NaN where it is not stated
 };
 
 /// What the motor says; `figure` reads a column of its row, as a number or as an interval.
@@ -146,7 +147,8 @@ std::optional<Motor> motor_of(const Table& motors, int row, const machine::Axis&
   const std::vector<std::string>& frames = axis.motor.frames;
   if (!frames.empty() && std::find(frames.begin(), frames.end(), frame) == frames.end()) return std::nullopt;
   const machine::MotorFigures<double> f = motor_figures(motors, row, number);
-  const Motor motor{row, f, number("shaft_diameter"), number("mass"), prices.line(motors, row, 1.0, 0.0)};
+  const Motor motor{
+      row, f, number("shaft_diameter"), number("mass"), prices.line(motors, row, 1.0, 0.0), number("frame_size")};
   const bool complete = !std::isnan(f.holding_torque + f.rated_current + f.resistance + f.inductance + f.rotor_inertia +
                                     f.rotor_teeth + motor.shaft + motor.mass + motor.price);
   return complete ? std::optional(motor) : std::nullopt;
@@ -186,6 +188,7 @@ class MotorPairs {
   void add(const Motor& motor, const Driver& driver, double current) {
     MotorPair pair;
     pair.shaft = motor.shaft;
+    if (!std::isnan(motor.frame_size)) pair.frame_size = motor.frame_size;
     machine::MotorFigures<double> f = motor.figures;
     f.asked_current = current;
     f.driver_peak_current = driver.peak_current;

@@ -122,7 +122,7 @@ ScrewDriveStage::ScrewDriveStage(const machine::Axis& axis,
                                        axis.require,
                                        voltages.size(),
                                        screw_speed_edges(axis, screws_, reduction_));
-  tables_.push_back(screws_.table);
+  tables_.push_back(std::move(screws_.table));
   tables_.push_back(motors_->motors().table);
   const auto add = [&](SlotTable table) {
     tables_.push_back(std::move(table));

@@ -56,7 +56,7 @@ class ScrewDriveStage final : public DriveStage<ScrewDriveStage> {
   [[nodiscard]] const ScrewTable& screws() const { return screws_; }
   /// The readings of a screw with its nut, from its figures and not from the table.
   [[nodiscard]] machine::ScrewReading<double> reading_anew(solver::Row screw) const {
-    return machine::screw_reading(screws_.figures[screw], screws_.sites[screw]);
+    return machine::screw_reading(screws_.figures[screw], screws_.site(screw));
   }
 
   /// Kinds of screws; everything else is read as figures.
@@ -75,7 +75,7 @@ class ScrewDriveStage final : public DriveStage<ScrewDriveStage> {
   [[nodiscard]] bool free_support_fits(solver::Row screw, solver::Row support) const;
 
   machine::ScrewDriveData data_;
-  ScrewTable screws_;
+  ScrewTable screws_;  ///< but for their table, which is with those of the other slots
   std::optional<std::size_t> coupling_slot_, free_slot_;
   std::size_t fixed_slot_ = 0;
 };

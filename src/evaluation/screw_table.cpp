@@ -2,8 +2,12 @@
 //
 // Which screws, each with a nut that runs on it, an axis may use. Screw and nut are one candidate: a ball nut comes
 // with its screw, and a lead nut fits one thread.
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
+#include <string_view>
+#include <vector>
 
 #include "evaluation/cuts.h"
 #include "evaluation/drive_tables.h"
@@ -55,9 +59,8 @@ void finish(ScrewTable& result,
             ScrewKind kind,
             const ScrewFigures<double>& figures,
             const ScrewFigures<Interval>* ranges,
-            Candidate candidate,
-            const machine::Axis& axis) {
-  const machine::ScrewSite site = site_of(axis, kind);
+            Candidate candidate) {
+  const machine::ScrewSite& site = result.sites[static_cast<std::size_t>(kind)];
   const machine::ScrewReading<double> reading = screw_reading(figures, site);
   const std::vector<double> values = flat(reading);
   if (!all_known(std::span(values).first(machine::screw_reading_fields)) || std::isnan(candidate.price) ||
@@ -72,7 +75,6 @@ void finish(ScrewTable& result,
   result.table.add(std::move(candidate), values);
   result.kinds.push_back(kind);
   result.figures.push_back(figures);
-  result.sites.push_back(site);
 }
 
 double supported_length(const machine::Axis& axis, double nut_length) {
@@ -133,8 +135,7 @@ void add_ball_screws(const catalogue::Catalogue& catalogue,
            ranges ? &*ranges : nullptr,
            candidate_of({{"screw", Family::ball_screws, row, 1.0, cut, shaft_price, f.mass_per_length * cut},
                          {"nut", Family::ball_screws, row, 1.0, 0.0, nut_price, f.nut_mass}},
-                        f.nut_mass),
-           axis);
+                        f.nut_mass));
   }
 }
 
@@ -214,45 +215,94 @@ void add_nut_figures(
   f.sliding_speed_limit = figure(column(Family::lead_nuts, "maximum_sliding_speed"));
 }
 
+/// All of that from where it stands.
+template <class T>
+void take_nut_figures(ScrewFigures<T>& f, const ScrewFigures<T>& nut) {
+  using F = ScrewFigures<T>;
+  for (T F::*const figure : {&F::friction,
+                             &F::nut_yield_strength,
+                             &F::wear_rate,
+                             &F::nut_mass,
+                             &F::nut_length,
+                             &F::backlash,
+                             &F::drag_torque,
+                             &F::allowable_pressure,
+                             &F::pv_limit,
+                             &F::sliding_speed_limit})
+    f.*figure = nut.*figure;
+}
+
+/// The nuts that an axis may use, by what they run on: each is read once, and not for each of its screws.
+class LeadNuts {
+ public:
+  struct Nut {
+    int row;
+    ScrewFigures<double> figures;  ///< its own only
+    ScrewFigures<Interval> ranges;
+    double price;
+  };
+
+  LeadNuts(const catalogue::Catalogue& catalogue, const machine::Axis& axis, const PriceBook& prices) {
+    const Table& nuts = catalogue.table(Family::lead_nuts);
+    const Table& materials = catalogue.table(Family::materials);
+    for (int row = 0; row < nuts.rows(); ++row) {
+      const std::string_view material = nuts.text(column(Family::lead_nuts, "material"), row);
+      if (!wanted(axis.mechanism.nut_materials, material)) continue;
+      Nut nut{row, {}, {}, prices.line(nuts, row, 1.0, 0.0)};
+      add_nut_figures(nut.figures, material, materials, axis, [&](catalogue::Column c) { return nuts.number(c, row); });
+      add_nut_figures(nut.ranges, material, materials, axis, [&](catalogue::Column c) { return nuts.range(c, row); });
+      of_screw_[nuts.text(column(Family::lead_nuts, "for_screw"), row)].push_back(nut);
+    }
+  }
+
+  /// Those that name the screw by its part number or by its designation, by their rows.
+  [[nodiscard]] std::vector<const Nut*> for_screw(std::string_view part_number, std::string_view designation) const {
+    std::vector<const Nut*> result;
+    const auto take = [&](std::string_view name) {
+      if (const auto found = of_screw_.find(name); found != of_screw_.end())
+        for (const Nut& nut : found->second) result.push_back(&nut);
+    };
+    take(part_number);
+    if (designation != part_number) take(designation);
+    std::sort(result.begin(), result.end(), [](const Nut* a, const Nut* b) { return a->row < b->row; });
+    return result;
+  }
+
+ private:
+  std::map<std::string_view, std::vector<Nut>> of_screw_;
+};
+
 void add_lead_screws(const catalogue::Catalogue& catalogue,
                      const machine::Axis& axis,
                      const PriceBook& prices,
                      ScrewTable& result) {
   const Table& screws = catalogue.table(Family::lead_screws);
-  const Table& nuts = catalogue.table(Family::lead_nuts);
-  const Table& materials = catalogue.table(Family::materials);
+  const bool has_ranges = screws.has_ranges() || catalogue.table(Family::lead_nuts).has_ranges();
+  const LeadNuts nuts(catalogue, axis, prices);
   for (int row = 0; row < screws.rows(); ++row) {
     if (!wanted(axis.mechanism.thread_forms, screws.text(column(Family::lead_screws, "thread_form"), row))) continue;
     const ScrewFigures<double> base =
         lead_screw_figures(screws, row, [&](catalogue::Column c) { return screws.number(c, row); });
-    for (int nut = 0; nut < nuts.rows(); ++nut) {
-      const std::string_view runs_on = nuts.text(column(Family::lead_nuts, "for_screw"), nut);
-      if (runs_on != screws.part_number(row) && runs_on != screws.text(column(Family::lead_screws, "designation"), row))
-        continue;
-      const std::string_view material = nuts.text(column(Family::lead_nuts, "material"), nut);
-      if (!wanted(axis.mechanism.nut_materials, material)) continue;
+    std::map<double, double> price_of_cut;  // most nuts are as long as some other one
+    for (const LeadNuts::Nut* nut :
+         nuts.for_screw(screws.part_number(row), screws.text(column(Family::lead_screws, "designation"), row))) {
       ScrewFigures<double> f = base;
-      add_nut_figures(f, material, materials, axis, [&](catalogue::Column c) { return nuts.number(c, nut); });
+      take_nut_figures(f, nut->figures);
       std::optional<ScrewFigures<Interval>> ranges;
-      if (screws.has_ranges() || nuts.has_ranges()) {
+      if (has_ranges) {
         ranges = lead_screw_figures(screws, row, [&](catalogue::Column c) { return screws.range(c, row); });
-        add_nut_figures(*ranges, material, materials, axis, [&](catalogue::Column c) { return nuts.range(c, nut); });
+        take_nut_figures(*ranges, nut->ranges);
       }
       const double cut = supported_length(axis, f.nut_length) + axis.mechanism.end_allowance;
+      const auto [price, is_new] = price_of_cut.try_emplace(cut);
+      if (is_new) price->second = prices.cut(screws, row, {{1.0, cut, machined_ends(axis)}});
       finish(result,
              ScrewKind::sliding,
              f,
              ranges ? &*ranges : nullptr,
-             candidate_of({{"screw",
-                            Family::lead_screws,
-                            row,
-                            1.0,
-                            cut,
-                            prices.cut(screws, row, {{1.0, cut, machined_ends(axis)}}),
-                            f.mass_per_length * cut},
-                           {"nut", Family::lead_nuts, nut, 1.0, 0.0, prices.line(nuts, nut, 1.0, 0.0), f.nut_mass}},
-                          f.nut_mass),
-             axis);
+             candidate_of({{"screw", Family::lead_screws, row, 1.0, cut, price->second, f.mass_per_length * cut},
+                           {"nut", Family::lead_nuts, nut->row, 1.0, 0.0, nut->price, f.nut_mass}},
+                          f.nut_mass));
     }
   }
 }
@@ -267,7 +317,8 @@ bool stiffness_matters(const machine::Axis& axis) {
 
 ScrewTable screw_table(const catalogue::Catalogue& catalogue, const machine::Axis& axis, const PriceBook& prices) {
   constexpr std::size_t fields = machine::screw_reading_fields + machine::shown_screw_reading_fields;
-  ScrewTable result{SlotTable("screw", fields), {}, {}, {}};
+  ScrewTable result{
+      SlotTable("screw", fields), {}, {}, {site_of(axis, ScrewKind::ball), site_of(axis, ScrewKind::sliding)}};
   if (axis.mechanism.ball_screws) add_ball_screws(catalogue, axis, prices, result);
   if (axis.mechanism.lead_screws) add_lead_screws(catalogue, axis, prices, result);
   return result;

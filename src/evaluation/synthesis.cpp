@@ -154,6 +154,15 @@ solver::Summary solve_with_start(const MachineModel& model, const SearchOptions&
   return summary;
 }
 
+/// Whether parts that are best by this objective may have been left out.
+bool is_made_for(const MachineModel& model, const machine::Objective& objective) {
+  const auto& axes = model.machine().axes;
+  return std::none_of(axes.begin(), axes.end(), [&](const machine::Axis& axis) {
+    return (!axis.cost_counts && counts(objective, machine::Quantity::cost)) ||
+           (!axis.mass_counts && counts(objective, machine::Quantity::mass));
+  });
+}
+
 }  // namespace
 
 solver::Options solver_options(const MachineModel& model, const SearchOptions& options) {
@@ -161,6 +170,7 @@ solver::Options solver_options(const MachineModel& model, const SearchOptions& o
   result.objectives.clear();
   for (const std::string& name : options.objectives) {
     const machine::Objective objective = machine::objective_named(name);
+    if (!is_made_for(model, objective)) throw std::invalid_argument("the model was made for other objectives: " + name);
     const auto quantity = objective.single();
     if (quantity) {
       result.objectives.push_back(model.compared(*quantity));

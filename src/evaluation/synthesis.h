@@ -43,7 +43,7 @@ struct Synthesis {
 };
 
 /// The solver's options for these. Throws std::invalid_argument when an objective asks for what the model does not
-/// count (machine::Problem::counted), or a front for a weighted sum.
+/// count (machine::Problem::counted) or was not made for (ModelOptions::objectives), or a front for a weighted sum.
 solver::Options solver_options(const MachineModel& model, const SearchOptions& options);
 
 /// The best compliant build by one objective, or as many of the best as are asked for, or the front of several.

@@ -103,7 +103,7 @@ void write_calculation(const ScrewDriveStage& stage,
   const solver::Row screw = chosen.rows[ScrewDriveStage::screw_slot];
   machine::ScrewFigures<Traced> figures;
   given.take_all(screw_names, stage.screws().figures[screw], figures, walk_screw_figures);
-  d.screw = machine::screw_reading(figures, stage.screws().sites[screw]);
+  d.screw = machine::screw_reading(figures, stage.screws().site(screw));
   trace_motor(stage, element, chosen, given, d);
   if (element.data->has_coupling) given.take_all(coupling_names, element.coupling, d.coupling, walk_coupling);
   given.take_all(fixed_support_names, element.support_fixed, d.support_fixed, walk_support);

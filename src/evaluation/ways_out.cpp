@@ -39,8 +39,10 @@ class Loosening {
     for (const std::size_t i : axes_)
       changed.axes[i].require.set(Requirement::position_error,
                                   factor * problem_.axes[i].require(Requirement::position_error));
-    const MachineModel model(changed, model_.catalogue(), {}, model_.options());
     SearchOptions options = options_;
+    ModelOptions of_model = model_.options();
+    of_model.objectives = options.objectives;
+    const MachineModel model(changed, model_.catalogue(), {}, of_model);
     options.time_limit_seconds = std::max(0.0, options_.time_limit_seconds - spent_);
     Synthesis synthesis = synthesise(model, options);
     spent_ += synthesis.seconds;
