@@ -6,6 +6,7 @@
 #include <random>
 
 #include "catch.h"
+#include "sanitized.h"
 #include "solver/model_stage.h"
 #include "solver/solver.h"
 
@@ -136,8 +137,10 @@ class Trial {
 TEST_CASE(
     "Times that decide feasibility only, each with its own window, leave the least diameter that is known by hand") {
   constexpr double front_tolerance = 1e-3;
+  const int seeds = millwright::sanitized ? 18 : 60;
   int feasible = 0, infeasible = 0;
-  for (unsigned seed = 1; seed <= 60; ++seed) {
+  for (int n = 1; n <= seeds; ++n) {
+    const auto seed = static_cast<unsigned>(n);
     const Trial trial(seed);
     const std::vector<Total> totals = trial.totals();
     CAPTURE(seed, totals.size());
@@ -173,8 +176,8 @@ TEST_CASE(
                build.resources[1] <= total.mass * (1.0 + front_tolerance + 1e-9);
       }));
   }
-  CHECK(feasible > 30);
-  CHECK(infeasible > 3);
+  CHECK(2 * feasible > seeds);
+  CHECK(20 * infeasible > seeds);
 }
 
 }  // namespace relief_test
