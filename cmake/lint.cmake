@@ -6,7 +6,7 @@ if(NOT CLANG_TIDY OR NOT CLANG_FOR_TIDY)
   return()
 endif()
 
-set(batch_size 12)
+set(batch_size 32)
 set(stamps)
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/lint)
 foreach(target IN ITEMS ${room_targets} millwright)

@@ -84,6 +84,26 @@ bool has_tolerances(const catalogue::Table& table) {
   return false;
 }
 
+/// Which drivers of an axis have to stay.
+void note_drivers(const catalogue::Catalogue& catalogue,
+                  const PriceBook& prices,
+                  const ModelOptions& options,
+                  machine::Problem& problem) {
+  if (!options.every_candidate) note_what_counts(options.objectives, problem);
+  const catalogue::Table& drivers = catalogue.table(catalogue::Family::drivers);
+  bool counts_drivers = false;
+  for (int row = 0; row < drivers.rows(); ++row) counts_drivers = counts_drivers || prices.is_counted(drivers, row);
+  // Which of two drivers is cheaper is not known before it is known how many are taken.
+  // Nor which of them are worth keeping where tolerances move currents.
+  const bool drivers_differ = !options.scenarios.empty() &&
+                              (has_tolerances(drivers) || has_tolerances(catalogue.table(catalogue::Family::steppers)));
+  for (machine::Axis& axis : problem.axes) {
+    axis.keep_every_candidate = axis.keep_every_candidate || counts_drivers || drivers_differ;
+    axis.keep_covered_candidates =
+        axis.keep_covered_candidates || options.every_candidate || is_fixed(options.fixed, axis.name, "driver");
+  }
+}
+
 }  // namespace
 
 MachineModel::MachineModel(const machine::Problem& given,
@@ -96,19 +116,7 @@ MachineModel::MachineModel(const machine::Problem& given,
       prices_(given, catalogue_) {
   const catalogue::Catalogue& catalogue = catalogue_;
   take_fixed_settings(problem_, options_.fixed, problems_);
-  if (!options_.every_candidate) note_what_counts(options_.objectives, problem_);
-  for (machine::Axis& axis : problem_.axes)
-    axis.keep_covered_candidates =
-        axis.keep_covered_candidates || options_.every_candidate || is_fixed(options_.fixed, axis.name, "driver");
-  const catalogue::Table& drivers = catalogue.table(catalogue::Family::drivers);
-  bool counts_drivers = false;
-  for (int row = 0; row < drivers.rows(); ++row) counts_drivers = counts_drivers || prices_.is_counted(drivers, row);
-  // Which of two drivers is cheaper is not known before it is known how many are taken.
-  // Nor which of them are worth keeping where tolerances move currents.
-  const bool drivers_differ = !options_.scenarios.empty() &&
-                              (has_tolerances(drivers) || has_tolerances(catalogue.table(catalogue::Family::steppers)));
-  for (machine::Axis& axis : problem_.axes)
-    axis.keep_every_candidate = axis.keep_every_candidate || counts_drivers || drivers_differ;
+  note_drivers(catalogue, prices_, options_, problem_);
   const machine::Problem& problem = problem_;
   prices_ = PriceBook(problem, catalogue);
   const PriceBook& prices = prices_;

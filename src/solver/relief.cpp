@@ -7,7 +7,7 @@
 namespace millwright::solver {
 namespace {
 
-bool is_zero(const Interval& slope) { return slope.lower == 0.0 && slope.upper == 0.0; }
+bool is_exactly_zero(const Interval& slope) { return slope.lower == 0.0 && slope.upper == 0.0; }
 
 Interval hull_of(const std::vector<Interval>& parts) { return {parts.front().lower, parts.back().upper}; }
 
@@ -34,7 +34,7 @@ void Relief::find_groups(const std::vector<std::size_t>& variables) {
     const auto& slopes =
         design_.desk.slopes(*plan.stage, plan.shared, question.label->enclosure, *question.region, input);
     for (std::size_t c = 0; c < slopes.utilisation.size(); ++c)
-      if (!is_zero(slopes.utilisation[c])) group.constraints.push_back(c);
+      if (!is_exactly_zero(slopes.utilisation[c])) group.constraints.push_back(c);
     // Groups that share a constraint with it become one with it.
     std::erase_if(groups_, [&](const Group& other) {
       if (std::find_first_of(
