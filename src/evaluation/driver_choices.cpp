@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <tuple>
 
 namespace millwright::evaluation {
@@ -10,11 +11,21 @@ namespace millwright::evaluation {
 using catalogue::column;
 using catalogue::Family;
 
+namespace {
+
+/// What one driver has to be better by to make up for what does not count: less is a tie to who compares builds, and a
+/// rate of exchange may be off by a rounding.
+constexpr double clearly = 1.0 - 1e-9;
+
+}  // namespace
+
 DriverChoices::DriverChoices(const catalogue::Table& drivers,
                              const machine::Axis& axis,
                              const std::vector<double>& voltages,
                              const PriceBook& prices)
     : axis_(axis), voltages_(voltages), voltage_factor_(axis.require(machine::Requirement::driver_voltage_factor)) {
+  // Of a dear light one and a cheap heavy one each would be the better.
+  if (!axis.cost_counts && !axis.mass_counts) throw std::logic_error("neither cost nor mass counts");
   const catalogue::Table& t = drivers;
   for (int row = 0; row < t.rows(); ++row) {
     if (t.flag(column(Family::drivers, "closed_loop"), row).value_or(false)) continue;  // needs a motor with an encoder
@@ -42,16 +53,14 @@ bool DriverChoices::covers(const Driver& a, const Driver& b, double current) con
   if (std::min(a.peak_current, current) != std::min(b.peak_current, current)) return false;
   const double worth_a = a.preference * a.price, worth_b = b.preference * b.price;
   const bool dearer = a.price > b.price || worth_a > worth_b;
-  const bool cheaper = !dearer && worth_a < worth_b;
-  const bool lighter = a.mass < b.mass;
-  if (dearer && (axis_.cost_counts || !lighter)) return false;
-  if (a.mass > b.mass && (axis_.mass_counts || !cheaper)) return false;
+  if (dearer && (axis_.cost_counts || !(a.mass < clearly * b.mass))) return false;
+  if (a.mass > b.mass && (axis_.mass_counts || !(worth_a < clearly * worth_b))) return false;
   // An order more is not for nothing, and what is bought may help to reach a minimum.
   if (a.supplier != nullptr && a.supplier != b.supplier) return false;
   if (b.supplier != nullptr && b.supplier->minimum_order > 0.0) return false;
   for (const double v : voltages_)
     if (runs_at(b, v) && !runs_at(a, v)) return false;
-  return cheaper || lighter || a.price < b.price || a.row < b.row;
+  return worth_a < worth_b || a.price < b.price || a.mass < b.mass || a.row < b.row;
 }
 
 /// A driver that a bill names is judged, not passed over (C-DR-VOLT, F-DRIVER-VOLTAGE-MIN, C-DR-CURRENT).

@@ -63,17 +63,21 @@ bool is_fixed(const machine::BillOfMaterials& fixed, const std::string& axis, co
   });
 }
 
-/// What comparing builds by these objectives reads. Of a mass alone equals are told apart by their cost, of everything
-/// else first by their cost (ties in synthesis.cpp).
+/// Whether comparing builds by these objectives reads the cost, and the mass. What does not count tells equals apart
+/// where it is first asked for (ties in synthesis.cpp); points of a front that are equal in all its objectives are told
+/// apart by neither, so where it has no cost and no mass both count.
 void note_what_counts(const std::vector<std::string>& objectives, machine::Problem& problem) {
-  if (objectives.empty()) return;
-  bool cost = problem.cost_limit.has_value(), mass = problem.mass_limit.has_value();
+  bool by_cost = false, by_mass = false, by_more = false;
   for (const std::string& name : objectives)
-    for (const machine::ObjectiveTerm& term : machine::objective_named(name).terms)
-      (term.quantity == machine::Quantity::mass ? mass : cost) = true;
+    for (const machine::ObjectiveTerm& term : machine::objective_named(name).terms) {
+      by_cost = by_cost || term.quantity == machine::Quantity::cost;
+      by_mass = by_mass || term.quantity == machine::Quantity::mass;
+      by_more = by_more || (term.quantity != machine::Quantity::cost && term.quantity != machine::Quantity::mass);
+    }
+  const bool any = objectives.empty() || (objectives.size() > 1 && !by_cost && !by_mass);
   for (machine::Axis& axis : problem.axes) {
-    axis.cost_counts = cost;
-    axis.mass_counts = mass;
+    axis.cost_counts = any || by_cost || by_more || problem.cost_limit;
+    axis.mass_counts = any || by_mass || problem.mass_limit;
   }
 }
 
@@ -89,7 +93,7 @@ void note_drivers(const catalogue::Catalogue& catalogue,
                   const PriceBook& prices,
                   const ModelOptions& options,
                   machine::Problem& problem) {
-  if (!options.every_candidate) note_what_counts(options.objectives, problem);
+  note_what_counts(options.every_candidate ? std::vector<std::string>{} : options.objectives, problem);
   const catalogue::Table& drivers = catalogue.table(catalogue::Family::drivers);
   bool counts_drivers = false;
   for (int row = 0; row < drivers.rows(); ++row) counts_drivers = counts_drivers || prices.is_counted(drivers, row);
@@ -249,14 +253,14 @@ void MachineModel::add_scenarios(const machine::Problem& given, const GivenSlots
   for (std::size_t i = 0; i < problem.axes.size(); ++i) {
     problem.axes[i].keep_every_candidate = problem_.axes[i].keep_every_candidate;
     problem.axes[i].keep_covered_candidates = problem_.axes[i].keep_covered_candidates;
-    problem.axes[i].cost_counts = problem_.axes[i].cost_counts;
-    problem.axes[i].mass_counts = problem_.axes[i].mass_counts;
     problem.axes[i].motor.currents = problem_.axes[i].motor.currents;
   }
   problem.supply_voltages = problem_.supply_voltages;
+  ModelOptions same;
+  if (!options_.every_candidate) same.objectives = options_.objectives;
   std::vector<const solver::Problem*> versions{&solver_problem_};
   for (const auto& scenario : options_.scenarios) {
-    scenarios_.push_back(std::make_unique<MachineModel>(problem, *scenario, given_slots));
+    scenarios_.push_back(std::make_unique<MachineModel>(problem, *scenario, given_slots, same));
     scenarios_.back()->solver_problem_.resources[cost_resource].limit = std::numeric_limits<double>::infinity();
     if (!same_candidates(scenarios_.back()->entries_, entries_))
       throw std::logic_error("versions of a machine with other candidates");

@@ -52,8 +52,20 @@ const std::vector<Interval>& MotorSet::torque_ranges(std::size_t voltage, solver
   return of_motor.torque;
 }
 
+template <class Value>
+Interval MotorSet::hull_of_torques(std::span<const solver::Row> rows, Value&& value) const {
+  solver::Row last = torque_row_[rows.front()];
+  Interval result = value(last);
+  for (const solver::Row row : rows.subspan(1)) {
+    if (torque_row_[row] == last) continue;
+    last = torque_row_[row];
+    result = hull(result, value(last));
+  }
+  return result;
+}
+
 Interval MotorSet::torque_in_range(std::span<const solver::Row> rows, std::size_t voltage, std::size_t range) const {
-  return hull_of_ranges(rows, [&](solver::Row row) { return torque_ranges(voltage, row)[range]; });
+  return hull_of_torques(rows, [&](solver::Row row) { return torque_ranges(voltage, row)[range]; });
 }
 
 void MotorSet::read_ranges(std::size_t voltage, const MotorPair& pair, std::vector<Interval>& readings) const {
@@ -84,11 +96,14 @@ void MotorSet::read(std::size_t voltage, std::span<const solver::Row> rows, std:
   append_ranges(
       rows, 1, [&](solver::Row row) { return &motors_.table.candidate(row).standing_mass; }, readings);
   // Motor by motor: what is known of one lies together.
-  const std::vector<Interval>& of_first = torque_ranges(voltage, rows.front());
+  solver::Row last = torque_row_[rows.front()];
+  const std::vector<Interval>& of_first = torque_ranges(voltage, last);
   const std::size_t first = readings.size();
   readings.insert(readings.end(), of_first.begin(), of_first.end());
   for (const solver::Row row : rows.subspan(1)) {
-    const std::vector<Interval>& of_row = torque_ranges(voltage, row);
+    if (torque_row_[row] == last) continue;
+    last = torque_row_[row];
+    const std::vector<Interval>& of_row = torque_ranges(voltage, last);
     for (std::size_t range = 0; range < of_row.size(); ++range)
       readings[first + range] = hull(readings[first + range], of_row[range]);
   }
@@ -99,7 +114,7 @@ Interval MotorSet::torque_bounds(const RowsAlive& alive, std::size_t voltage, co
   constexpr std::size_t few = 8;
   const std::size_t ranges = speeds_.size() - 1;
   if (alive.size() <= few || speed.lower < speeds_.front() || speed.upper > speeds_.back()) {
-    return hull_of_ranges(
+    return hull_of_torques(
         alive.rows, [&](solver::Row row) { return available_torque<Interval>(motors_.pairs[row], voltage, speed); });
   }
   const auto range_of = [&](double x) {

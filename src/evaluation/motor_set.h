@@ -155,6 +155,10 @@ class MotorSet {
     std::vector<scalar::Interval> torque;
   };
   [[nodiscard]] const std::vector<scalar::Interval>& torque_ranges(std::size_t voltage, solver::Row row) const;
+  /// The hull of value(row); of neighbours with the same torque one is asked, since most drivers of a motor give it the
+  /// same current.
+  template <class Value>
+  [[nodiscard]] scalar::Interval hull_of_torques(std::span<const solver::Row> rows, Value&& value) const;
   [[nodiscard]] scalar::Interval torque_in_range(std::span<const solver::Row> rows,
                                                  std::size_t voltage,
                                                  std::size_t range) const;

@@ -237,12 +237,15 @@ class LeadNuts {
  public:
   struct Nut {
     int row;
-    ScrewFigures<double> figures;  ///< its own only
-    ScrewFigures<Interval> ranges;
+    ScrewFigures<double> figures;   ///< its own only
+    ScrewFigures<Interval> ranges;  ///< where they are asked for
     double price;
   };
 
-  LeadNuts(const catalogue::Catalogue& catalogue, const machine::Axis& axis, const PriceBook& prices) {
+  LeadNuts(const catalogue::Catalogue& catalogue,
+           const machine::Axis& axis,
+           const PriceBook& prices,
+           bool with_ranges) {
     const Table& nuts = catalogue.table(Family::lead_nuts);
     const Table& materials = catalogue.table(Family::materials);
     for (int row = 0; row < nuts.rows(); ++row) {
@@ -250,8 +253,9 @@ class LeadNuts {
       if (!wanted(axis.mechanism.nut_materials, material)) continue;
       Nut nut{row, {}, {}, prices.line(nuts, row, 1.0, 0.0)};
       add_nut_figures(nut.figures, material, materials, axis, [&](catalogue::Column c) { return nuts.number(c, row); });
-      add_nut_figures(nut.ranges, material, materials, axis, [&](catalogue::Column c) { return nuts.range(c, row); });
-      of_screw_[nuts.text(column(Family::lead_nuts, "for_screw"), row)].push_back(nut);
+      if (with_ranges)
+        add_nut_figures(nut.ranges, material, materials, axis, [&](catalogue::Column c) { return nuts.range(c, row); });
+      of_screw_[nuts.text(column(Family::lead_nuts, "for_screw"), row)].push_back(std::move(nut));
     }
   }
 
@@ -278,7 +282,7 @@ void add_lead_screws(const catalogue::Catalogue& catalogue,
                      ScrewTable& result) {
   const Table& screws = catalogue.table(Family::lead_screws);
   const bool has_ranges = screws.has_ranges() || catalogue.table(Family::lead_nuts).has_ranges();
-  const LeadNuts nuts(catalogue, axis, prices);
+  const LeadNuts nuts(catalogue, axis, prices, has_ranges);
   for (int row = 0; row < screws.rows(); ++row) {
     if (!wanted(axis.mechanism.thread_forms, screws.text(column(Family::lead_screws, "thread_form"), row))) continue;
     const ScrewFigures<double> base =
@@ -294,6 +298,7 @@ void add_lead_screws(const catalogue::Catalogue& catalogue,
         take_nut_figures(*ranges, nut->ranges);
       }
       const double cut = supported_length(axis, f.nut_length) + axis.mechanism.end_allowance;
+      if (std::isnan(cut)) continue;  // of a nut of unknown length nothing is known
       const auto [price, is_new] = price_of_cut.try_emplace(cut);
       if (is_new) price->second = prices.cut(screws, row, {{1.0, cut, machined_ends(axis)}});
       finish(result,

@@ -208,6 +208,11 @@ TEST_CASE("Checks said to fail whatever is chosen do so in every build, and the 
   }
   CHECK(ways[1].changes[0].to < ways[0].changes[0].to);
   CHECK(ways[0].least);
+  // The cheapest way out is asked for whatever the machine was to be best by.
+  const MachineModel lightest(machine(20.0, "as made"), parts(), {}, {.objectives = {"mass"}});
+  const auto same_ways = evaluation::ways_out(lightest, unmet, {});
+  REQUIRE(same_ways.size() == 2);
+  for (std::size_t i = 0; i < 2; ++i) CHECK(same_ways[i].cost == ways[i].cost);
   // Where all is mapped already there is one way, and without time there is none.
   const MachineModel mapped(machine(20.0, "mapped"), parts());
   const auto one_way = evaluation::ways_out(mapped, evaluation::unmet_checks(mapped), {});

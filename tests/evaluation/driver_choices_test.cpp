@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+// Of drivers that give a motor the same current those stay that somebody could want, whatever is asked; what is best by
+// cost alone, by mass alone and by both is found here by looking at all of them.
+#include "evaluation/driver_choices.h"
+
+#include <algorithm>
+#include <random>
+#include <set>
+
+#include "catch.h"
+#include "evaluation/two_axes.h"
+
+namespace driver_choices_test {
+
+using namespace millwright;
+using evaluation::DriverChoices;
+
+namespace {
+
+struct Figures {
+  double current, most_volts, price, mass;
+};
+
+const machine::Problem& problem() {
+  static const machine::Problem two = two_axes(2.0);
+  return two;
+}
+
+/// A catalogue of these drivers alone.
+catalogue::Catalogue of_drivers(const std::vector<Figures>& drivers, const TemporaryFolder& folder) {
+  std::string text =
+      "manufacturer,part_number,minimum_voltage [V],maximum_voltage [V],peak_current [A],maximum_microsteps "
+      "[1],closed_loop,mass [kg],price,currency,price_basis,evidence,source,confidence\n";
+  for (std::size_t i = 0; i < drivers.size(); ++i)
+    text += fmt::format("test,D{},9,{},{},32,no,{:.17g},{:.17g},USD,test,computed,test,high\n",
+                        i,
+                        drivers[i].most_volts,
+                        drivers[i].current,
+                        drivers[i].mass,
+                        drivers[i].price);
+  folder.write("drivers/test.csv", text);
+  return catalogue_of({folder.path()});
+}
+
+std::set<int> kept(const catalogue::Catalogue& parts, bool cost_counts, bool mass_counts, double current) {
+  machine::Axis axis = problem().axes.front();
+  axis.cost_counts = cost_counts;
+  axis.mass_counts = mass_counts;
+  axis.require.set(machine::Requirement::driver_voltage_factor, 1.0);
+  const std::vector<double> voltages{24.0, 36.0};
+  const evaluation::PriceBook prices(problem(), parts);
+  DriverChoices choices(parts.table(catalogue::Family::drivers), axis, voltages, prices);
+  std::set<int> rows;
+  for (const evaluation::Driver* driver : choices.at(current).kept) rows.insert(driver->row);
+  return rows;
+}
+
+}  // namespace
+
+TEST_CASE("At every voltage and current the cheapest, the lightest and what is between them stay where they count") {
+  std::mt19937 rng(3);
+  std::size_t fewer = 0, all = 0;
+  for (int n = 0; n < 200; ++n) {
+    std::vector<Figures> drivers;
+    for (std::size_t i = 0; i < 12; ++i)
+      drivers.push_back({rng() % 3 == 0 ? 2.0 : 4.0 + static_cast<double>(rng() % 2),
+                         rng() % 3 == 0 ? 30.0 : 50.0,
+                         10.0 + static_cast<double>(rng() % 6),
+                         0.1 + 0.01 * static_cast<double>(rng() % 6)});
+    const TemporaryFolder folder;
+    const catalogue::Catalogue parts = of_drivers(drivers, folder);
+    constexpr double asked = 4.0;
+    const std::set<int> by_cost = kept(parts, true, false, asked), by_mass = kept(parts, false, true, asked),
+                        by_both = kept(parts, true, true, asked);
+    CAPTURE(n);
+    CHECK(std::includes(by_both.begin(), by_both.end(), by_cost.begin(), by_cost.end()));
+    CHECK(std::includes(by_both.begin(), by_both.end(), by_mass.begin(), by_mass.end()));
+    all += by_both.size();
+    fewer += by_cost.size();
+    for (const double volts : {24.0, 36.0})
+      for (const double current : {2.0, 4.0}) {
+        std::vector<std::size_t> fit;
+        for (std::size_t i = 0; i < drivers.size(); ++i)
+          if (drivers[i].most_volts >= volts && std::min(drivers[i].current, asked) == current) fit.push_back(i);
+        if (fit.empty()) continue;
+        const auto has = [&](const std::set<int>& rows, double price, double mass) {
+          return std::any_of(fit.begin(), fit.end(), [&](std::size_t i) {
+            return rows.count(static_cast<int>(i)) > 0 && drivers[i].price == price && drivers[i].mass == mass;
+          });
+        };
+        const auto price_first = [&](std::size_t a, std::size_t b) {
+          return std::pair(drivers[a].price, drivers[a].mass) < std::pair(drivers[b].price, drivers[b].mass);
+        };
+        const auto mass_first = [&](std::size_t a, std::size_t b) {
+          return std::pair(drivers[a].mass, drivers[a].price) < std::pair(drivers[b].mass, drivers[b].price);
+        };
+        const Figures& cheapest = drivers[*std::min_element(fit.begin(), fit.end(), price_first)];
+        const Figures& lightest = drivers[*std::min_element(fit.begin(), fit.end(), mass_first)];
+        CHECK(has(by_cost, cheapest.price, cheapest.mass));
+        CHECK(has(by_mass, lightest.price, lightest.mass));
+        for (const std::size_t i : fit)
+          if (std::none_of(fit.begin(), fit.end(), [&](std::size_t k) {
+                return drivers[k].price <= drivers[i].price && drivers[k].mass <= drivers[i].mass &&
+                       (drivers[k].price < drivers[i].price || drivers[k].mass < drivers[i].mass);
+              }))
+            CHECK(has(by_both, drivers[i].price, drivers[i].mass));
+      }
+  }
+  CHECK(3 * fewer < 2 * all);
+}
+
+TEST_CASE("Cheaper by a rounding is not cheaper: the mass decides") {
+  const double price = 17.5 * 1.08;  // 18.900000000000002
+  REQUIRE(price > 18.9);
+  const TemporaryFolder folder;
+  const catalogue::Catalogue parts = of_drivers({{4.0, 50.0, 18.9, 0.2}, {4.0, 50.0, price, 0.05}}, folder);
+  CHECK(kept(parts, true, false, 4.0).count(1) == 1);
+  const TemporaryFolder other;
+  const catalogue::Catalogue apart = of_drivers({{4.0, 50.0, 18.9, 0.2}, {4.0, 50.0, 18.91, 0.05}}, other);
+  CHECK(kept(apart, true, false, 4.0) == std::set<int>{0});
+  CHECK(kept(apart, false, true, 4.0) == std::set<int>{1});
+  CHECK(kept(apart, true, true, 4.0) == std::set<int>{0, 1});
+  CHECK_THROWS_AS(kept(apart, false, false, 4.0), std::logic_error);
+}
+
+TEST_CASE("A model made for some objectives refuses others, and gives the answers of one made for any") {
+  const TinyCatalogue tiny;
+  const evaluation::MachineModel any(problem(), tiny.parts());
+  for (const char* objective : {"cost", "mass", "cost + 20*mass"}) {
+    CAPTURE(objective);
+    const evaluation::MachineModel made(problem(), tiny.parts(), {}, {.objectives = {objective}});
+    evaluation::SearchOptions options;
+    options.objectives = {objective};
+    const auto its = evaluation::synthesise(made, options), expected = evaluation::synthesise(any, options);
+    REQUIRE(its.designs.size() == 1);
+    REQUIRE(expected.designs.size() == 1);
+    CHECK(its.designs[0].cost == Approx(expected.designs[0].cost).epsilon(1e-9));
+    CHECK(its.designs[0].mass == Approx(expected.designs[0].mass).epsilon(1e-9));
+  }
+  const evaluation::MachineModel cheapest(problem(), tiny.parts(), {}, {.objectives = {"cost"}});
+  const evaluation::MachineModel lightest(problem(), tiny.parts(), {}, {.objectives = {"mass"}});
+  evaluation::SearchOptions options;
+  options.objectives = {"mass"};
+  CHECK_THROWS_AS(evaluation::solver_options(cheapest, options), std::invalid_argument);
+  options.objectives = {"cost"};
+  CHECK_THROWS_AS(evaluation::solver_options(lightest, options), std::invalid_argument);
+  // Every candidate is every candidate.
+  const evaluation::MachineModel all(problem(), tiny.parts(), {}, {.every_candidate = true, .objectives = {"cost"}});
+  options.objectives = {"mass"};
+  CHECK_NOTHROW(evaluation::solver_options(all, options));
+  // A limit is read whatever the objective.
+  machine::Problem limited = problem();
+  limited.mass_limit = 100.0;
+  const evaluation::MachineModel both(limited, tiny.parts(), {}, {.objectives = {"cost"}});
+  CHECK_NOTHROW(evaluation::solver_options(both, options));
+  // A front by neither tells equals apart by neither.
+  machine::Problem counting = problem();
+  counting.counted = {machine::Quantity::cycle_time, machine::Quantity::energy};
+  const evaluation::MachineModel front(counting, tiny.parts(), {}, {.objectives = {"cycle_time", "energy"}});
+  CHECK_NOTHROW(evaluation::solver_options(front, options));
+}
+
+}  // namespace driver_choices_test
