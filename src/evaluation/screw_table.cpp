@@ -255,7 +255,7 @@ class LeadNuts {
       add_nut_figures(nut.figures, material, materials, axis, [&](catalogue::Column c) { return nuts.number(c, row); });
       if (with_ranges)
         add_nut_figures(nut.ranges, material, materials, axis, [&](catalogue::Column c) { return nuts.range(c, row); });
-      of_screw_[nuts.text(column(Family::lead_nuts, "for_screw"), row)].push_back(std::move(nut));
+      of_screw_[nuts.text(column(Family::lead_nuts, "for_screw"), row)].push_back(nut);
     }
   }
 
