@@ -99,6 +99,17 @@ TEST_CASE("A design has no worksheet unless it is asked for") {
   CHECK(hand_worked::design_of(model, {}).worksheet == nullptr);
 }
 
+// 57 and 42.3 mm, of the makers' NEMA 23 and NEMA 17 motors.
+TEST_CASE("Motors are drawn with the flanges that the catalogue states") {
+  const auto sizes_are = [](const Design& design, std::size_t drives, double size) {
+    REQUIRE(design.worksheet != nullptr);
+    REQUIRE(design.worksheet->drives.size() == drives);
+    for (const auto& drive : design.worksheet->drives) CHECK(drive.motor_size == Approx(size));
+  };
+  sizes_are(shipped_build("lifter"), 1, 0.057);
+  sizes_are(shipped_build("sander"), 3, 0.0423);
+}
+
 // 300 mm in 2 s with ramps of 0.5 s: 300/(2 - 0.5) = 200 mm/s; 50 mm in each ramp, 200 mm between them in 1 s.
 TEST_CASE("A trapezoid is drawn with its dwell") {
   machine::Move move;
