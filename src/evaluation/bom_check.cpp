@@ -243,15 +243,11 @@ BomCheck check(const machine::Problem& problem,
   BomCheck result;
   machine::Problem at_voltage = problem;
   take_settings(at_voltage, bom, only_origin);
-  GivenSlots given;
-  for (const machine::BomLine& line : bom.lines)
-    if (!line.is_dimension() && (only_origin.empty() || line.origin == only_origin))
-      given.insert({line.axis, line.slot});
   // At the voltage that is held, where one is: a model at all of the problem's takes as much longer to make.
   if (const auto stated = stated_voltage(bom, catalogue, only_origin))
     for (const double volts : problem.supply_voltages)
       if (std::abs(volts - stated->volts) < 1e-6) at_voltage.supply_voltages = {volts};
-  const MachineModel model(at_voltage, catalogue, given);
+  const MachineModel model(at_voltage, catalogue, given_slots(bom, only_origin));
   const HeldParts held = hold_parts(model, bom, only_origin);
   result.empty_slots = model.empty_slots();
   result.problems = held.problems;

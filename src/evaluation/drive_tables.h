@@ -80,6 +80,9 @@ SlotTable pinion_table(const catalogue::Catalogue& catalogue, const PriceBook& p
 /// Candidate with these parts; `riding` kg of them move with the axis and `cabinet` kg burden no axis.
 Candidate candidate_of(std::vector<PartUse> parts, double riding, double cabinet = 0.0);
 
+/// Whether a row of the catalogue is this part, whoever sells it.
+bool is_part(const catalogue::Table& table, int row, const machine::PartName& part);
+
 /// Whether a text contains one of the words; no words = anything goes.
 bool wanted(const std::vector<std::string>& words, std::string_view text);
 

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "evaluation/drive_tables.h"
+
 namespace millwright::evaluation {
 
 namespace {
@@ -29,12 +31,10 @@ std::vector<std::string> slots_of(const SlotTable& table) {
   return result;
 }
 
-bool is_part(const catalogue::Catalogue& catalogue, const PartUse& use, const BomLine& line) {
+bool is_given(const catalogue::Catalogue& catalogue, const PartUse& use, const BomLine& line) {
   if (!use.stated.empty())
     return use.stated == line.part_number && (line.manufacturer.empty() || line.manufacturer == "generic");
-  const catalogue::Table& table = catalogue.table(use.family);
-  return table.part_number(use.row) == line.part_number &&
-         (line.manufacturer.empty() || table.manufacturer(use.row) == line.manufacturer);
+  return is_part(catalogue.table(use.family), use.row, {line.manufacturer, line.part_number});
 }
 
 class Holder {
@@ -85,7 +85,7 @@ class Holder {
       const auto& parts = table.candidate(row).parts;
       bool matches = true;
       for (std::size_t i = 0; i < parts.size() && matches; ++i)
-        matches = given[i] == nullptr || is_part(model_.catalogue(), parts[i], *given[i]);
+        matches = given[i] == nullptr || is_given(model_.catalogue(), parts[i], *given[i]);
       if (matches) rows.push_back(row);
     }
     if (rows.empty())
@@ -170,7 +170,7 @@ class Holder {
   /// Whether some candidate has this part, whatever its other parts are.
   bool can_be(const SlotTable& table, std::size_t part, const BomLine& line) const {
     for (solver::Row row = 0; row < table.rows(); ++row)
-      if (is_part(model_.catalogue(), table.candidate(row).parts[part], line)) return true;
+      if (is_given(model_.catalogue(), table.candidate(row).parts[part], line)) return true;
     return false;
   }
 

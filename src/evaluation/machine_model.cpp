@@ -46,6 +46,12 @@ machine::Problem without_wishes(machine::Problem problem, const GivenSlots& give
     if (has("belt") || has("pulley_drive") || has("pulley_idle")) axis.mechanism.profiles.clear();
     if (has("motor")) axis.motor.frames.clear();
     axis.keep_every_candidate = axis.keep_every_candidate || has("driver");
+    const auto part = [&](const std::string& slot) {
+      const auto found = given.find({axis.name, slot});
+      return found == given.end() ? std::nullopt : std::optional(found->second);
+    };
+    axis.motor.given = part("motor");
+    axis.motor.given_driver = part("driver");
     if (axis.guide && has("guide")) axis.guide->kinds.clear();
     for (machine::Member& member : axis.members)
       if (has(member.name)) {
@@ -109,6 +115,14 @@ void note_drivers(const catalogue::Catalogue& catalogue,
 }
 
 }  // namespace
+
+GivenSlots given_slots(const machine::BillOfMaterials& bom, const std::string& only_origin) {
+  GivenSlots given;
+  for (const machine::BomLine& line : bom.lines)
+    if (!line.is_dimension() && (only_origin.empty() || line.origin == only_origin))
+      given.insert({{line.axis, line.slot}, {line.manufacturer, line.part_number}});
+  return given;
+}
 
 MachineModel::MachineModel(const machine::Problem& given,
                            const catalogue::Catalogue& given_catalogue,

@@ -5,9 +5,9 @@
 // tool gives way; the supply voltage is a choice shared by all.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -72,8 +72,10 @@ struct BomProblem {
   std::string message, hint;
 };
 
-/// (axis, slot) pairs.
-using GivenSlots = std::set<std::pair<std::string, std::string>>;
+/// The parts of a bill of materials by (axis, slot).
+using GivenSlots = std::map<std::pair<std::string, std::string>, machine::PartName>;
+/// Of its lines of this origin, or of all.
+GivenSlots given_slots(const machine::BillOfMaterials& bom, const std::string& only_origin = {});
 
 /// What is asked of a model beside its problem.
 struct ModelOptions {
@@ -90,7 +92,8 @@ struct ModelOptions {
 class MachineModel {
  public:
   /// `given_slots`: slots that a bill of materials fills; there the problem's wishes (frames, thread forms, ...) do not
-  /// count and drivers that another one beats stay, because what is given is judged as it is.
+  /// count and drivers that another one beats stay, because what is given is judged as it is. Motors and drivers other
+  /// than those given are left out, if these are in the catalogues.
   MachineModel(const machine::Problem& problem,
                const catalogue::Catalogue& catalogue,
                const GivenSlots& given_slots = {},

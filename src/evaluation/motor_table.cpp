@@ -22,6 +22,11 @@ bool wanted(const std::vector<std::string>& words, std::string_view text) {
          });
 }
 
+bool is_part(const catalogue::Table& table, int row, const machine::PartName& part) {
+  return table.part_number(row) == part.part_number &&
+         (part.manufacturer.empty() || table.manufacturer(row) == part.manufacturer);
+}
+
 Candidate candidate_of(std::vector<PartUse> parts, double riding, double cabinet) {
   Candidate candidate;
   candidate.parts = std::move(parts);
@@ -173,7 +178,8 @@ class MotorPairs {
     for (const double current : settable_currents(axis_, motor.figures.rated_current)) {
       const std::size_t first = table.table.rows();
       const DriverChoices::Choice& choice = drivers_.at(current);
-      for (const Driver* driver : choice.kept) add(motor, *driver, current);
+      for (const Driver* driver : choice.kept)
+        if (!only_driver || is_part(driver_table_, driver->row, *only_driver)) add(motor, *driver, current);
       for (std::size_t i = 0; i < choice.covered_by.size(); ++i) {
         std::vector<solver::Row> by;
         for (const std::size_t k : choice.covered_by[i]) by.push_back(static_cast<solver::Row>(first + k));
@@ -183,6 +189,7 @@ class MotorPairs {
   }
 
   MotorTable table{SlotTable("motor", 0), {}};
+  std::optional<machine::PartName> only_driver;  ///< where every driver is kept
 
  private:
   void add(const Motor& motor, const Driver& driver, double current) {
@@ -272,8 +279,19 @@ MotorTable motor_table(const catalogue::Catalogue& catalogue,
                        const PriceBook& prices) {
   const Table& motors = catalogue.table(Family::steppers);
   MotorPairs pairs(catalogue, axis, voltages, prices);
-  for (int row = 0; row < motors.rows(); ++row)
-    if (const auto motor = motor_of(motors, row, axis, prices)) pairs.add(*motor);
+  const auto add_motors = [&](const std::optional<machine::PartName>& only) {
+    for (int row = 0; row < motors.rows(); ++row) {
+      if (only && !is_part(motors, row, *only)) continue;
+      if (const auto motor = motor_of(motors, row, axis, prices)) pairs.add(*motor);
+    }
+  };
+  if (axis.keep_every_candidate) pairs.only_driver = axis.motor.given_driver;
+  add_motors(axis.motor.given);
+  // What is given cannot be chosen: all others are there, to say why.
+  if (pairs.table.pairs.empty() && (axis.motor.given || axis.motor.given_driver)) {
+    pairs.only_driver.reset();
+    add_motors(std::nullopt);
+  }
   return std::move(pairs.table);
 }
 

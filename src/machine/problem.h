@@ -105,11 +105,19 @@ struct Mechanism {
   SourceSpan where;
 };
 
+/// A part by its names.
+struct PartName {
+  std::string manufacturer;  ///< empty = whoever makes it
+  std::string part_number;
+};
+
 struct MotorChoice {
   std::vector<std::string> frames;  ///< NEMA frames that may be mounted; empty = all
   std::vector<double> currents;     ///< A, that may be set at the driver; empty = current_factor times the rated one
   double microsteps = 16.0;
   double brake_torque = 0.0;  ///< N.m; 0 = no brake
+  /// Of what is judged instead of chosen: no other motor, no other driver matters.
+  std::optional<PartName> given, given_driver;
   SourceSpan where;
 };
 

@@ -121,10 +121,7 @@ int main(int argc, char** argv) {
       fmt::print("{}", text::format(diagnostics));
       return 2;
     }
-    evaluation::GivenSlots given;
-    for (const machine::BomLine& line : bom->lines)
-      if (!line.is_dimension()) given.insert({line.axis, line.slot});
-    const evaluation::MachineModel model(*problem, catalogue, given);
+    const evaluation::MachineModel model(*problem, catalogue, evaluation::given_slots(*bom));
     Build build(model, *bom);
     const double rate = rate_of(build, seconds, checksum);
     fmt::print("{:14} {:6} {:11} {:14.0f} {:9.2f}\n", name, build.stages(), build.constraints(), rate, 1e6 / rate);

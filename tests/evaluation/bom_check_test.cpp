@@ -271,6 +271,38 @@ TEST_CASE("What a bill of materials cannot mean is said") {
   }
 }
 
+// A shipped catalogue has some thousand pairs of motor and driver, and a bill takes one of them on an axis.
+TEST_CASE("Of motors and drivers that are given no others are looked at, unless they cannot be chosen") {
+  const machine::Problem problem = problem_of_text(one_axis);
+  const auto pairs = [&](const std::vector<BomLine>& lines) {
+    BillOfMaterials bom;
+    bom.lines = lines;
+    const evaluation::MachineModel model(problem, parts(), evaluation::given_slots(bom));
+    std::vector<std::string> names;
+    for (const evaluation::StageEntry& entry : model.entries())
+      for (const evaluation::SlotTable& table : entry.tables())
+        for (std::size_t row = 0; row < table.rows() && table.name() == "motor"; ++row) {
+          const std::vector<evaluation::PartUse>& use = table.candidate(row).parts;
+          names.push_back(fmt::format("{} {}",
+                                      parts().table(catalogue::Family::steppers).part_number(use.at(0).row),
+                                      parts().table(catalogue::Family::drivers).part_number(use.at(1).row)));
+        }
+    std::sort(names.begin(), names.end());
+    return names;
+  };
+  using Names = std::vector<std::string>;
+  const Names all = pairs({part("x", "driver", "no such driver")});
+  REQUIRE(all.size() == 8);  // four motors with two drivers
+  CHECK(pairs({part("x", "motor", "M23"), part("x", "driver", "D2")}) == Names{"M23 D2"});
+  CHECK(pairs({part("x", "driver", "D2")}) == Names{"M17 D2", "M23 D2", "M23L D2", "M34 D2"});
+  for (const std::string& pair : pairs({part("x", "motor", "M23L")})) CHECK(pair.starts_with("M23L "));
+  CHECK(pairs({part("x", "motor", "M23"), part("x", "driver", "M23")}) == all);
+  CHECK(pairs({part("x", "motor", "M24"), part("x", "driver", "D2")}) == all);
+  BomLine of_another_maker = part("x", "motor", "M23");
+  of_another_maker.manufacturer = "somebody else";
+  CHECK(pairs({of_another_maker, part("x", "driver", "D2")}) == all);
+}
+
 TEST_CASE("A family without rows is said, with and without a bill for it") {
   const TinyCatalogue without_couplings({}, {"couplings"});
   const auto problem = problem_of_text(one_axis);
