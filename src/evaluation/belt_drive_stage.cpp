@@ -2,28 +2,29 @@
 #include "evaluation/belt_drive_stage.h"
 
 #include <cmath>
+#include <map>
 
 namespace millwright::evaluation {
 
 using machine::BeltDrive;
 
 namespace {
-constexpr std::size_t pitch_diameter_field = 9;
-constexpr std::size_t bore_field = 13;
 
 std::vector<double> belt_speed_edges(const machine::Axis& axis,
                                      const SlotTable& belts,
                                      const ReductionSlot& reduction) {
   double smallest = scalar::rounding::infinity, largest = 0.0;
   for (std::size_t row = 0; row < belts.rows(); ++row) {
-    smallest = std::min(smallest, 0.5 * belts.reading(row, pitch_diameter_field));
-    largest = std::max(largest, 0.5 * belts.reading(row, pitch_diameter_field));
+    const double radius = 0.5 * belts.reading(row, BeltTables::pitch_diameter);
+    smallest = std::min(smallest, radius);
+    largest = std::max(largest, radius);
   }
   if (belts.rows() == 0) return {0.0, 1.0};
   const auto [slow, fast] = constant_speed_range(axis);
   return log_spaced(0.999 * slow / largest * reduction.least_ratio(),
                     1.001 * fast / smallest * reduction.largest_ratio());
 }
+
 }  // namespace
 
 BeltDriveStage::BeltDriveStage(const machine::Axis& axis,
@@ -33,7 +34,10 @@ BeltDriveStage::BeltDriveStage(const machine::Axis& axis,
                                const PriceBook& prices)
     : DriveStage(axis, place, prices), data_(geared_drive_data(axis)) {
   name_ = axis.name + ".drive";
-  tables_.push_back(belt_table(catalogue, axis, prices));
+  belts_ = belt_tables(catalogue, axis, prices);
+  tables_.push_back(std::move(belts_.belts));
+  tables_.push_back(std::move(belts_.pulleys));
+  tables_.push_back(std::move(belts_.idlers));
   motors_ = std::make_unique<MotorSet>(motor_table(catalogue, axis, voltages, prices),
                                        axis.require,
                                        voltages.size(),
@@ -53,11 +57,33 @@ template <class T>
 BeltDrive<T> BeltDriveStage::design(const Selection<T>& s) const {
   BeltDrive<T> d;
   d.data = &data_;
+  const auto read = [&](std::size_t slot, std::size_t field) {
+    return tables_[slot].template read<T>(s.rows[slot], field);
+  };
+  using B = BeltTables;
   std::size_t field = 0;
-  visit_belt_reading(d.belt, [&](T& x) {
-    x = tables_[belt_slot].template read<T>(s.rows[belt_slot], field);
-    ++field;
-  });
+  for (T* figure : {&d.belt.mass_per_length,
+                    &d.belt.allowable_tension,
+                    &d.belt.specific_stiffness,
+                    &d.belt.least_teeth,
+                    &d.belt.largest_speed,
+                    &d.belt.belt_length,
+                    &d.belt.belt_mass,
+                    &d.belt.span,
+                    &d.belt.teeth,
+                    &d.belt.pitch_diameter,
+                    &d.belt.idler_diameter,
+                    &d.belt.width})
+    *figure = read(belt_slot, field++);
+  d.belt.pulley_inertia = read(pulley_slot, B::pulley_inertia);
+  d.belt.bore = read(pulley_slot, B::bore);
+  // One of the two is nothing.
+  d.belt.idler_inertia = read(pulley_slot, B::second_inertia) + read(idler_slot, B::idler_inertia);
+  const scalar::Interval kinds = belts_.kinds(s.rows[belt_slot], s.rows[pulley_slot], s.rows[idler_slot]);
+  if constexpr (std::is_constructible_v<T, scalar::Interval>)
+    d.belt.kinds = T(kinds);
+  else
+    d.belt.kinds = T(kinds.upper);
   const std::size_t voltage = s.shared.empty() ? 0 : s.shared.front();
   d.motor = motors_->template reading<T>(s.rows[motor_slot], voltage);
   d.motor_shaft = motors_->template shaft<T>(s.rows[motor_slot]);
@@ -91,10 +117,13 @@ void BeltDriveStage::answer(const Selection<T>& s, solver::Answer<T>& out) const
 bool BeltDriveStage::fits(
     std::span<const solver::Row>, std::size_t slot_a, solver::Row row_a, std::size_t slot_b, solver::Row row_b) const {
   if (slot_a > slot_b) return fits({}, slot_b, row_b, slot_a, row_a);
+  if (slot_a == belt_slot && slot_b == pulley_slot) return belts_.runs(row_a, row_b);
+  if (slot_a == belt_slot && slot_b == idler_slot) return belts_.turns(row_a, row_b);
+  if (slot_a != pulley_slot) return true;
+  if (slot_b == idler_slot) return belts_.goes_with(row_a, row_b);
   const auto bore_is = [&](double shaft) {
-    return std::abs(tables_[belt_slot].reading(row_a, bore_field) - shaft) < 1e-6;
+    return std::abs(tables_[pulley_slot].reading(row_a, BeltTables::bore) - shaft) < 1e-6;
   };
-  if (slot_a != belt_slot) return true;
   if (reduction_.is(slot_b)) return bore_is(reduction_.shaft(row_b));
   return reduction_.slot().has_value() || bore_is(motors_->motors().pairs[row_b].shaft);
 }
@@ -102,9 +131,47 @@ bool BeltDriveStage::fits(
 solver::FitKey BeltDriveStage::fit_key(std::span<const solver::Row>,
                                        std::size_t slot,
                                        solver::Row row,
-                                       std::size_t) const {
-  if (slot == belt_slot) return {tables_[belt_slot].reading(row, bore_field), 0.0};
+                                       std::size_t other) const {
+  const auto key = [](std::int32_t first, std::int32_t second) {
+    return solver::FitKey{static_cast<double>(first), static_cast<double>(second)};
+  };
+  if (slot == belt_slot) return key(belts_.belt_fits[row].drive, belts_.belt_fits[row].idler);
+  if (slot == idler_slot) return key(belts_.idlers_fit[row], 0);
+  if (slot == pulley_slot) {
+    const BeltFit& fit = belts_.pulley_fits[row];
+    if (other == belt_slot) return key(fit.drive, fit.idler);
+    if (other == idler_slot) return key(fit.idler, 0);
+    return {tables_[pulley_slot].reading(row, BeltTables::bore), 0.0};
+  }
   return {reduction_.is(slot) ? reduction_.shaft(row) : motors_->motors().pairs[row].shaft, 0.0};
+}
+
+std::optional<std::size_t> BeltDriveStage::own_row_kind(std::size_t slot, solver::Row row) const {
+  const BeltFit fit = slot == belt_slot     ? belts_.belt_fits[row]
+                      : slot == pulley_slot ? belts_.pulley_fits[row]
+                                            : BeltFit{BeltFit::none, belts_.idlers_fit[row]};
+  const auto number = [](std::int32_t size) { return static_cast<std::size_t>(size - BeltFit::same); };
+  return (number(fit.drive) << 32U) + number(fit.idler);
+}
+
+bool BeltDriveStage::may_misfit(std::size_t slot_a, std::size_t slot_b) const {
+  return std::min(slot_a, slot_b) <= pulley_slot &&
+         (std::max(slot_a, slot_b) <= idler_slot || std::min(slot_a, slot_b) == pulley_slot);
+}
+
+double BeltDriveStage::combinations(std::span<const std::vector<solver::Row>> rows) const {
+  std::map<std::pair<std::int32_t, bool>, double> pulleys;
+  std::map<std::int32_t, double> idlers;
+  for (const solver::Row row : rows[pulley_slot])
+    pulleys[{belts_.pulley_fits[row].drive, belts_.brings_idler(row)}] += 1.0;
+  for (const solver::Row row : rows[idler_slot]) idlers[belts_.idlers_fit[row]] += 1.0;
+  double count = 0.0;
+  for (const solver::Row row : rows[belt_slot]) {
+    const BeltFit& fit = belts_.belt_fits[row];
+    count += pulleys[{fit.drive, belts_.has_same(row)}] * idlers[fit.idler];
+  }
+  for (std::size_t slot = motor_slot; slot < rows.size(); ++slot) count *= static_cast<double>(rows[slot].size());
+  return count;
 }
 
 template BeltDrive<double> BeltDriveStage::design(const Selection<double>&) const;

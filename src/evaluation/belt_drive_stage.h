@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A belt drive as a stage of the solver. Slots: belt (with drive pulley and idler), motor (with driver) and, if any
-// is stated, reduction. One variable, the ramp time.
+// A belt drive as a stage of the solver. Slots: belt, drive pulley, idler, motor (with driver) and, if any is stated,
+// reduction. One variable, the ramp time.
 #pragma once
 
+#include "evaluation/belt_tables.h"
 #include "evaluation/screw_drive_stage.h"
 #include "machine/belt_drive_constraints.h"
 
@@ -31,15 +32,18 @@ class BeltDriveStage final : public DriveStage<BeltDriveStage> {
                                        std::size_t slot,
                                        solver::Row row,
                                        std::size_t other_slot) const override;
+  [[nodiscard]] bool may_misfit(std::size_t slot_a, std::size_t slot_b) const override;
+  [[nodiscard]] double combinations(std::span<const std::vector<solver::Row>> rows) const override;
   [[nodiscard]] const machine::GearedDriveData& data() const { return data_; }
 
-  /// Everything is read as figures.
-  [[nodiscard]] static std::optional<std::size_t> own_row_kind(std::size_t /*slot*/, solver::Row /*row*/) { return 0; }
+  /// What runs together is looked up.
+  [[nodiscard]] std::optional<std::size_t> own_row_kind(std::size_t slot, solver::Row row) const;
 
-  enum SlotIndex : std::size_t { belt_slot, motor_slot };
+  enum SlotIndex : std::size_t { belt_slot, pulley_slot, idler_slot, motor_slot };
 
  private:
   machine::GearedDriveData data_;
+  BeltTables belts_;  ///< what fits; its tables are the stage's
 };
 
 extern template machine::BeltDrive<double> BeltDriveStage::design(const Selection<double>&) const;

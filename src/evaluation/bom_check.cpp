@@ -112,6 +112,42 @@ std::optional<Row> cheapest_fitting(const MachineModel& model,
   return order.empty() ? std::nullopt : std::optional(order.front());
 }
 
+/// The same of a belt with its two pulleys, which are one choice: what is cheap by itself may need what is dear.
+void choose_belt(const MachineModel& model,
+                 const StageEntry& entry,
+                 const solver::RestrictedStage& stage,
+                 const HeldStage& held,
+                 std::vector<std::optional<Row>>& chosen,
+                 std::span<const Row> shared) {
+  constexpr std::size_t slots = BeltDriveStage::idler_slot + 1;
+  double least = std::numeric_limits<double>::infinity();
+  std::vector<Row> rows, best;
+  const auto fits = [&](std::size_t slot, Row row, bool with_others) {
+    for (std::size_t other = 0; other < slot; ++other)
+      if (!stage.fits(shared, other, rows[other], slot, row)) return false;
+    for (std::size_t other = slots; with_others && other < chosen.size(); ++other)
+      if (chosen[other] && !stage.fits(shared, slot, row, other, *chosen[other])) return false;
+    return true;
+  };
+  const std::function<void(double, bool)> add = [&](double price, bool with_others) {
+    const std::size_t slot = rows.size();
+    if (slot == slots) {
+      if (price < least) best = rows;
+      least = std::min(least, price);
+      return;
+    }
+    for (Row row = 0; row < held.allowed[slot].size(); ++row) {
+      if (!stage.offered(shared, slot, row) || !fits(slot, row, with_others)) continue;
+      rows.push_back(row);
+      add(price + price_to_compare(model, entry.tables()[slot].candidate(held.allowed[slot][row])), with_others);
+      rows.pop_back();
+    }
+  };
+  add(0.0, true);
+  if (best.empty()) add(0.0, false);
+  std::copy(best.begin(), best.end(), chosen.begin());
+}
+
 /// Of a stage that is one choice, as the supply is: the cheapest row on sale that fails nothing here, or fails least.
 std::optional<Row> least_bad_row(const MachineModel& model,
                                  const StageEntry& entry,
@@ -151,12 +187,19 @@ std::optional<solver::Build> cheapest_build(const MachineModel& model,
     const solver::RestrictedStage& stage = restricted.stage(i);
     const std::size_t slots = stage.slots().size();
     std::vector<std::optional<Row>> chosen(slots);
-    for (const bool named : {true, false})
+    const bool has_belt = std::holds_alternative<std::unique_ptr<BeltDriveStage>>(model.entries()[i].stage);
+    for (const bool named : {true, false}) {
+      const std::vector<bool>& given = held.stages[i].named;
+      if (has_belt && named == (given[BeltDriveStage::belt_slot] && given[BeltDriveStage::pulley_slot] &&
+                                given[BeltDriveStage::idler_slot]))
+        choose_belt(model, model.entries()[i], stage, held.stages[i], chosen, build.shared);
       for (std::size_t slot = 0; slot < slots; ++slot)
-        if (held.stages[i].named[slot] == named) {
+        if (given[slot] == named && !(has_belt && slot <= BeltDriveStage::idler_slot)) {
           chosen[slot] = cheapest_fitting(model, model.entries()[i], stage, held.stages[i], slot, chosen, build.shared);
           if (!chosen[slot]) return std::nullopt;
         }
+    }
+    if (has_belt && !chosen[BeltDriveStage::belt_slot]) return std::nullopt;
     if (std::holds_alternative<std::unique_ptr<SupplyStage>>(model.entries()[i].stage))
       chosen.front() = least_bad_row(model, model.entries()[i], stage, held.stages[i], build.shared, state);
     std::vector<Row> rows;
@@ -209,17 +252,17 @@ void report_missing(const MachineModel& model,
     const StageEntry& entry = model.entries()[i];
     for (std::size_t slot = 0; slot < entry.tables().size(); ++slot) {
       if (held.stages[i].named[slot] || entry.tables()[slot].rows() == 0) continue;
-      for (const PartUse& part : entry.tables()[slot].candidate(0).parts) {
+      for (const std::string& part : slots_of(entry.tables()[slot])) {
         const bool given = std::any_of(bom.lines.begin(), bom.lines.end(), [&](const machine::BomLine& line) {
-          return line.axis == entry.axis && line.slot == part.slot;
+          return line.axis == entry.axis && line.slot == part;
         });
         if (given) continue;
         machine::SourceSpan where;
         if (!bom.lines.empty()) where = bom.lines.back().where;
         problems.push_back(
             {where,
-             fmt::format("axis '{}' has no {}", entry.axis, part.slot),
-             fmt::format("add a line '{},{},...' or use --complete to have it chosen", entry.axis, part.slot)});
+             fmt::format("axis '{}' has no {}", entry.axis, part),
+             fmt::format("add a line '{},{},...' or use --complete to have it chosen", entry.axis, part)});
       }
     }
   }

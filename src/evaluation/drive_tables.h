@@ -70,8 +70,6 @@ SlotTable support_table(const catalogue::Catalogue& catalogue,
                         const std::string& slot,
                         bool fixed,
                         bool stiffness_needed);
-/// Belt, drive pulley and idler that run together.
-SlotTable belt_table(const catalogue::Catalogue& catalogue, const machine::Axis& axis, const PriceBook& prices);
 /// Fields of machine::RackReading, in order: racks as long as the axis needs, in whole pieces.
 SlotTable rack_table(const catalogue::Catalogue& catalogue, const machine::Axis& axis, const PriceBook& prices);
 /// Fields of machine::PinionReading, in order.

@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
+#include "evaluation/belt_drive_stage.h"
 #include "evaluation/drive_tables.h"
 
 namespace millwright::evaluation {
@@ -15,20 +17,9 @@ namespace {
 
 using machine::BomLine;
 
-/// Slots of the bill of materials that a candidate of this table fills ("screw" and "nut").
-std::vector<std::string> slots_of(const SlotTable& table) {
-  std::vector<std::string> result;
-  if (table.rows() > 0)
-    for (const PartUse& part : table.candidate(0).parts) result.push_back(part.slot);
-  else if (table.name() == "screw")
-    result = {"screw", "nut"};
-  else if (table.name() == "motor")
-    result = {"motor", "driver"};
-  else if (table.name() == "belt")
-    result = {"belt", "pulley_drive", "pulley_idle"};
-  else
-    result = {table.name()};
-  return result;
+/// The problem itself states what this slot takes.
+bool is_stated(const SlotTable& table) {
+  return table.rows() > 0 && !table.candidate(0).parts.empty() && !table.candidate(0).parts.front().stated.empty();
 }
 
 bool is_given(const catalogue::Catalogue& catalogue, const PartUse& use, const BomLine& line) {
@@ -64,6 +55,10 @@ class Holder {
   void hold_stage(const StageEntry& entry) {
     HeldStage held;
     for (const SlotTable& table : entry.tables()) hold_slot(entry, table, held);
+    if (std::holds_alternative<std::unique_ptr<BeltDriveStage>>(entry.stage)) keep_what_runs_together(entry, held);
+    for (std::size_t slot = 0; slot < held.allowed.size(); ++slot)
+      if (!held.allowed[slot].empty())
+        report_too_little(entry, entry.tables()[slot].candidate(held.allowed[slot].front()));
     const auto variables = entry.as_stage().variables();
     for (const solver::Variable& variable : variables) {
       const std::string name = entry.element == "drive" ? variable.name : entry.element + "." + variable.name;
@@ -84,28 +79,55 @@ class Holder {
     for (solver::Row row = 0; row < table.rows(); ++row) {
       const auto& parts = table.candidate(row).parts;
       bool matches = true;
-      for (std::size_t i = 0; i < parts.size() && matches; ++i)
-        matches = given[i] == nullptr || is_given(model_.catalogue(), parts[i], *given[i]);
+      for (std::size_t i = 0; i < parts.size() && matches; ++i) {
+        // A pulley that brings its second piece along fills a line of another slot too.
+        const BomLine* line = i < given.size() ? given[i] : line_for(entry.axis, parts[i].slot);
+        matches = line == nullptr || is_given(model_.catalogue(), parts[i], *line);
+      }
       if (matches) rows.push_back(row);
     }
-    if (rows.empty())
-      report_no_candidate(entry, table, given);
-    else
-      report_too_little(entry, table.candidate(rows.front()), given);
+    if (rows.empty()) report_no_candidate(entry, table, given);
     // The only one that the problem states needs no line.
-    const bool only = table.rows() == 1 && !table.candidate(0).parts.front().stated.empty();
+    const bool only = table.rows() == 1 && is_stated(table);
     held.allowed.push_back(std::move(rows));
     held.named.push_back(all || only);
   }
 
+  /// No check says that a belt does not run on its pulleys: what does not is not looked at.
+  void keep_what_runs_together(const StageEntry& entry, HeldStage& held) {
+    using Drive = BeltDriveStage;
+    constexpr std::array slots{Drive::belt_slot, Drive::pulley_slot, Drive::idler_slot};
+    std::vector<const BomLine*> given;
+    for (const std::size_t slot : slots) {
+      given.push_back(line_for(entry.axis, entry.tables()[slot].name()));
+      if (held.allowed[slot].empty()) return;
+    }
+    if (std::all_of(given.begin(), given.end(), [](const BomLine* line) { return line == nullptr; })) return;
+    const solver::Stage& stage = entry.as_stage();
+    for (bool fewer = true; fewer;) {
+      fewer = false;
+      for (const std::size_t slot : slots)
+        for (const std::size_t other : slots) {
+          if (slot == other) continue;
+          const std::vector<solver::Row>& partners = held.allowed[other];
+          fewer = std::erase_if(held.allowed[slot],
+                                [&](solver::Row row) {
+                                  return std::none_of(partners.begin(), partners.end(), [&](solver::Row partner) {
+                                    return stage.fits({}, slot, row, other, partner);
+                                  });
+                                }) > 0 ||
+                  fewer;
+        }
+    }
+    if (held.allowed.front().empty()) report_lines(entry, given);
+  }
+
   /// Fewer or shorter pieces than the axis needs would be another machine than the one that is checked.
-  void report_too_little(const StageEntry& entry,
-                         const Candidate& candidate,
-                         const std::vector<const BomLine*>& given) {
-    for (std::size_t i = 0; i < candidate.parts.size(); ++i) {
-      const PartUse& part = candidate.parts[i];
-      if (given[i] == nullptr) continue;
-      const BomLine& line = *given[i];
+  void report_too_little(const StageEntry& entry, const Candidate& candidate) {
+    for (const PartUse& part : candidate.parts) {
+      const BomLine* const given = line_for(entry.axis, part.slot);
+      if (given == nullptr) continue;
+      const BomLine& line = *given;
       if (line.quantity && *line.quantity < part.quantity * (1.0 - 1e-9))
         result_.problems.push_back(
             {line.where,
@@ -136,7 +158,7 @@ class Holder {
                                   "add a catalogue that has one, or ask less of it"});
       return;
     }
-    if (table.rows() > 0 && !table.candidate(0).parts.front().stated.empty()) {
+    if (is_stated(table)) {
       std::vector<std::string> names;
       for (solver::Row row = 0; row < table.rows(); ++row) names.push_back(table.candidate(row).parts.front().stated);
       result_.problems.push_back(
@@ -145,6 +167,11 @@ class Holder {
            fmt::format("stated: {}", fmt::join(names, ", "))});
       return;
     }
+    report_lines(entry, given);
+  }
+
+  /// Why these lines, or nothing where a slot has none, give no candidate.
+  void report_lines(const StageEntry& entry, const std::vector<const BomLine*>& given) {
     for (const BomLine* line : given) {
       if (line == nullptr) continue;
       const catalogue::FoundParts found = model_.catalogue().find(line->part_number, line->manufacturer);
@@ -157,9 +184,9 @@ class Holder {
       }
     }
     bool said = false;
-    for (std::size_t i = 0; i < given.size(); ++i) {
-      if (given[i] == nullptr || can_be(table, i, *given[i])) continue;
-      report_unfit(entry, *given[i]);
+    for (const BomLine* line : given) {
+      if (line == nullptr || can_be(entry, *line)) continue;
+      report_unfit(entry, *line);
       said = true;
     }
     // Each could be; not together.
@@ -168,9 +195,11 @@ class Holder {
   }
 
   /// Whether some candidate has this part, whatever its other parts are.
-  bool can_be(const SlotTable& table, std::size_t part, const BomLine& line) const {
-    for (solver::Row row = 0; row < table.rows(); ++row)
-      if (is_given(model_.catalogue(), table.candidate(row).parts[part], line)) return true;
+  bool can_be(const StageEntry& entry, const BomLine& line) const {
+    for (const SlotTable& table : entry.tables())
+      for (solver::Row row = 0; row < table.rows(); ++row)
+        for (const PartUse& part : table.candidate(row).parts)
+          if (part.slot == line.slot && is_given(model_.catalogue(), part, line)) return true;
     return false;
   }
 
@@ -208,6 +237,16 @@ class Holder {
 };
 
 }  // namespace
+
+std::vector<std::string> slots_of(const SlotTable& table) {
+  std::vector<std::string> result;
+  if (table.rows() > 0)
+    for (const PartUse& part : table.candidate(0).parts) result.push_back(part.slot);
+  if (!result.empty()) return result;
+  if (table.name() == "screw") return {"screw", "nut"};
+  if (table.name() == "motor") return {"motor", "driver"};
+  return {table.name()};
+}
 
 HeldParts hold_parts(const MachineModel& model,
                      const machine::BillOfMaterials& bom,

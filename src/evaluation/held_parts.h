@@ -25,6 +25,9 @@ struct HeldParts {
   std::vector<BomProblem> problems;
 };
 
+/// Slots of the bill of materials that a candidate of this table fills ("screw" and "nut").
+std::vector<std::string> slots_of(const SlotTable& table);
+
 /// `only_origin`: hold only lines of that origin (empty = all). `wishes_count`: the model has only what the problem
 /// wishes, and complaints say so; a slot that no line fills and that has no candidate is then left to
 /// MachineModel::empty_slots().

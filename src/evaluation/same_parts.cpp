@@ -8,7 +8,8 @@
 namespace millwright::evaluation {
 
 bool same_candidate(const Candidate& a, const Candidate& b) {
-  return std::equal(a.parts.begin(),
+  return a.form == b.form &&
+         std::equal(a.parts.begin(),
                     a.parts.end(),
                     b.parts.begin(),
                     b.parts.end(),
@@ -20,6 +21,35 @@ bool same_candidate(const Candidate& a, const Candidate& b) {
                     b.settings.begin(),
                     b.settings.end(),
                     [](const Setting& x, const Setting& y) { return x.name == y.name && x.value == y.value; });
+}
+
+namespace {
+
+bool add_row_that_fits(const solver::Stage& stage,
+                       std::span<const solver::Row> shared,
+                       const std::vector<std::vector<solver::Row>>& lists,
+                       std::vector<solver::Row>& chosen) {
+  const std::size_t slot = chosen.size();
+  if (slot == lists.size()) return true;
+  for (const solver::Row row : lists[slot]) {
+    bool fits = true;
+    for (std::size_t other = 0; other < slot && fits; ++other)
+      fits = stage.fits(shared, other, chosen[other], slot, row);
+    if (!fits) continue;
+    chosen.push_back(row);
+    if (add_row_that_fits(stage, shared, lists, chosen)) return true;
+    chosen.pop_back();
+  }
+  return false;
+}
+
+}  // namespace
+
+std::optional<std::vector<solver::Row>> rows_that_fit(const solver::Stage& stage,
+                                                      std::span<const solver::Row> shared,
+                                                      const std::vector<std::vector<solver::Row>>& lists) {
+  std::vector<solver::Row> chosen;
+  return add_row_that_fits(stage, shared, lists, chosen) ? std::optional(chosen) : std::nullopt;
 }
 
 bool same_candidates(const std::vector<StageEntry>& a, const std::vector<StageEntry>& b) {

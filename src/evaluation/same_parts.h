@@ -4,6 +4,8 @@
 #pragma once
 
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "evaluation/machine_model.h"
 
@@ -11,6 +13,10 @@ namespace millwright::evaluation {
 
 /// Whether two candidates are the same parts of one catalogue, with the same settings.
 bool same_candidate(const Candidate& a, const Candidate& b);
+/// A row of each slot's list that fit each other, the first ones of which that holds; nothing if there are none.
+std::optional<std::vector<solver::Row>> rows_that_fit(const solver::Stage& stage,
+                                                      std::span<const solver::Row> shared,
+                                                      const std::vector<std::vector<solver::Row>>& lists);
 /// Whether two machines have the same candidates, row by row.
 bool same_candidates(const std::vector<StageEntry>& a, const std::vector<StageEntry>& b);
 

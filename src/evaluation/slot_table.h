@@ -56,8 +56,9 @@ struct CandidateRanges {
 };
 
 struct Candidate {
-  std::vector<PartUse> parts;
+  std::vector<PartUse> parts;  ///< none: nothing is bought here, since another slot's part serves
   std::vector<Setting> settings;
+  std::string form;  ///< tells apart what is the same parts: a belt for pulleys of one size or another
   double price = 0.0;
   double mass = 0.0;           ///< kg, of all its parts
   double riding_mass = 0.0;    ///< kg that moves with the axis

@@ -8,6 +8,7 @@
 #include "catalogue/companions.h"
 #include "evaluation/ledger.h"
 #include "evaluation/longer_bars.h"
+#include "evaluation/same_parts.h"
 
 namespace millwright::evaluation {
 
@@ -134,7 +135,8 @@ void TolerancedMachine::take_figures(const Catalogue& catalogue) {
 solver::Build TolerancedMachine::build_in(const MachineModel& model) const {
   solver::Build build = build_;
   build.stages.resize(model.problem().stages.size());  // without suppliers nothing may be left for the last one to do
-  for (std::size_t stage = 0; stage < build.stages.size(); ++stage)
+  for (std::size_t stage = 0; stage < build.stages.size(); ++stage) {
+    std::vector<std::vector<solver::Row>> rows;
     for (std::size_t slot = 0; slot < chosen_[stage].size(); ++slot) {
       const Candidate& wanted = chosen_[stage][slot];
       const SlotTable& table = model.entries()[stage].tables()[slot];
@@ -150,11 +152,15 @@ solver::Build TolerancedMachine::build_in(const MachineModel& model) const {
                             return here.family == there.family && here.row == find(there.family, there.row)->row;
                           });
       };
-      std::size_t row = 0;
-      while (row < table.rows() && !is_wanted(table.candidate(row))) ++row;
-      if (row == table.rows()) throw std::logic_error("a chosen part is no candidate of its own machine");
-      build.stages[stage].rows[slot] = static_cast<solver::Row>(row);
+      rows.emplace_back();
+      for (std::size_t row = 0; row < table.rows(); ++row)
+        if (is_wanted(table.candidate(row))) rows.back().push_back(static_cast<solver::Row>(row));
     }
+    // Of a part in several forms that which the others need: figures that differ may have changed its form.
+    auto chosen = rows_that_fit(*model.problem().stages[stage], build.shared, rows);
+    if (!chosen) throw std::logic_error("a chosen part is no candidate of its own machine");
+    build.stages[stage].rows = std::move(*chosen);
+  }
   model.set_suppliers(build);  // of the parts that are left there may be other ones, in another order
   return build;
 }

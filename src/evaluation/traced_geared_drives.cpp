@@ -21,7 +21,8 @@ constexpr FigureName belt_names[] = {{"m_l", "mass of the belt per length", "kg/
                                      {"J_2", "inertia of the idler", "kg.cm2"},
                                      {"d_i", "pitch diameter of the idler", "mm"},
                                      {"d_b", "bore of the drive pulley", "mm"},
-                                     {"b", "width of the belt", "mm"}};
+                                     {"b", "width of the belt", "mm"},
+                                     {"n_k", "profiles and sizes among belt and pulleys", "1"}};
 constexpr FigureName rack_names[] = {{"m_n", "module of the rack", "mm"},
                                      {"α_n", "pressure angle of the rack", "deg"},
                                      {"b_1", "face width of the rack", "mm"},

@@ -21,6 +21,7 @@ struct BeltReading {
   T teeth{}, pitch_diameter{}, pulley_inertia{}, idler_inertia{}, idler_diameter{};
   T bore{};
   T width{};
+  T kinds{};  ///< profiles and sizes among belt and pulleys: 1 where they run together
 };
 
 template <class Reading, class Visit>
@@ -39,10 +40,10 @@ void visit_belt_reading(Reading& r, Visit&& visit) {
                       &r.idler_inertia,
                       &r.idler_diameter,
                       &r.bore,
-                      &r.width})
+                      &r.width,
+                      &r.kinds})
     visit(*field);
 }
-inline constexpr std::size_t belt_reading_fields = 15;
 
 template <class T>
 struct BeltDrive : GearedDrive<T> {

@@ -168,6 +168,16 @@ void belt_constraints(Visit&& visit) {
       always,
       [](const auto& d) { return d.belt.bore; },
       [](const auto& d) { return d.output_shaft(); });
+  visit(
+      Declaration{.id = "F-BELT-PULLEYS",
+                  .title = "Belt and pulleys are of one profile and size",
+                  .symbol = "n_k",
+                  .unit = "1",
+                  .kind = ConstraintKind::fit,
+                  .source = "millwright_derivations, fits of parts"},
+      always,
+      [](const auto& d) { return d.belt.kinds; },
+      [](const auto& d) { return decltype(d.belt.kinds)(1.0); });
 }
 
 template <class Visit>

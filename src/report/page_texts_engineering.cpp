@@ -66,6 +66,7 @@ const std::vector<Saying>& sayings() {
       {"Stretch of the belt under the steady load", "Regangan sabuk pada beban tetap"},
       {"Frequency of the carriage on its belt", "Frekuensi kereta pada sabuknya"},
       {"Radial load on the motor shaft", "Beban radial pada poros motor"},
+      {"Belt and pulleys are of one profile and size", "Sabuk dan puli memiliki satu profil dan ukuran"},
       {"Motor or reduction shaft fits the pulley bore", "Poros motor atau reduksi sesuai dengan lubang puli"},
       {"Pulley bore is not larger than the shaft", "Lubang puli tidak lebih besar daripada poros"},
       {"Proof load of the screws", "Beban uji baut"},

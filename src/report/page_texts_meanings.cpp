@@ -196,6 +196,7 @@ const std::vector<Saying>& meanings() {
       {"pitch diameter of the idler", "diameter jarak puli bebas"},
       {"bore of the drive pulley", "lubang puli penggerak"},
       {"width of the belt", "lebar sabuk"},
+      {"profiles and sizes among belt and pulleys", "profil dan ukuran pada sabuk dan puli"},
       {"module of the rack", "modul batang gigi"},
       {"pressure angle of the rack", "sudut tekan batang gigi"},
       {"face width of the rack", "lebar gigi batang gigi"},

@@ -69,6 +69,12 @@ std::vector<Row> RestrictedStage::inner_rows_of(std::size_t slot, std::span<cons
   return result;
 }
 
+double RestrictedStage::combinations(std::span<const std::vector<Row>> rows) const {
+  std::vector<std::vector<Row>> inner;
+  for (std::size_t slot = 0; slot < rows.size(); ++slot) inner.push_back(inner_rows_of(slot, rows[slot]));
+  return inner_.combinations(inner);
+}
+
 void RestrictedStage::read(std::span<const Row> shared,
                            std::size_t slot,
                            std::span<const Row> rows,

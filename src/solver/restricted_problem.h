@@ -54,6 +54,7 @@ class RestrictedStage final : public Stage {
   [[nodiscard]] bool may_misfit(std::size_t slot_a, std::size_t slot_b) const override {
     return inner_.may_misfit(slot_a, slot_b);
   }
+  [[nodiscard]] double combinations(std::span<const std::vector<Row>> rows) const override;
 
   /// The choice of this stage in terms of the inner stage's rows and variables.
   [[nodiscard]] std::vector<Row> inner_rows(std::span<const Row> rows) const;

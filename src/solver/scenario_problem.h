@@ -41,6 +41,9 @@ class ScenarioStage final : public Stage {
                                std::size_t slot,
                                Row row,
                                std::size_t other_slot) const override;
+  [[nodiscard]] double combinations(std::span<const std::vector<Row>> rows) const override {
+    return versions_.front()->combinations(rows);
+  }
 
  private:
   template <class T, class Ask>

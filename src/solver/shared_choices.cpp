@@ -2,6 +2,7 @@
 #include "solver/shared_choices.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace millwright::solver {
 namespace {
@@ -53,7 +54,12 @@ double search_space(const Problem& problem) {
   double product = 1.0;
   for (const Slot& slot : problem.shared) product *= static_cast<double>(slot.rows);
   for (const Stage* stage : problem.stages) {
-    for (const Slot& slot : stage->slots()) product *= static_cast<double>(slot.rows);
+    std::vector<std::vector<Row>> rows;
+    for (const Slot& slot : stage->slots()) {
+      rows.emplace_back(slot.rows);
+      std::iota(rows.back().begin(), rows.back().end(), Row{0});
+    }
+    product *= stage->combinations(rows);
   }
   return product;
 }

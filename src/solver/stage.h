@@ -173,6 +173,14 @@ class Stage {
   }
   /// Whether `fits` can say no about two slots at all; if not, the search need not ask about every pair of rows.
   [[nodiscard]] virtual bool may_misfit(std::size_t /*slot_a*/, std::size_t /*slot_b*/) const { return true; }
+
+  /// How many designs these rows of each slot make, to be reported. Default: every row with every other one. A stage
+  /// that has one part as several rows, of which the rest of the design leaves one, counts it once.
+  [[nodiscard]] virtual double combinations(std::span<const std::vector<Row>> rows) const {
+    double product = 1.0;
+    for (const std::vector<Row>& of_slot : rows) product *= static_cast<double>(of_slot.size());
+    return product;
+  }
 };
 
 /// Something additive over stages: cost, mass, power... Smaller is better.

@@ -59,6 +59,7 @@ TEST_CASE("Every element declares the constraints that the design rules ask of i
                "C-BT-PRET",
                "C-BT-MINZ",
                "F-PULLEY-BORE",
+               "F-BELT-PULLEYS",
                "C-BT-WIDTH",
                "C-BT-STIFF",
                "C-BT-FREQ",

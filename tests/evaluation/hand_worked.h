@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "catch.h"
+#include "evaluation/same_parts.h"
 #include "evaluation/tiny_catalogue.h"
 
 namespace millwright::hand_worked {
@@ -27,8 +28,9 @@ inline const catalogue::Catalogue& parts() {
   return tiny.parts();
 }
 
-/// Row of the candidate that has all these part numbers.
-inline solver::Row row_of(const evaluation::SlotTable& table, const std::vector<std::string>& numbers) {
+/// Rows of the candidates that have all these part numbers.
+inline std::vector<solver::Row> rows_of(const evaluation::SlotTable& table, const std::vector<std::string>& numbers) {
+  std::vector<solver::Row> rows;
   for (solver::Row row = 0; row < table.rows(); ++row) {
     std::vector<std::string> found;
     for (const auto& use : table.candidate(row).parts)
@@ -36,10 +38,10 @@ inline solver::Row row_of(const evaluation::SlotTable& table, const std::vector<
     if (std::all_of(numbers.begin(), numbers.end(), [&](const std::string& n) {
           return std::find(found.begin(), found.end(), n) != found.end();
         }))
-      return row;
+      rows.push_back(row);
   }
-  FAIL("no candidate " << numbers.front());
-  return 0;
+  if (rows.empty()) FAIL("no candidate " << numbers.front());
+  return rows;
 }
 
 struct Chosen {
@@ -60,8 +62,13 @@ inline evaluation::Design design_of(const evaluation::MachineModel& model,
     for (const auto& v : entry.as_stage().variables()) stage.variables.push_back(v.lower);
     for (const Chosen& chosen : choices)
       if (chosen.axis == entry.axis && chosen.element == entry.element) {
-        for (std::size_t slot = 0; slot < chosen.parts.size(); ++slot)
-          stage.rows[slot] = row_of(entry.tables()[slot], chosen.parts[slot]);
+        std::vector<std::vector<solver::Row>> rows(stage.rows.size(), {0});
+        for (std::size_t slot = 0; slot < chosen.parts.size(); ++slot) {
+          rows[slot] = rows_of(entry.tables()[slot], chosen.parts[slot]);
+          stage.rows[slot] = rows[slot].front();
+        }
+        // Parts that do not fit are chosen too, to see which check says so.
+        if (const auto fitting = evaluation::rows_that_fit(entry.as_stage(), build.shared, rows)) stage.rows = *fitting;
         if (!chosen.variables.empty()) stage.variables = chosen.variables;
       }
     build.stages.push_back(stage);

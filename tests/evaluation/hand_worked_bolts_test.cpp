@@ -87,7 +87,7 @@ TEST_CASE("The joint of a motor bears its torque, its weight and the pull of its
   const auto chosen = [](const MachineModel& machine) {
     return design_of(
         machine,
-        {{"x", "drive", {{"GT3-9", "G20-6.35", "I20"}, {"M23", "D4"}}, {}}, {"x", "flange", {{"M6 8.8"}}, {}}});
+        {{"x", "drive", {{"GT3-9"}, {"G20-6.35"}, {"I20"}, {"M23", "D4"}}, {}}, {"x", "flange", {{"M6 8.8"}}, {}}});
   };
   const MachineModel plain = model("");
   const Design d = chosen(plain);
@@ -122,9 +122,9 @@ TEST_CASE("The joint of a motor bears its torque, its weight and the pull of its
                      ", reduction = { ratio = 2, efficiency = 0.9, inertia = \"1e-6 kg.m2\", mass = \"0.2 kg\", shaft "
                      "= \"6.35 mm\" }");
   const MachineModel with_reduction(problem_of_text(geared), parts());
-  const Design behind =
-      design_of(with_reduction,
-                {{"x", "drive", {{"GT3-9", "G20-6.35", "I20"}, {"M23", "D4"}}, {}}, {"x", "flange", {{"M6 8.8"}}, {}}});
+  const Design behind = design_of(
+      with_reduction,
+      {{"x", "drive", {{"GT3-9"}, {"G20-6.35"}, {"I20"}, {"M23", "D4"}}, {}}, {"x", "flange", {{"M6 8.8"}}, {}}});
   expect(behind, "flange", "C-BOLT-SLIP", 1.5, 0.15 * preload / (0.7 * g / 4.0 + 6.0));
 }
 

@@ -40,7 +40,7 @@ position_error = "0.5 mm"
 lost_motion = "0.1 mm"
 )"),
                            parts());
-  const Design d = design_of(model, {{"x", "drive", {{"GT3-9", "G20-5", "I20"}, {"M17", "D2"}}, {0.2}}});
+  const Design d = design_of(model, {{"x", "drive", {{"GT3-9"}, {"G20-5"}, {"I20"}, {"M17", "D2"}}, {0.2}}});
 
   const double span = 0.5 + 0.02 + 0.08, r = 0.01;
   const double belt = 0.02 * (2.0 * span + pi / 2.0 * 0.04);
@@ -69,6 +69,7 @@ lost_motion = "0.1 mm"
   expect(d, "drive", "C-BT-MINZ", 16.0, 20.0);
   expect(d, "drive", "F-PULLEY-BORE", 5.0, 5.0);
   expect(d, "drive", "F-PULLEY-BORE-MIN", 5.0, 5.0);
+  expect(d, "drive", "F-BELT-PULLEYS", 1.0, 1.0);
 
   // Pulses: 50 rad/s of 200*16 microsteps a turn; 0.8 of 30 kHz is the slowest limit of the axis.
   expect(d, "drive", "C-ST-STEPRATE", 50.0 / (2.0 * pi) * 3.2, 24.0);

@@ -197,7 +197,7 @@ time = "1 s"
                            parts());
   const Design d = design_of(
       model,
-      {{"a", "drive", {{"M23", "D4"}}, {0.1}}, {"x", "drive", {{"GT3-9", "G20-6.35", "I20"}, {"M23", "D4"}}, {}}});
+      {{"a", "drive", {{"M23", "D4"}}, {0.1}}, {"x", "drive", {{"GT3-9"}, {"G20-6.35"}, {"I20"}, {"M23", "D4"}}, {}}});
   // A quarter turn in 0.5 s with ramps of 0.1 s.
   const double w = pi / 2.0 / 0.4, alpha = w / 0.1, J = 5e-4;
   const double torque = J * alpha + 0.02 + 0.03 + 280e-7 * alpha;

@@ -197,7 +197,7 @@ motor_radial_load = "75 N"
 reduction_service_factor = 1.25
 )"),
                            parts());
-  const Design d = design_of(model, {{"x", "drive", {{"GT3-9", "G20-6.35", "I20"}, {"M23", "D4"}}, {0.2}}});
+  const Design d = design_of(model, {{"x", "drive", {{"GT3-9"}, {"G20-6.35"}, {"I20"}, {"M23", "D4"}}, {0.2}}});
   const double span = 0.5 + 0.02 + 0.08, r = 0.01, i = 2.0, eta = 0.95 * 0.9;
   const double m = 6.0 + 0.02 * (2.0 * span + pi / 2.0 * 0.04), speed = 0.4 / 0.8, ramp = speed / 0.2;
   const double friction = 1.0 + 0.02 * m * g, force = m * ramp + friction + 5.0, pulleys = 30e-7;
@@ -258,7 +258,7 @@ time = "1 s"
       parts());
   const Design d = design_of(model,
                              {{"x", "drive", {{"B16x5"}, {"M23", "D4"}, {"F6"}, {"S6"}}, {0.2}},
-                              {"y", "drive", {{"GT3-9", "G20-6.35", "I20"}, {"M23", "D4"}}, {}}});
+                              {"y", "drive", {{"GT3-9"}, {"G20-6.35"}, {"I20"}, {"M23", "D4"}}, {}}});
   const double lead = 0.005, i = 2.0, eta_g = 0.9, supported = 0.46, cut = 0.54;
   const double riding = 0.25 + 0.7 + 0.4, m = 20.0 + riding;
   const double friction = 4.0 + 0.05 * m * g, steady = friction + 50.0, force = m * a + steady;
