@@ -61,20 +61,18 @@ BeltDrive<T> BeltDriveStage::design(const Selection<T>& s) const {
     return tables_[slot].template read<T>(s.rows[slot], field);
   };
   using B = BeltTables;
-  std::size_t field = 0;
-  for (T* figure : {&d.belt.mass_per_length,
-                    &d.belt.allowable_tension,
-                    &d.belt.specific_stiffness,
-                    &d.belt.least_teeth,
-                    &d.belt.largest_speed,
-                    &d.belt.belt_length,
-                    &d.belt.belt_mass,
-                    &d.belt.span,
-                    &d.belt.teeth,
-                    &d.belt.pitch_diameter,
-                    &d.belt.idler_diameter,
-                    &d.belt.width})
-    *figure = read(belt_slot, field++);
+  d.belt.mass_per_length = read(belt_slot, B::mass_per_length);
+  d.belt.allowable_tension = read(belt_slot, B::allowable_tension);
+  d.belt.specific_stiffness = read(belt_slot, B::specific_stiffness);
+  d.belt.least_teeth = read(belt_slot, B::least_teeth);
+  d.belt.largest_speed = read(belt_slot, B::largest_speed);
+  d.belt.belt_length = read(belt_slot, B::belt_length);
+  d.belt.belt_mass = read(belt_slot, B::belt_mass);
+  d.belt.span = read(belt_slot, B::span);
+  d.belt.teeth = read(belt_slot, B::teeth);
+  d.belt.pitch_diameter = read(belt_slot, B::pitch_diameter);
+  d.belt.idler_diameter = read(belt_slot, B::idler_diameter);
+  d.belt.width = read(belt_slot, B::width);
   d.belt.pulley_inertia = read(pulley_slot, B::pulley_inertia);
   d.belt.bore = read(pulley_slot, B::bore);
   // One of the two is nothing.
@@ -132,8 +130,9 @@ solver::FitKey BeltDriveStage::fit_key(std::span<const solver::Row>,
                                        std::size_t slot,
                                        solver::Row row,
                                        std::size_t other) const {
+  // No number below nothing: those stand for versions that differ (scenario_problem.cpp).
   const auto key = [](std::int32_t first, std::int32_t second) {
-    return solver::FitKey{static_cast<double>(first), static_cast<double>(second)};
+    return solver::FitKey{static_cast<double>(first - BeltFit::same), static_cast<double>(second - BeltFit::same)};
   };
   if (slot == belt_slot) return key(belts_.belt_fits[row].drive, belts_.belt_fits[row].idler);
   if (slot == idler_slot) return key(belts_.idlers_fit[row], 0);

@@ -4,12 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <set>
-
-#include "machine/belt_drive.h"
+#include <tuple>
 
 namespace millwright::evaluation {
 
@@ -220,16 +221,19 @@ class BeltTablesMaker {
   }
 
   void leave_out_what_no_belt_needs() {
-    std::set<std::int32_t> drives, idlers{BeltFit::same};
+    std::set<std::pair<std::int32_t, bool>> pulleys;
+    std::set<std::int32_t> idlers{BeltFit::same};
     for (const BeltFit& fit : result_.belt_fits) {
-      drives.insert(fit.drive);
+      pulleys.insert({fit.drive, fit.idler == BeltFit::same});
       idlers.insert(fit.idler);
     }
     const auto keep = [](auto& fits, SlotTable& table, auto&& is_needed) {
       table.filter([&](std::size_t row) { return is_needed(fits[row]); });
       std::erase_if(fits, [&](const auto& fit) { return !is_needed(fit); });
     };
-    keep(result_.pulley_fits, result_.pulleys, [&](const BeltFit& fit) { return drives.contains(fit.drive); });
+    keep(result_.pulley_fits, result_.pulleys, [&](const BeltFit& fit) {
+      return pulleys.contains({fit.drive, fit.idler == BeltFit::same});
+    });
     keep(result_.idlers_fit, result_.idlers, [&](std::int32_t fit) { return idlers.contains(fit); });
   }
 

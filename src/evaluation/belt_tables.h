@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Belts with their pulleys. A belt is as long as its pulleys are large, so that it is a candidate once for every pair
-// of sizes that can turn it: how many pulleys are on sale in each size does not matter to it. A pulley may turn at the
-// far end too, on a bearing; then it is bought twice, and stands in the slot of the drive pulley with its second piece.
-// No pulley is left for the idler's slot then, which has a candidate without parts for that.
+// of sizes that can turn it: how many pulleys are on sale in each size does not matter to it. (A pulley of which the
+// diameter has a tolerance is a size of its own.) A pulley may turn at the far end too, on a bearing; then it is bought
+// twice, and stands in the slot of the drive pulley with its second piece. No pulley is left for the idler's slot then,
+// which has a candidate without parts for that.
 #pragma once
 
 #include <cstdint>
@@ -15,10 +16,10 @@ namespace millwright::evaluation {
 
 /// What tells which belts and pulleys run together.
 struct BeltFit {
+  static constexpr std::int32_t none = -1, same = -2;
   std::int32_t drive = none;  ///< profile, width, teeth and diameter of the drive pulley
   std::int32_t idler = none;  ///< profile, width and diameter of the idler; `same` where it is the drive pulley again
   friend bool operator==(const BeltFit&, const BeltFit&) = default;
-  static constexpr std::int32_t none = -1, same = -2;
 };
 
 struct BeltTables {

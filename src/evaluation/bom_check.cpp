@@ -130,10 +130,11 @@ void choose_belt(const MachineModel& model,
     return true;
   };
   const std::function<void(double, bool)> add = [&](double price, bool with_others) {
+    if (price >= least) return;
     const std::size_t slot = rows.size();
     if (slot == slots) {
-      if (price < least) best = rows;
-      least = std::min(least, price);
+      best = rows;
+      least = price;
       return;
     }
     for (Row row = 0; row < held.allowed[slot].size(); ++row) {

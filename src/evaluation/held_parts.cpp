@@ -55,10 +55,21 @@ class Holder {
   void hold_stage(const StageEntry& entry) {
     HeldStage held;
     for (const SlotTable& table : entry.tables()) hold_slot(entry, table, held);
-    if (std::holds_alternative<std::unique_ptr<BeltDriveStage>>(entry.stage)) keep_what_runs_together(entry, held);
-    for (std::size_t slot = 0; slot < held.allowed.size(); ++slot)
-      if (!held.allowed[slot].empty())
-        report_too_little(entry, entry.tables()[slot].candidate(held.allowed[slot].front()));
+    const bool has_belt = std::holds_alternative<std::unique_ptr<BeltDriveStage>>(entry.stage);
+    const bool apart = has_belt && !keep_what_runs_together(entry, held);
+    for (std::size_t slot = 0; slot < held.allowed.size(); ++slot) {
+      if (held.allowed[slot].empty() || (apart && slot <= BeltDriveStage::idler_slot)) continue;
+      // A belt is as long as the smallest pulleys that are left make it.
+      const auto length = [&](solver::Row row) {
+        const std::vector<PartUse>& parts = entry.tables()[slot].candidate(row).parts;
+        return parts.empty() ? 0.0 : parts.front().length;
+      };
+      report_too_little(entry,
+                        entry.tables()[slot].candidate(*std::min_element(
+                            held.allowed[slot].begin(), held.allowed[slot].end(), [&](solver::Row a, solver::Row b) {
+                              return length(a) < length(b);
+                            })));
+    }
     const auto variables = entry.as_stage().variables();
     for (const solver::Variable& variable : variables) {
       const std::string name = entry.element == "drive" ? variable.name : entry.element + "." + variable.name;
@@ -93,16 +104,25 @@ class Holder {
     held.named.push_back(all || only);
   }
 
-  /// No check says that a belt does not run on its pulleys: what does not is not looked at.
-  void keep_what_runs_together(const StageEntry& entry, HeldStage& held) {
+  /// A belt that does not run on its pulleys is no machine to judge; of the rows that stand for one part those stay
+  /// that go with the rest. False where something was reported.
+  bool keep_what_runs_together(const StageEntry& entry, HeldStage& held) {
     using Drive = BeltDriveStage;
     constexpr std::array slots{Drive::belt_slot, Drive::pulley_slot, Drive::idler_slot};
     std::vector<const BomLine*> given;
+    bool reported = false;
     for (const std::size_t slot : slots) {
-      given.push_back(line_for(entry.axis, entry.tables()[slot].name()));
-      if (held.allowed[slot].empty()) return;
+      const BomLine* const line = line_for(entry.axis, entry.tables()[slot].name());
+      if (line != nullptr) given.push_back(line);
+      reported = reported || held.allowed[slot].empty();
     }
-    if (std::all_of(given.begin(), given.end(), [](const BomLine* line) { return line == nullptr; })) return;
+    for (const BomLine* line : given) {
+      // The idler's slot has a candidate whatever is said of it.
+      if (line->slot != entry.tables()[Drive::idler_slot].name() || can_be(entry, *line)) continue;
+      report_lines(entry, {line});
+      reported = true;
+    }
+    if (given.empty() || reported) return !reported;
     const solver::Stage& stage = entry.as_stage();
     for (bool fewer = true; fewer;) {
       fewer = false;
@@ -119,7 +139,18 @@ class Holder {
                   fewer;
         }
     }
-    if (held.allowed.front().empty()) report_lines(entry, given);
+    if (!held.allowed.front().empty()) return true;
+    report_apart(entry, given);
+    return false;
+  }
+
+  void report_apart(const StageEntry& entry, const std::vector<const BomLine*>& given) {
+    std::vector<std::string> parts;
+    for (const BomLine* line : given) parts.push_back(fmt::format("'{}' as {}", line->part_number, line->slot));
+    result_.problems.push_back(
+        {given.back()->where,
+         fmt::format("{} of axis '{}': they do not run together", fmt::join(parts, ", "), entry.axis),
+         "belt and pulleys need one profile and one width; at the far end turns an idler, or the drive pulley's like"});
   }
 
   /// Fewer or shorter pieces than the axis needs would be another machine than the one that is checked.

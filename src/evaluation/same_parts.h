@@ -11,7 +11,7 @@
 
 namespace millwright::evaluation {
 
-/// Whether two candidates are the same parts of one catalogue, with the same settings.
+/// Whether two candidates are the same parts of one catalogue, in the same form and with the same settings.
 bool same_candidate(const Candidate& a, const Candidate& b);
 /// A row of each slot's list that fit each other, the first ones of which that holds; nothing if there are none.
 std::optional<std::vector<solver::Row>> rows_that_fit(const solver::Stage& stage,

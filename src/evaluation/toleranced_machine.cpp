@@ -156,10 +156,14 @@ solver::Build TolerancedMachine::build_in(const MachineModel& model) const {
       for (std::size_t row = 0; row < table.rows(); ++row)
         if (is_wanted(table.candidate(row))) rows.back().push_back(static_cast<solver::Row>(row));
     }
-    // Of a part in several forms that which the others need: figures that differ may have changed its form.
-    auto chosen = rows_that_fit(*model.problem().stages[stage], build.shared, rows);
-    if (!chosen) throw std::logic_error("a chosen part is no candidate of its own machine");
-    build.stages[stage].rows = std::move(*chosen);
+    std::vector<solver::Row> first;
+    for (const std::vector<solver::Row>& of_slot : rows) {
+      if (of_slot.empty()) throw std::logic_error("a chosen part is no candidate of its own machine");
+      first.push_back(of_slot.front());
+    }
+    // Of a part in several forms that which the others need. What does not fit any more with these figures fails a
+    // check.
+    build.stages[stage].rows = rows_that_fit(*model.problem().stages[stage], build.shared, rows).value_or(first);
   }
   model.set_suppliers(build);  // of the parts that are left there may be other ones, in another order
   return build;

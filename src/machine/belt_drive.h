@@ -21,7 +21,7 @@ struct BeltReading {
   T teeth{}, pitch_diameter{}, pulley_inertia{}, idler_inertia{}, idler_diameter{};
   T bore{};
   T width{};
-  T kinds{};  ///< profiles and sizes among belt and pulleys: 1 where they run together
+  T kinds{};  ///< profiles and sizes among belt and pulleys: 1, and 1 for each pulley that does not run with the belt
 };
 
 template <class Reading, class Visit>

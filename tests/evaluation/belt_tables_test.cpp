@@ -247,8 +247,9 @@ TEST_CASE("What a bill says of a belt and its pulleys is one belt with two pulle
           true);
       REQUIRE(result.problems.empty());
       CHECK(parts_of(result) == Parts{"GT3-9", "G20-5", idler});
-      for (const evaluation::Check& check : result.design.checks)
-        if (check.id == "F-BELT-PULLEYS") CHECK(check.verdict == evaluation::Verdict::satisfied);
+      CHECK(std::count_if(result.design.checks.begin(), result.design.checks.end(), [](const evaluation::Check& check) {
+              return check.id == "F-BELT-PULLEYS" && check.verdict == evaluation::Verdict::satisfied;
+            }) == 1);
     }
   }
   SECTION("what is not given is completed with what fits it") {
@@ -266,12 +267,16 @@ TEST_CASE("What a bill says of a belt and its pulleys is one belt with two pulle
   SECTION("another pulley than that on the motor does not turn as an idler") {
     const auto result = checked({{"pulley_drive", "G20-5"}, {"pulley_idle", "G20-6.35"}}, true);
     CHECK(result.problems.size() == 1);
-    CHECK(says(result, "'G20-5' cannot be the pulley_drive of axis 'x'"));
+    CHECK(says(result, "'G20-5' as pulley_drive, 'G20-6.35' as pulley_idle of axis 'x': they do not run together"));
   }
   SECTION("an idler does not drive, and a motor is no idler") {
     CHECK(says(checked({{"pulley_drive", "I20"}}, true), "'I20' cannot be the pulley_drive of axis 'x'"));
     CHECK(says(checked({{"pulley_idle", "M17"}}, true), "'M17' cannot be the pulley_idle of axis 'x'"));
     CHECK(says(checked({{"pulley_idle", "I21"}}, true), "no part 'I21'"));
+    const auto both = checked({{"pulley_drive", "I20"}, {"pulley_idle", "I21"}}, true);
+    CHECK(both.problems.size() == 2);
+    CHECK(says(both, "'I20' cannot be the pulley_drive of axis 'x'"));
+    CHECK(says(both, "no part 'I21'"));
   }
   SECTION("what is missing is said") {
     const auto result = checked({{"belt", "GT3-9"}}, false);
