@@ -161,8 +161,7 @@ solver::Build TolerancedMachine::build_in(const MachineModel& model) const {
       if (of_slot.empty()) throw std::logic_error("a chosen part is no candidate of its own machine");
       first.push_back(of_slot.front());
     }
-    // Of a part in several forms that which the others need. What does not fit any more with these figures fails a
-    // check.
+    // Of a part in several forms that which the others need; what fits no more with these figures fails a check.
     build.stages[stage].rows = rows_that_fit(*model.problem().stages[stage], build.shared, rows).value_or(first);
   }
   model.set_suppliers(build);  // of the parts that are left there may be other ones, in another order
