@@ -109,27 +109,20 @@ bool starts_blind(const SearchOptions& options) {
   return counts(objective, machine::Quantity::energy) || counts(objective, machine::Quantity::position_error);
 }
 
-/// Solves, with a build to fall back on when time is up before any other is known: the cheapest, searched for in the
-/// first quarter of the time, and from there on the best nearby. Where the objective is a single quantity nothing that
-/// is worse need be looked at then; a little worse is let in, since what the search finds itself keeps off the limits.
+/// Solves, with a build to fall back on when time is up before any other is known: the best nearby the cheapest, which
+/// is searched for in the first quarter of the time. Where the objective is a single quantity nothing that is worse
+/// than the cheapest need be looked at; a little worse is let in, since what the search finds itself keeps off the
+/// limits.
 solver::Summary solve_with_start(const MachineModel& model, const SearchOptions& options) {
   SearchOptions cheapest = options;
   cheapest.objectives = {"cost"};
   cheapest.time_limit_seconds = 0.25 * options.time_limit_seconds;
   const auto begin = std::chrono::steady_clock::now();
-  solver::Summary start = solver::solve(model.problem(), solver_options(model, cheapest));
+  const auto time_left = [&] { return std::max(0.0, options.time_limit_seconds - seconds_since(begin)); };
+  const solver::Summary start = solver::solve(model.problem(), solver_options(model, cheapest));
   if (start.builds.empty() && start.status == solver::Status::infeasible) return start;
-  if (!start.builds.empty()) {
-    const auto stop = [&] {
-      return seconds_since(begin) > 0.5 * options.time_limit_seconds ||
-             (options.stop != nullptr && options.stop->load());
-    };
-    start.builds.front() =
-        solver::best_nearby(model.problem(), solver_options(model, options), start.builds.front(), stop);
-  }
-  start.seconds = seconds_since(begin);
   SearchOptions rest = options;
-  rest.time_limit_seconds = std::max(0.0, options.time_limit_seconds - start.seconds);
+  rest.time_limit_seconds = start.builds.empty() ? time_left() : 0.9 * time_left();
   const machine::Objective objective = machine::objective_named(options.objectives.front());
   solver::Problem problem = model.problem();
   if (const auto single = objective.single(); single && !start.builds.empty()) {
@@ -141,16 +134,18 @@ solver::Summary solve_with_start(const MachineModel& model, const SearchOptions&
   solver::Summary summary = solver::solve(problem, solver_options(model, rest));
   summary.nodes += start.nodes;
   summary.evaluations += start.evaluations;
-  summary.seconds += start.seconds;
-  if (!summary.builds.empty() || start.builds.empty()) return summary;
-  summary.builds = start.builds;
-  double value = 0.0;
-  for (const machine::ObjectiveTerm& term : objective.terms)
-    value += term.weight * start.builds.front().resources[model.compared(term.quantity)];
-  summary.lower_bound = std::min(summary.lower_bound, value);
-  summary.gap = (value - summary.lower_bound) / std::max(std::abs(value), 1e-300);
-  // Nothing that is better by more than the gap exists; what is there is as good.
-  summary.status = summary.gap <= options.gap ? solver::Status::optimal : solver::Status::limit;
+  if (summary.builds.empty() && !start.builds.empty()) {
+    const auto stop = [&] { return time_left() == 0.0 || (options.stop != nullptr && options.stop->load()); };
+    summary.builds = {solver::best_nearby(model.problem(), solver_options(model, options), start.builds.front(), stop)};
+    double value = 0.0;
+    for (const machine::ObjectiveTerm& term : objective.terms)
+      value += term.weight * summary.builds.front().resources[model.compared(term.quantity)];
+    summary.lower_bound = std::min(summary.lower_bound, value);
+    summary.gap = (value - summary.lower_bound) / std::max(std::abs(value), 1e-300);
+    // Nothing that is better by more than the gap exists; what is there is as good.
+    summary.status = summary.gap <= options.gap ? solver::Status::optimal : solver::Status::limit;
+  }
+  summary.seconds = seconds_since(begin);
   return summary;
 }
 

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "solver/rest_curve.h"
+#include "solver/variable_halves.h"
 
 namespace millwright::solver {
 namespace {
@@ -42,8 +44,9 @@ BranchAndBound::BranchAndBound(const Problem& problem,
       incumbents_(incumbents),
       control_(control),
       precision_(std::move(precision)) {
+  const Dominating by = precision_.refined_later ? Dominating::point : Dominating::lower_bound;
   for (const StagePlan& plan : plans_) {
-    label_sets_.emplace_back(criteria_, plan.before, labels_);
+    label_sets_.emplace_back(criteria_, plan.before, labels_, by);
     worth_.emplace_back(plan.region.rows.size());
     auto& tail = tail_.emplace_back();
     for (const OpenRegion& part : plan.frontier) {
@@ -61,6 +64,10 @@ BranchAndBound::BranchAndBound(const Problem& problem,
 /// False: it is useless.
 bool BranchAndBound::push(Node node) {
   if (useless(node)) return false;
+  if (labels_[node.label].stage > last_stage_) {
+    waiting_.push_back(std::move(node));
+    return true;
+  }
   const Key key{rounded(node.score[0]), node.depth, ++order_};
   open_.push(key, std::move(node));
   return true;
@@ -146,20 +153,30 @@ void BranchAndBound::expand_stream(const Node& node, Outcome& outcome, Desk& des
 }
 
 void BranchAndBound::branch(const Node& node, Outcome& outcome, Desk& desk) const {
-  const std::size_t stage = labels_[node.label].stage;
-  const StagePlan& plan = plans_[stage];
-  const RowProfile::Split split = plan.profile.split(node.region, node.open, worth_[stage].of_slots());
-  outcome.divided = split.slot;
-  for (const RowSet& half : {split.left, split.right}) {
+  const Label& label = labels_[node.label];
+  const StagePlan& plan = plans_[label.stage];
+  const auto offer = [&](Region part) {
     Node child;
     child.label = node.label;
-    child.region = node.region;
-    child.region.rows[split.slot] = half;
+    child.region = std::move(part);
     child.utilisation = node.utilisation;  // constraints that are kept are not looked at any more
     child.depth = node.depth + 1;
-    if (plan.fits.filter(child.region, split.slot) && bound_node(child, desk)) {
-      outcome.nodes.push_back(std::move(child));
-    }
+    if (bound_node(child, desk)) outcome.nodes.push_back(std::move(child));
+  };
+  std::vector<double> least = node.reached;
+  for (std::size_t k = 0; k < least.size(); ++k) least[k] -= label.score_lower[k];
+  if (const auto variable = variable_to_halve(plan, label.enclosure, node.region, least, desk)) {
+    auto [lower, upper] = halved(node.region, *variable);
+    offer(std::move(lower));
+    offer(std::move(upper));
+    return;
+  }
+  const RowProfile::Split split = plan.profile.split(node.region, node.open, worth_[label.stage].of_slots());
+  outcome.divided = split.slot;
+  for (const RowSet& half : {split.left, split.right}) {
+    Region part = node.region;
+    part.rows[split.slot] = half;
+    if (plan.fits.filter(part, split.slot)) offer(std::move(part));
   }
 }
 
@@ -261,57 +278,6 @@ void BranchAndBound::finish(Label label) {
   leave_undecided({std::move(label.score_lower), 0.0, label.parent, std::move(label.rows), std::move(label.boxes)});
 }
 
-/// Without its boxes what is undecided is all of a design.
-void BranchAndBound::keep_boxes(std::vector<OpenBox>& boxes) {
-  constexpr std::size_t most_kept = 2000000;
-  if (boxes_kept_ + boxes.size() > most_kept) boxes = {};
-  boxes_kept_ += boxes.size();
-}
-
-void BranchAndBound::leave_undecided(Undecided undecided) {
-  constexpr std::size_t most_kept = 100000;
-  if (incumbents_.hopeless(undecided.score, undecided.utilisation)) return;
-  undecided_bound_ = std::min(undecided_bound_, undecided.score[0]);
-  keep_boxes(undecided.boxes);
-  if (undecided_.size() < most_kept)
-    undecided_.push_back(std::move(undecided));
-  else
-    many_undecided_ = true;
-}
-
-/// Something undecided matters only if no build known is as good.
-void BranchAndBound::forget_settled() {
-  if (many_undecided_) return;
-  std::erase_if(undecided_, [&](const Undecided& each) { return incumbents_.hopeless(each.score, each.utilisation); });
-  undecided_bound_ = std::numeric_limits<double>::infinity();
-  for (const Undecided& each : undecided_) undecided_bound_ = std::min(undecided_bound_, each.score[0]);
-}
-
-UndecidedDesigns BranchAndBound::undecided_designs() const {
-  if (many_undecided_ || !precision_.refined_later) return precision_.among;
-  using Origin = UndecidedDesigns::Origin;
-  UndecidedDesigns designs;
-  const auto add = [&](Origin before, const std::vector<Row>& rows, const std::vector<OpenBox>& boxes, Origin after) {
-    if (boxes.empty()) designs.add(before, rows, {{}, after});
-    for (const OpenBox& box : boxes) designs.add(before, rows, {box.sides, after});
-  };
-  std::vector<Origin> origin_of(labels_.size(), UndecidedDesigns::everything);  // everything: not noted yet
-  origin_of[0] = designs.add_origin();
-  std::vector<std::uint32_t> chain;
-  for (const Undecided& each : undecided_) {
-    chain.clear();
-    for (std::uint32_t i = each.label; origin_of[i] == UndecidedDesigns::everything; i = labels_[i].parent)
-      chain.push_back(i);
-    for (; !chain.empty(); chain.pop_back()) {
-      const Label& label = labels_[chain.back()];
-      origin_of[chain.back()] = designs.add_origin();
-      add(origin_of[label.parent], label.rows, label.boxes, origin_of[chain.back()]);
-    }
-    add(origin_of[each.label], each.rows, each.boxes, UndecidedDesigns::everything);
-  }
-  return designs;
-}
-
 Build BranchAndBound::build_of(const Label& last) const {
   Build build;
   build.shared.assign(plans_.front().shared.begin(), plans_.front().shared.end());
@@ -341,28 +307,50 @@ void BranchAndBound::start() {
   if (make_stream(0, 0, stream)) push(std::move(stream));
 }
 
+void BranchAndBound::work_on_batch() {
+  std::vector<Node> batch;
+  while (!open_.empty() && batch.size() < batch_size) {
+    Node node = open_.pop();
+    if (!useless(node)) batch.push_back(std::move(node));
+  }
+  outcomes_.assign(batch.size(), {});
+  control_.crew().run(batch.size(),
+                      [&](std::size_t i, unsigned thread) { expand(batch[i], outcomes_[i], control_.desk(thread)); });
+  control_.nodes += batch.size();
+  nodes_ += batch.size();
+  for (std::size_t i = 0; i < batch.size(); ++i) merge(batch[i], outcomes_[i]);
+}
+
 SearchResult BranchAndBound::run(std::uint64_t most_nodes) {
   if (labels_.empty()) start();
-  std::uint64_t nodes = 0;
-  std::vector<Node> batch;
-  std::vector<Outcome> outcomes;
+  const std::uint64_t before = nodes_;
   while (!open_.empty()) {
-    if (control_.time_is_up() || nodes >= most_nodes) return {false, open_bound()};
-    batch.clear();
-    while (!open_.empty() && batch.size() < batch_size) {
-      Node node = open_.pop();
-      if (!useless(node)) batch.push_back(std::move(node));
-    }
-    outcomes.assign(batch.size(), {});
-    control_.crew().run(batch.size(),
-                        [&](std::size_t i, unsigned thread) { expand(batch[i], outcomes[i], control_.desk(thread)); });
-    control_.nodes += batch.size();
-    nodes += batch.size();
-    for (std::size_t i = 0; i < batch.size(); ++i) merge(batch[i], outcomes[i]);
+    if (control_.time_is_up() || nodes_ - before >= most_nodes) return {false, open_bound()};
+    work_on_batch();
     if (!open_.empty()) control_.report(std::min(open_.first().score[0], undecided_bound_), incumbents_.best());
   }
   forget_settled();
   return {undecided_.empty(), undecided_bound_};
+}
+
+void BranchAndBound::look(std::size_t labels, std::uint64_t most_nodes) {
+  start();
+  for (last_stage_ = 0; last_stage_ < plans_.size() && !control_.time_is_up(); ++last_stage_) {
+    std::uint64_t since_arrival = 0;
+    while (!open_.empty() && waiting_.size() < labels && !control_.time_is_up()) {
+      if (since_arrival > (waiting_.empty() ? most_nodes : most_nodes / 10)) break;
+      const std::uint64_t before = nodes_;
+      const std::size_t arrived = waiting_.size();
+      work_on_batch();
+      since_arrival = waiting_.size() > arrived ? 0 : since_arrival + nodes_ - before;
+      control_.report(incumbents_.best());
+    }
+    open_ = {};
+    for (Node& node : std::exchange(waiting_, {})) {
+      const Key key{rounded(node.score[0]), node.depth, ++order_};
+      open_.push(key, std::move(node));
+    }
+  }
 }
 
 }  // namespace millwright::solver

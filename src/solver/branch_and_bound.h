@@ -48,6 +48,9 @@ class BranchAndBound {
 
   /// Goes on until the search is done, time is up, or so many nodes more have been looked at.
   SearchResult run(std::uint64_t most_nodes = std::numeric_limits<std::uint64_t>::max());
+  /// For a good build, instead of `run`: a beam search. Before each stage only so many labels are followed, those that
+  /// arrive first; so many nodes are looked at for the first of them, and a tenth for another.
+  void look(std::size_t labels, std::uint64_t most_nodes);
   /// What a search that is done has left undecided.
   [[nodiscard]] UndecidedDesigns undecided_designs() const;
   [[nodiscard]] const LeafPrecision& precision() const { return precision_; }
@@ -86,6 +89,7 @@ class BranchAndBound {
   };
 
   void start();
+  void work_on_batch();
   bool push(Node node);
   [[nodiscard]] bool useless(const Node& node) const;
   [[nodiscard]] bool useless(const Label& label, std::size_t stage, const Worth& own) const;
@@ -123,7 +127,10 @@ class BranchAndBound {
   std::vector<std::vector<std::vector<double>>> tail_;
   std::vector<SplitWorth> worth_;  ///< [stage]
   BestFirst<Node, Key> open_;
-  std::uint64_t order_ = 0;
+  std::uint64_t order_ = 0, nodes_ = 0;
+  std::vector<Outcome> outcomes_;                                     ///< of the batch at work
+  std::size_t last_stage_ = std::numeric_limits<std::size_t>::max();  ///< in `look`: labels of later ones wait
+  std::vector<Node> waiting_;
   std::vector<Undecided> undecided_;
   bool many_undecided_ = false;  ///< more than are kept
   std::size_t boxes_kept_ = 0;

@@ -28,12 +28,10 @@ class Cover {
 
   LeafAnswer run() {
     const auto& variables = question_.region->variables;
+    push_boxes();
+    if (!leaves_to_later() && !may_be_of_use()) return std::move(answer_);
     if (!start_points(variables)) return std::move(answer_);
     if (leaves_to_later()) measure_label(variables);
-    if (question_.among.empty()) push({.side = variables}, nullptr);
-    for (const OpenBox& box : question_.among)
-      if (auto sides = within(box.sides.empty() ? variables : box.sides, variables))
-        push({.side = std::move(*sides), .origin = box.origin}, nullptr);
     std::size_t boxes = 0;
     for (; !heap_.empty() && boxes < cover_boxes && !stopped(boxes); ++boxes) {
       VariableBox box = heap_.pop();
@@ -69,6 +67,31 @@ class Cover {
       common.push_back(*side);
     }
     return common;
+  }
+
+  void push_boxes() {
+    const auto& variables = question_.region->variables;
+    if (question_.among.empty()) push({.side = variables}, nullptr);
+    for (const OpenBox& box : question_.among)
+      if (auto sides = within(box.sides.empty() ? variables : box.sides, variables))
+        push({.side = std::move(*sides), .origin = box.origin}, nullptr);
+  }
+
+  /// False: a few boxes show that nothing is. To look for points takes longer, and of most designs none is of use.
+  bool may_be_of_use() {
+    constexpr std::size_t few = 8;
+    has_points_ = false;
+    for (std::size_t boxes = 0; boxes < few && !heap_.empty(); ++boxes) {
+      VariableBox box = heap_.pop();
+      const bool has_size = widest_side(*question_.plan->stage, box.side) < box.side.size();
+      if (has_size)
+        divide(box);
+      else
+        heap_.push(std::move(box));
+      if (!has_size) break;
+    }
+    has_points_ = true;
+    return !heap_.empty() || answer_.undecided;
   }
 
   /// False: nothing is feasible. Where nothing that is tried is, a few boxes often prove so, at a small part of what it
@@ -126,7 +149,8 @@ class Cover {
       const std::size_t parts = Relief::parts(box, v);
       if (!(width > narrowest * range) || parts >= Relief::most_parts) continue;
       const double share = width / (box.side[v].upper - box.side[v].lower);
-      const double change = share * slopes.change_over(v, box.bounds, !answer_.points.empty() || leaves_to_later());
+      const double change =
+          share * slopes.change_over(v, box.bounds, !has_points_ || !answer_.points.empty() || leaves_to_later());
       // The more parts there are, the more it costs; the widest, where nothing changes.
       const double worth =
           change > 0.0 ? change / (1.0 + static_cast<double>(parts) / few_parts) : -1.0 + 1e-3 * width / range;
@@ -343,6 +367,7 @@ class Cover {
   LeafAnswer answer_;
   std::vector<std::vector<double>> points_score_;  ///< own share of each point itself
   std::vector<bool> used_;
+  bool has_points_ = true;             ///< false: none has been looked for yet
   std::vector<StagePoint> stand_ins_;  ///< points that break a constraint, for what an inexact label stands for
   std::vector<std::vector<double>> stand_ins_score_;
   std::vector<double> label_score_, label_state_;  ///< how far what the label stands for is from itself

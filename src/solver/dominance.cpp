@@ -29,16 +29,24 @@ void add_scores(const Criteria& criteria, std::span<const double> score, std::ve
     if (std::isfinite(criteria.limit[k])) key.push_back(score[k]);
 }
 
+/// The best of what a label stands for.
+Worth best_of(const Label& label) { return {label.score_lower, label.enclosure, label.utilisation}; }
+
 }  // namespace
 
-LabelSet::LabelSet(const Criteria& criteria, std::span<const Direction> directions, std::deque<Label>& store)
+LabelSet::LabelSet(const Criteria& criteria,
+                   std::span<const Direction> directions,
+                   std::deque<Label>& store,
+                   Dominating by)
     : criteria_(&criteria),
       compared_(components_that_matter(directions)),
       store_(&store),
+      by_(by),
       known_(coordinates(criteria, directions)),
       replaced_(known_) {}
 
 void LabelSet::key_of(const Label& label, std::vector<double>& key) const {
+  if (by_ == Dominating::lower_bound) return key_of(best_of(label), key);
   key.clear();
   add_scores(*criteria_, label.score, key);
   for (const auto& [component, direction] : compared_) {
@@ -58,9 +66,10 @@ void LabelSet::key_of(const Worth& worth, std::vector<double>& key) const {
 
 /// Of a label that is at least as good in all objectives.
 bool LabelSet::wins_tie(const Label& label, const Worth& worth) const {
+  const std::vector<double>& score = by_ == Dominating::point ? label.score : label.score_lower;
   const std::size_t objectives = criteria_->objectives;
   for (std::size_t k = 0; k < objectives + criteria_->ties; ++k) {
-    const double known = rounded(label.score[k]);
+    const double known = rounded(score[k]);
     const double other = rounded(worth.score[k]);
     if (known != other) return known < other;
   }
@@ -83,7 +92,7 @@ void LabelSet::add(std::uint32_t index) {
   turned(key);
   replaced_.remove_at_most(key, [&](Archive::Name name) {
     Label& label = (*store_)[name];
-    if (!wins_tie(added, Worth{label.score_lower, label.enclosure, label.utilisation})) return false;
+    if (!wins_tie(added, best_of(label))) return false;
     label.alive = false;
     key_of(label, other);
     known_.remove(other, name);
@@ -91,7 +100,7 @@ void LabelSet::add(std::uint32_t index) {
   });
   turned(key);
   known_.add(key, index);
-  key_of(Worth{added.score_lower, added.enclosure, added.utilisation}, key);
+  key_of(best_of(added), key);
   turned(key);
   replaced_.add(key, index);
 }

@@ -6,6 +6,11 @@
 //
 // Equal objectives are decided by the tie scores and then by the worst utilisation: a label that is strictly better in
 // an objective need not be as good in those; one that is equal in all objectives must be.
+//
+// A label that stands for more than its own point (labels.h) does so for anything that is no better than the best of
+// what it stands for: what is done with its lower bounds covers that, too, and it is no further from its point. Only
+// where a finer search is to look at what is left undecided (leaf_precision.h) has the point itself to be as good: what
+// a label stands for is written down there.
 #pragma once
 
 #include <deque>
@@ -18,10 +23,13 @@
 
 namespace millwright::solver {
 
+/// By what a label dominates: by its point, or by the best of what it stands for.
+enum class Dominating { point, lower_bound };
+
 /// The labels before one stage.
 class LabelSet {
  public:
-  LabelSet(const Criteria& criteria, std::span<const Direction> directions, std::deque<Label>& store);
+  LabelSet(const Criteria& criteria, std::span<const Direction> directions, std::deque<Label>& store, Dominating by);
 
   /// Whether some label makes everything in `worth` superfluous.
   [[nodiscard]] bool dominates(const Worth& worth) const;
@@ -38,6 +46,7 @@ class LabelSet {
   const Criteria* criteria_;
   std::vector<std::pair<std::size_t, Direction>> compared_;  ///< state components that matter
   std::deque<Label>* store_;
+  Dominating by_;
   Archive known_;     ///< keys of labels that are alive
   Archive replaced_;  ///< the same turned round: minus the keys of what they stand for
 };

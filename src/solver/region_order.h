@@ -11,6 +11,7 @@
 
 #include "solver/split_worth.h"
 #include "solver/stage_plan.h"
+#include "solver/variable_halves.h"
 
 namespace millwright::solver {
 
@@ -37,8 +38,8 @@ class RegionOrder {
   std::vector<double> weight_;
 };
 
-/// The two halves of a region, less rows without a partner. `open`: as for RowProfile::split; `offer(part)` says what
-/// was reached with a part, or nothing when it is left out.
+/// The two halves of a region, in a wide variable or else in the rows of a slot, less rows without a partner. `open`:
+/// as for RowProfile::split; `offer(part)` says what was reached with a part, or nothing when it is left out.
 template <class Offer>
 void branch(const StagePlan& plan,
             const Region& region,
@@ -46,6 +47,12 @@ void branch(const StagePlan& plan,
             const Reached& reached,
             SplitWorth& worth,
             Offer&& offer) {
+  if (const auto variable = wide_variable(plan, region)) {
+    auto [lower, upper] = halved(region, *variable);
+    offer(std::move(lower));
+    offer(std::move(upper));
+    return;
+  }
   const RowProfile::Split split = plan.profile.split(region, open, worth.of_slots());
   for (const RowSet& half : {split.left, split.right}) {
     Region part = region;

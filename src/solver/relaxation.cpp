@@ -30,7 +30,7 @@ class RelaxationSearch {
       if (open_.first().refined) break;
       const double value = open_.first_key().value;
       Node node = open_.pop();
-      if (!node.part.region.one_design_per_slot()) {
+      if (!node.part.region.one_design_per_slot() || wide_variable(plan_, node.part.region)) {
         divide(node.part, value);
       } else if (!proves_infeasible(plan_, plan_.best_inherited, node.part.region, usual_proof_boxes, desk_)) {
         node.refined = true;

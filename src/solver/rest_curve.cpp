@@ -76,7 +76,7 @@ class LeastFrom {
     } else if (node.step != step_) {
       node.part.region.kept = 0;
       offer(std::move(node.part.region), value);
-    } else if (!node.part.region.one_design_per_slot()) {
+    } else if (!node.part.region.one_design_per_slot() || wide_variable(plan_, node.part.region)) {
       const Bounds& bounds = node.part.bounds;
       branch(plan_, node.part.region, bounds.open, {bounds.utilisation, value}, worth_, [&](Region part) {
         return offer(std::move(part), value);

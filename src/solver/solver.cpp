@@ -12,6 +12,7 @@
 #include "solver/criteria.h"
 #include "solver/frontier.h"
 #include "solver/incumbents.h"
+#include "solver/method_sentence.h"
 #include "solver/neighbours.h"
 #include "solver/rest_curve.h"
 #include "solver/row_dominance.h"
@@ -249,6 +250,17 @@ class Solve {
     return false;
   }
 
+  /// The best build is known only when all that might be better has been looked at, which may take longer than there is
+  /// time: a good one first.
+  void look_for_builds(std::vector<StagePlan>& plans) {
+    constexpr double coarse = 1e-4;
+    constexpr std::size_t labels = 30;
+    constexpr std::uint64_t nodes = 30000;
+    LeafPrecision precision = precision_for(plans);
+    precision.tolerance = std::max(precision.tolerance, coarse);
+    label_by_label(plans, std::move(precision))->look(labels, nodes);
+  }
+
   void finish(OpenSearch& open) {
     if (criteria_.objectives == 1) {
       const bool again = open.tried && incumbents_.builds().empty();
@@ -258,6 +270,7 @@ class Solve {
       if (stage_by_stage(*open.plans, open.score[0])) return;
       // Regions may have been left out: a search that was begun before counts them by numbers that are no longer
       // theirs.
+      if (priced_) look_for_builds(*open.plans);
       open.search = label_by_label(*open.plans);
     }
     set_tolerance();
@@ -340,27 +353,12 @@ class Solve {
     out.status = !closed ? Status::limit : out.builds.empty() ? Status::infeasible : Status::optimal;
     out.seconds = control_.seconds();
     if (priced_ && criteria_.objectives > 1) out.front_tolerance = front_tolerance();
-    out.method = method();
+    out.method = sentence_of({priced_, criteria_.objectives > 1, stagewise_, allowances_priced_});
     if (priced_ && control_.options().confirm && criteria_.objectives == 1 && !out.builds.empty()) {
       out.confirmations = confirm(problem_, criteria_, out.builds.front(), priced_stages_);
       out.method += confirmation_sentence(out.confirmations);
     }
     return out;
-  }
-
-  [[nodiscard]] std::string method() const {
-    std::string text =
-        "best-first branch and bound with outward-rounded interval bounds over row sets and boxes, labels between "
-        "stages with dominance in proved directions only, every shared choice tried";
-    if (stagewise_) text += "; stage by stage, with the designs of a stage found once for all labels";
-    if (allowances_priced_) text += "; allowances that stages share at prices (Lagrangian bounds)";
-    if (priced_ && criteria_.objectives > 1) {
-      text +=
-          "; where continuous variables move the objectives the front is covered to its tolerance: what beats it by "
-          "more holds only for being lighter by no more than that";
-    }
-    if (priced_) text += "; continuous variables that move the objective by SLSQP and Ipopt proposals inside the bound";
-    return text;
   }
 
   const Problem& problem_;

@@ -206,7 +206,7 @@ TEST_CASE("a search that was stopped asks its build no more, and claims nothing 
   // What takes the least energy is searched for long after a build is known; every rotor has a tolerance here.
   const TolerancedCatalogue inexact(
       shipped_catalogue(), [](const std::string& name, int) { return name == "steppers.rotor_inertia" ? 0.01 : 0.0; });
-  machine::Problem problem = shipped_problem("lifter");
+  machine::Problem problem = shipped_problem("router");
   problem.objective = "energy";
   problem.counted = machine::counted_quantities({problem.objective});
   const MachineModel model(problem, inexact.parts());

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// For the certificate: by which methods an answer was found.
+#pragma once
+
+#include <string>
+
+namespace millwright::solver {
+
+struct MethodsUsed {
+  bool priced = false;      ///< continuous variables move the objectives
+  bool front = false;       ///< there are several
+  bool stagewise = false;   ///< frontier.h
+  bool allowances = false;  ///< rest_plane.h
+};
+
+std::string sentence_of(const MethodsUsed& used);
+
+}  // namespace millwright::solver

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/variable_halves.h"
+
+#include <cmath>
+#include <vector>
+
+namespace millwright::solver {
+namespace {
+
+// Of a variable's range.
+constexpr double wide = 1.0 / 8.0;
+constexpr double narrow = 1.0 / 1024.0;
+
+std::optional<std::size_t> widest_above(double share, const StagePlan& plan, const Region& region) {
+  std::optional<std::size_t> widest;
+  if (!plan.any_priced || region.rows.empty()) return widest;
+  for (std::size_t v = 0; v < region.variables.size(); ++v) {
+    const Interval& side = region.variables[v];
+    const Interval& whole = plan.region.variables[v];
+    const double left = (side.upper - side.lower) / (whole.upper - whole.lower);
+    if (!plan.priced[v] || !(left > share)) continue;
+    share = left;
+    widest = v;
+  }
+  return widest;
+}
+
+}  // namespace
+
+std::optional<std::size_t> wide_variable(const StagePlan& plan, const Region& region) {
+  return widest_above(wide, plan, region);
+}
+
+std::optional<std::size_t> variable_to_halve(const StagePlan& plan,
+                                             std::span<const Interval> inherited,
+                                             const Region& region,
+                                             std::span<const double> least,
+                                             Desk& desk) {
+  if (const auto variable = wide_variable(plan, region)) return variable;
+  const auto widest = widest_above(narrow, plan, region);
+  if (!widest) return std::nullopt;
+  desk.trial = region.variables;
+  for (std::size_t v = 0; v < desk.trial.size(); ++v)
+    if (plan.priced[v]) desk.trial[v] = middle(desk.trial[v]);
+  const auto& at_middle = desk.bound(*plan.stage, plan.shared, inherited, region, desk.trial);
+  std::vector<Interval> score(plan.criteria->size());
+  plan.criteria->scores<Interval>(at_middle.resources, score);
+  double by_variable = 0.0, by_rows = 0.0;
+  for (std::size_t k = 0; k < plan.criteria->objectives; ++k) {
+    const double unit = std::fabs(plan.least[k]) + 1e-9;
+    by_variable += (score[k].lower - least[k]) / unit;
+    by_rows += (score[k].upper - score[k].lower) / unit;
+  }
+  return by_variable > by_rows ? widest : std::nullopt;
+}
+
+std::pair<Region, Region> halved(const Region& region, std::size_t variable) {
+  std::pair<Region, Region> halves{region, region};
+  const double cut = middle(region.variables[variable]);
+  halves.first.variables[variable].upper = cut;
+  halves.second.variables[variable].lower = cut;
+  return halves;
+}
+
+}  // namespace millwright::solver
