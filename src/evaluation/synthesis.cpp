@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "evaluation/element_stage.h"
@@ -109,21 +110,34 @@ bool starts_blind(const SearchOptions& options) {
   return counts(objective, machine::Quantity::energy) || counts(objective, machine::Quantity::position_error);
 }
 
-/// Solves, with a build to fall back on when time is up before any other is known: the best nearby the cheapest, which
-/// is searched for in the first quarter of the time. Where the objective is a single quantity nothing that is worse
-/// than the cheapest need be looked at; a little worse is let in, since what the search finds itself keeps off the
-/// limits.
+/// Solves, with a build to fall back on when time is up before a better one is known: the cheapest, which is searched
+/// for in the first quarter of the time. Where the objective is a single quantity nothing that is worse than it need be
+/// looked at; a little worse is let in, since what the search finds itself keeps off the limits.
 solver::Summary solve_with_start(const MachineModel& model, const SearchOptions& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  const auto time_left = [&] { return std::max(0.0, options.time_limit_seconds - seconds_since(begin)); };
   SearchOptions cheapest = options;
   cheapest.objectives = {"cost"};
   cheapest.time_limit_seconds = 0.25 * options.time_limit_seconds;
-  const auto begin = std::chrono::steady_clock::now();
-  const auto time_left = [&] { return std::max(0.0, options.time_limit_seconds - seconds_since(begin)); };
+  if (options.progress) {
+    // Its bound and its builds are of another objective.
+    cheapest.progress = [&](solver::Progress progress) {
+      progress.lower_bound = -std::numeric_limits<double>::infinity();
+      progress.incumbent = std::numeric_limits<double>::infinity();
+      options.progress(progress);
+    };
+  }
   const solver::Summary start = solver::solve(model.problem(), solver_options(model, cheapest));
   if (start.builds.empty() && start.status == solver::Status::infeasible) return start;
+  const machine::Objective objective = machine::objective_named(options.objectives.front());
+  const auto value_of = [&](const solver::Build& build) {
+    double value = 0.0;
+    for (const machine::ObjectiveTerm& term : objective.terms)
+      value += term.weight * build.resources[model.compared(term.quantity)];
+    return value;
+  };
   SearchOptions rest = options;
   rest.time_limit_seconds = start.builds.empty() ? time_left() : 0.9 * time_left();
-  const machine::Objective objective = machine::objective_named(options.objectives.front());
   solver::Problem problem = model.problem();
   if (const auto single = objective.single(); single && !start.builds.empty()) {
     const std::size_t resource = model.resource(*single);
@@ -134,15 +148,17 @@ solver::Summary solve_with_start(const MachineModel& model, const SearchOptions&
   solver::Summary summary = solver::solve(problem, solver_options(model, rest));
   summary.nodes += start.nodes;
   summary.evaluations += start.evaluations;
-  if (summary.builds.empty() && !start.builds.empty()) {
+  const bool refuted = summary.status == solver::Status::infeasible && !start.builds.empty();
+  if (summary.status != solver::Status::optimal && !start.builds.empty()) {
+    const bool found = !summary.builds.empty() && value_of(summary.builds.front()) < value_of(start.builds.front());
     const auto stop = [&] { return time_left() == 0.0 || (options.stop != nullptr && options.stop->load()); };
-    summary.builds = {solver::best_nearby(model.problem(), solver_options(model, options), start.builds.front(), stop)};
-    double value = 0.0;
-    for (const machine::ObjectiveTerm& term : objective.terms)
-      value += term.weight * summary.builds.front().resources[model.compared(term.quantity)];
-    summary.lower_bound = std::min(summary.lower_bound, value);
+    summary.builds = {solver::best_nearby(
+        model.problem(), solver_options(model, options), (found ? summary : start).builds.front(), stop)};
+    const double value = value_of(summary.builds.front());
+    // A search that finds nothing where there is a build has proved nothing. No quantity is less than nothing.
+    summary.lower_bound = refuted ? 0.0 : std::min(summary.lower_bound, value);
     summary.gap = (value - summary.lower_bound) / std::max(std::abs(value), 1e-300);
-    // Nothing that is better by more than the gap exists; what is there is as good.
+    // Where nothing that is better by more than the gap exists, what is there is as good.
     summary.status = summary.gap <= options.gap ? solver::Status::optimal : solver::Status::limit;
   }
   summary.seconds = seconds_since(begin);

@@ -44,7 +44,8 @@ BranchAndBound::BranchAndBound(const Problem& problem,
       incumbents_(incumbents),
       control_(control),
       precision_(std::move(precision)) {
-  const Dominating by = precision_.refined_later ? Dominating::point : Dominating::lower_bound;
+  const bool by_point = precision_.refined_later || precision_.refinements > 0;
+  const Dominating by = by_point ? Dominating::point : Dominating::lower_bound;
   for (const StagePlan& plan : plans_) {
     label_sets_.emplace_back(criteria_, plan.before, labels_, by);
     worth_.emplace_back(plan.region.rows.size());

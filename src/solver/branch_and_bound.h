@@ -7,8 +7,9 @@
 //                                                                     what the region hands on: rest_curve.h).
 // The node with the least first objective is taken next:
 //   - a label that arrives at a stage takes over the regions of the stage's relaxation one by one, cheapest first;
-//   - a region with several rows in some slot is split in two (row_profile.h), rows without a fitting partner drop out,
-//     and each half is bounded with the label's own state;
+//   - a region with several rows in some slot is split in two, in these rows (row_profile.h) or in a variable
+//     (variable_halves.h); rows without a fitting partner drop out, and each half is bounded with the label's own
+//     state;
 //   - a region with one row per slot is a design: its variables are dealt with (continuous.h), and it becomes a label
 //     of the next stage, or after the last stage a build.
 // A node is given up when a constraint is certainly violated in it, when the builds known settle it (incumbents.h), or

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <optional>
+#include <utility>
 
 #include "solver/box_slopes.h"
 #include "solver/leaf_point.h"
@@ -80,18 +81,14 @@ class Cover {
   /// False: a few boxes show that nothing is. To look for points takes longer, and of most designs none is of use.
   bool may_be_of_use() {
     constexpr std::size_t few = 8;
-    has_points_ = false;
+    has_looked_ = false;
     for (std::size_t boxes = 0; boxes < few && !heap_.empty(); ++boxes) {
       VariableBox box = heap_.pop();
-      const bool has_size = widest_side(*question_.plan->stage, box.side) < box.side.size();
-      if (has_size)
-        divide(box);
-      else
-        heap_.push(std::move(box));
-      if (!has_size) break;
+      divide(box);
     }
-    has_points_ = true;
-    return !heap_.empty() || answer_.undecided;
+    has_looked_ = true;
+    for (VariableBox& box : std::exchange(set_aside_, {})) heap_.push(std::move(box));
+    return !heap_.empty();
   }
 
   /// False: nothing is feasible. Where nothing that is tried is, a few boxes often prove so, at a small part of what it
@@ -126,7 +123,10 @@ class Cover {
     box.side = std::move(side);
     if (!relief_.clip(box)) return;
     const std::size_t deciding = deciding_side(box, slopes);
-    if (deciding == box.side.size()) return leave_undecided(box);
+    if (deciding == box.side.size()) {
+      if (has_looked_) return leave_undecided(box);
+      return set_aside_.push_back(std::move(box));
+    }
     if (relief_.divides(deciding)) {
       if (relief_.refine(box, deciding)) push_part(box, box.side);
       return;
@@ -138,7 +138,8 @@ class Cover {
 
   /// The side over which scores, states or undecided utilisations change most, by slope times width: halving a
   /// diameter that moves the cost decides more than halving an acceleration time that moves nothing undecided. While no
-  /// point is feasible and none stands in nothing can be covered: only the proof that there is none can close boxes.
+  /// point that has been looked for is feasible and none stands in nothing can be covered: only the proof that there is
+  /// none can close boxes.
   std::size_t deciding_side(const VariableBox& box, const BoxSlopes& slopes) const {
     constexpr double few_parts = 32.0;
     std::size_t best = box.side.size();
@@ -150,7 +151,7 @@ class Cover {
       if (!(width > narrowest * range) || parts >= Relief::most_parts) continue;
       const double share = width / (box.side[v].upper - box.side[v].lower);
       const double change =
-          share * slopes.change_over(v, box.bounds, !has_points_ || !answer_.points.empty() || leaves_to_later());
+          share * slopes.change_over(v, box.bounds, !has_looked_ || !answer_.points.empty() || leaves_to_later());
       // The more parts there are, the more it costs; the widest, where nothing changes.
       const double worth =
           change > 0.0 ? change / (1.0 + static_cast<double>(parts) / few_parts) : -1.0 + 1e-3 * width / range;
@@ -367,8 +368,9 @@ class Cover {
   LeafAnswer answer_;
   std::vector<std::vector<double>> points_score_;  ///< own share of each point itself
   std::vector<bool> used_;
-  bool has_points_ = true;             ///< false: none has been looked for yet
-  std::vector<StagePoint> stand_ins_;  ///< points that break a constraint, for what an inexact label stands for
+  bool has_looked_ = true;              ///< for points; false: not yet
+  std::vector<VariableBox> set_aside_;  ///< that cannot be divided, and in which points have not been looked for
+  std::vector<StagePoint> stand_ins_;   ///< points that break a constraint, for what an inexact label stands for
   std::vector<std::vector<double>> stand_ins_score_;
   std::vector<double> label_score_, label_state_;  ///< how far what the label stands for is from itself
 };

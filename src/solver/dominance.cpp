@@ -84,6 +84,9 @@ bool LabelSet::dominates(const Worth& worth) const {
 
 void LabelSet::add(std::uint32_t index) {
   const Label& added = (*store_)[index];
+  // What may be anything is no better than all others.
+  const auto is_bounded = [&](const auto& compared) { return added.enclosure[compared.first].is_bounded(); };
+  if (by_ == Dominating::lower_bound && !std::all_of(compared_.begin(), compared_.end(), is_bounded)) return;
   const auto turned = [](std::vector<double>& key) {
     for (double& each : key) each = -each;
   };

@@ -8,9 +8,11 @@
 // an objective need not be as good in those; one that is equal in all objectives must be.
 //
 // A label that stands for more than its own point (labels.h) does so for anything that is no better than the best of
-// what it stands for: what is done with its lower bounds covers that, too, and it is no further from its point. Only
-// where a finer search is to look at what is left undecided (leaf_precision.h) has the point itself to be as good: what
-// a label stands for is written down there.
+// what it stands for, too: whatever can follow that can follow something within its enclosure (of which nothing is more
+// than later stages can bear), and what is done below the label is done for its enclosure and with its lower bounds. So
+// such designs are not followed one by one, but their points may be feasible where the label's is not: a finer search
+// after one that left something undecided (leaf_precision.h) compares with points again. So does one whose undecided
+// designs are written down for that: what a label stands for is among them.
 #pragma once
 
 #include <deque>

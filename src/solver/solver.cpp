@@ -170,7 +170,8 @@ class Solve {
 
   /// A point that stands for designs a little better than itself may be too heavy for a later stage where they are not.
   /// What stays undecided for that reason is decided with points that stand for less.
-  /// All stages together give up less than what incumbents settle (set_tolerance), or every build would be undecided.
+  /// All stages together give up less than what incumbents settle (set_tolerance), or every build would be undecided;
+  /// and what a label stands for may be given up by a guide of a front with the label, which costs no more than that.
   [[nodiscard]] double leaf_tolerance() const {
     const auto priced = static_cast<double>(std::count(priced_stages_.begin(), priced_stages_.end(), true));
     return std::min(0.25, 0.45 / std::max(priced, 1.0)) * tolerated();
@@ -252,13 +253,14 @@ class Solve {
 
   /// The best build is known only when all that might be better has been looked at, which may take longer than there is
   /// time: a good one first.
-  void look_for_builds(std::vector<StagePlan>& plans) {
-    constexpr double coarse = 1e-4;
-    constexpr std::size_t labels = 30;
-    constexpr std::uint64_t nodes = 30000;
-    LeafPrecision precision = precision_for(plans);
+  void look_for_builds(const OpenSearch& open) {
+    constexpr double good = 0.01, coarse = 1e-4;
+    constexpr std::size_t labels = 30, nodes = 30000;
+    const bool priced = std::ranges::any_of(*open.plans, &StagePlan::any_priced);
+    if (!priced || incumbents_.best() <= open.score[0] + good * std::fabs(open.score[0])) return;
+    LeafPrecision precision = precision_for(*open.plans);
     precision.tolerance = std::max(precision.tolerance, coarse);
-    label_by_label(plans, std::move(precision))->look(labels, nodes);
+    label_by_label(*open.plans, std::move(precision))->look(labels, nodes);
   }
 
   void finish(OpenSearch& open) {
@@ -268,9 +270,9 @@ class Solve {
       control_.while_there_is_time([&] { leave_out_dominated_rows(*open.plans, control_.desk(0)); });
       if (settle_briefly(open, 1, CurveEffort::thorough())) return;  // its curves serve all that follows
       if (stage_by_stage(*open.plans, open.score[0])) return;
+      look_for_builds(open);
       // Regions may have been left out: a search that was begun before counts them by numbers that are no longer
       // theirs.
-      if (priced_) look_for_builds(*open.plans);
       open.search = label_by_label(*open.plans);
     }
     set_tolerance();

@@ -1,24 +1,37 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solver/variable_halves.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
+
+#include "solver/variable_box.h"
 
 namespace millwright::solver {
 namespace {
 
-// Of a variable's range.
-constexpr double wide = 1.0 / 8.0;
-constexpr double narrow = 1.0 / 1024.0;
+constexpr double narrow = 1.0 / 1024.0;  // of a variable's range
+
+/// Of each variable's range, so that all of them together make some ten parts.
+double wide(const StagePlan& plan) {
+  constexpr double parts = 8.0;
+  return std::pow(parts, -1.0 / static_cast<double>(std::count(plan.priced.begin(), plan.priced.end(), true)));
+}
+
+/// Whether there is anything between its ends that bounds can tell apart.
+bool can_be_halved(const Interval& side, const Variable& variable) {
+  const double cut = middle(side);
+  return side.lower < cut && cut < side.upper &&
+         side.upper - side.lower > narrowest * (variable.upper - variable.lower);
+}
 
 std::optional<std::size_t> widest_above(double share, const StagePlan& plan, const Region& region) {
   std::optional<std::size_t> widest;
-  if (!plan.any_priced || region.rows.empty()) return widest;
   for (std::size_t v = 0; v < region.variables.size(); ++v) {
     const Interval& side = region.variables[v];
     const Interval& whole = plan.region.variables[v];
     const double left = (side.upper - side.lower) / (whole.upper - whole.lower);
-    if (!plan.priced[v] || !(left > share)) continue;
+    if (!plan.priced[v] || !(left > share) || !can_be_halved(side, plan.stage->variables()[v])) continue;
     share = left;
     widest = v;
   }
@@ -28,7 +41,8 @@ std::optional<std::size_t> widest_above(double share, const StagePlan& plan, con
 }  // namespace
 
 std::optional<std::size_t> wide_variable(const StagePlan& plan, const Region& region) {
-  return widest_above(wide, plan, region);
+  if (!plan.any_priced || region.rows.empty()) return std::nullopt;
+  return widest_above(wide(plan), plan, region);
 }
 
 std::optional<std::size_t> variable_to_halve(const StagePlan& plan,
@@ -36,6 +50,7 @@ std::optional<std::size_t> variable_to_halve(const StagePlan& plan,
                                              const Region& region,
                                              std::span<const double> least,
                                              Desk& desk) {
+  if (!plan.any_priced || region.rows.empty()) return std::nullopt;
   if (const auto variable = wide_variable(plan, region)) return variable;
   const auto widest = widest_above(narrow, plan, region);
   if (!widest) return std::nullopt;

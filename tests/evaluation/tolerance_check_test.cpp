@@ -203,7 +203,7 @@ TEST_CASE("a check that is stopped, or has no time, claims nothing, and a robust
 }
 
 TEST_CASE("a search that was stopped asks its build no more, and claims nothing of it") {
-  // What takes the least energy is searched for long after a build is known; every rotor has a tolerance here.
+  // To prove what takes the router the least energy takes far longer than to find a build; every rotor has a tolerance.
   const TolerancedCatalogue inexact(
       shipped_catalogue(), [](const std::string& name, int) { return name == "steppers.rotor_inertia" ? 0.01 : 0.0; });
   machine::Problem problem = shipped_problem("router");

@@ -278,6 +278,10 @@ TEST_CASE("A variable is halved where it loosens bounds more than the rows do") 
   CHECK(chosen(region) == std::optional<std::size_t>(0));
   region.variables[0] = {low, low + range / 2000.0};
   CHECK_FALSE(chosen(region));
+  // Two neighbouring numbers have nothing between them, whatever part of the range they are.
+  StagePlan narrow = plan;
+  narrow.region.variables[0] = {1.0, std::nextafter(1.0, 2.0)};
+  CHECK_FALSE(wide_variable(narrow, narrow.region));
 }
 
 }  // namespace priced_rows_test
