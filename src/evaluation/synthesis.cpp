@@ -120,9 +120,9 @@ solver::Summary solve_with_start(const MachineModel& model, const SearchOptions&
   cheapest.objectives = {"cost"};
   cheapest.time_limit_seconds = 0.25 * options.time_limit_seconds;
   if (options.progress) {
-    // Its bound and its builds are of another objective.
+    // Its bound and its builds are of another objective; no quantity is less than nothing.
     cheapest.progress = [&](solver::Progress progress) {
-      progress.lower_bound = -std::numeric_limits<double>::infinity();
+      progress.lower_bound = 0.0;
       progress.incumbent = std::numeric_limits<double>::infinity();
       options.progress(progress);
     };
@@ -155,7 +155,7 @@ solver::Summary solve_with_start(const MachineModel& model, const SearchOptions&
     summary.builds = {solver::best_nearby(
         model.problem(), solver_options(model, options), (found ? summary : start).builds.front(), stop)};
     const double value = value_of(summary.builds.front());
-    // A search that finds nothing where there is a build has proved nothing. No quantity is less than nothing.
+    // A search that finds nothing where there is a build has proved nothing.
     summary.lower_bound = refuted ? 0.0 : std::min(summary.lower_bound, value);
     summary.gap = (value - summary.lower_bound) / std::max(std::abs(value), 1e-300);
     // Where nothing that is better by more than the gap exists, what is there is as good.

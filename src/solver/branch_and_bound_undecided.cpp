@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What a search label by label leaves undecided: its bound, and in which designs it is, for a finer search.
+#include <algorithm>
 #include <limits>
 
 #include "solver/branch_and_bound.h"

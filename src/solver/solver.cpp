@@ -256,8 +256,8 @@ class Solve {
   void look_for_builds(const OpenSearch& open) {
     constexpr double good = 0.01, coarse = 1e-4;
     constexpr std::size_t labels = 30, nodes = 30000;
-    const bool priced = std::ranges::any_of(*open.plans, &StagePlan::any_priced);
-    if (!priced || incumbents_.best() <= open.score[0] + good * std::fabs(open.score[0])) return;
+    const bool wanted = control_.options().look_first && std::ranges::any_of(*open.plans, &StagePlan::any_priced);
+    if (!wanted || incumbents_.best() <= open.score[0] + good * std::fabs(open.score[0])) return;
     LeafPrecision precision = precision_for(*open.plans);
     precision.tolerance = std::max(precision.tolerance, coarse);
     label_by_label(*open.plans, std::move(precision))->look(labels, nodes);

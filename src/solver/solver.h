@@ -33,10 +33,9 @@ struct Options {
   /// Designs of a stage looked at, or combined with what came before, from which on a pass stage by stage is given up
   /// and shared allowances are priced first (rest_plane.h).
   std::uint64_t stage_patience = 30000;
-  bool look_first =
-      true;             ///< for good builds, before a long pass stage by stage; objectives and ties do not depend on it
-  bool confirm = true;  ///< ask the local solvers about an answer with priced variables (confirmation.h)
-  unsigned threads = 1;                     ///< the answer does not depend on it
+  bool look_first = true;  ///< for good builds, before what takes long; objectives and ties do not depend on it
+  bool confirm = true;     ///< ask the local solvers about an answer with priced variables (confirmation.h)
+  unsigned threads = 1;    ///< the answer does not depend on it
   const std::atomic<bool>* stop = nullptr;  ///< set by Ctrl-C: end as for the time limit
   std::function<void(const Progress&)> progress;
   double progress_interval_seconds = 0.1;  ///< not more often

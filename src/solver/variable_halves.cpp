@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <vector>
 
 #include "solver/variable_box.h"
@@ -70,11 +71,9 @@ std::optional<std::size_t> variable_to_halve(const StagePlan& plan,
 }
 
 std::pair<Region, Region> halved(const Region& region, std::size_t variable) {
-  std::pair<Region, Region> halves{region, region};
-  const double cut = middle(region.variables[variable]);
-  halves.first.variables[variable].upper = cut;
-  halves.second.variables[variable].lower = cut;
-  return halves;
+  std::pair<Region, Region> parts{region, region};
+  std::tie(parts.first.variables, parts.second.variables) = halves(region.variables, variable);
+  return parts;
 }
 
 }  // namespace millwright::solver
