@@ -105,7 +105,8 @@ struct Label {
 };
 using Labels = std::vector<Label>;
 struct Counts {
-  std::size_t compared = 0, left_out = 0, useless = 0, universal = 0, others = 0, inexact = 0, rests = 0;
+  std::size_t compared = 0, left_out = 0, useless = 0, universal = 0, others = 0, inexact = 0, rests = 0, vectors = 0,
+              mixed = 0, soon = 0;
   std::array<std::size_t, 4> directions = {};  ///< [Direction]
 };
 bool is_feasible(const Answer<double>& answer) { return std::ranges::max(answer.utilisation) <= 1.0; }
@@ -177,6 +178,30 @@ class Trial {
     }
     corners_ = upper_staircase(corners_);
     counts_.rests += plan().curves.size() + plan().planes.size() + plan().stairs.size();
+    CHECK(planes.find_vectors(corners_));  // the best are below some corner
+    counts_.vectors += plan().vectors.add.size();
+  }
+  /// What the labels and all that follows come to, coordinate by coordinate.
+  void ask_vectors(const Labels& labels, CandidateQuestion& question) {
+    const RestVectors& rest = plan().vectors;
+    if (rest.add.empty()) return;
+    const std::vector<double> nothing(labels.front().state.size(), 0.0);
+    VectorSet all(rest.add.dimensions());
+    for (const Label& label : labels) {
+      std::vector<double> vector{label.score.first, label.score.second};
+      for (const std::vector<double>& use : rest.use) {
+        double taken = 0.0;
+        for (std::size_t h = 0; h < use.size(); ++h) taken += use[h] * forms_[1].change(h, nothing, label.state);
+        vector.push_back(taken);
+      }
+      all.add(vector);
+    }
+    const std::size_t most = 1 + chain_.rng() % 20;  // few: they stand for others
+    question.total_vectors = {
+        rest.limit, rest.use, sum_of_vectors(lower_vectors(all, most), rest.add, 2 * most, [](auto) { return true; })};
+    if (criteria_.objectives < 2) return;
+    question.mix = Mix{1.0, 3.0};
+    ++counts_.mixed;
   }
   /// As the frontier asks (frontier_chunks.cpp).
   void ask_totals(const Labels& labels, CandidateQuestion& question) const {
@@ -211,6 +236,7 @@ class Trial {
       for (std::size_t c = 0; c < label.state.size(); ++c)
         question.states[c] = hull(question.states[c], Interval(label.state[c]));
     if (by_totals_) ask_totals(labels, question);
+    if (by_totals_) ask_vectors(labels, question);
     if (by_totals_ || chain_.rng() % 2 == 0) return question;
     const Pair corner{chain_.uniform(15.0, 40.0), chain_.uniform(1.5, 8.0)};
     question.useful = upper_staircase({{chain_.uniform(10.0, 25.0), infinity}, corner});
@@ -228,12 +254,19 @@ class Trial {
       for (const CandidateSet& set : {together.at(g), find_candidates(std::span(&asked[g], 1), desk_).at(0)}) {
         CHECK(set.complete);
         for (const Candidate& candidate : set.candidates) ++(candidate.universal ? counts_.universal : counts_.others);
-        for (const Label& label : groups[g]) check(label, questions[g], set);
+        for (const Label& label : groups[g]) check_coverage(label, questions[g], check(label, set));
       }
     }
+    questions.front().node_limit = 1 + chain_.rng() % 30;  // what is found soon need not be all, but it is true
+    const std::vector<CandidateSet> soon = find_candidates(asked, desk_);
+    for (std::size_t g = 0; g < count; ++g) {
+      counts_.soon += soon.at(g).candidates.size();
+      for (const Label& label : groups[g]) check(label, soon[g]);
+    }
   }
-  void check(const Label& label, const CandidateQuestion& question, const CandidateSet& set) {
-    std::map<std::vector<Row>, std::vector<double>> worths;  // of those that are feasible here
+  /// Whether candidates are what they are said to be. What those that are feasible for the label are worth there.
+  std::map<std::vector<Row>, std::vector<double>> check(const Label& label, const CandidateSet& set) {
+    std::map<std::vector<Row>, std::vector<double>> worths;
     for (const Candidate& candidate : set.candidates) {
       Answer<double> answer;
       plan().stage->evaluate({{}, label.state, candidate.rows, candidate.variables}, answer);
@@ -245,6 +278,11 @@ class Trial {
       if (candidate.universal || label.designs.contains(candidate.rows))
         worths[candidate.rows] = worth_of({pair_of(answer.resources), answer.handed_on});
     }
+    return worths;
+  }
+  void check_coverage(const Label& label,
+                      const CandidateQuestion& question,
+                      const std::map<std::vector<Row>, std::vector<double>>& worths) {
     for (const auto& [rows, design] : label.designs) {
       const auto leads_on = [&](const Pair& total) { return below(corners_, total); };
       const bool matters = by_totals_ ? std::ranges::any_of(design.totals, leads_on)
@@ -296,8 +334,11 @@ TEST_CASE("The candidates of groups of labels cover every design that matters to
     CHECK(std::min(counts.left_out, counts.useless) > counts.compared / 20);
     CHECK(std::min(counts.universal, counts.others) > 20 * seeds);
     CHECK(counts.inexact > seeds / 4);
+    CHECK(counts.soon > 10 * seeds);
     CHECK(std::ranges::min(std::span(counts.directions).subspan(1)) > seeds / 10);
     CHECK(counts.rests >= (totals ? seeds : 0));
+    CHECK(2 * counts.vectors >= (totals ? seeds / 10 : 0));
+    CHECK(counts.mixed >= (totals && !millwright::sanitized ? seeds / 10 : 0));  // there are few in the first chains
   }
 }
 

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/solve_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "solver/confirmation.h"
+#include "solver/method_sentence.h"
+#include "solver/neighbours.h"
+
+namespace millwright::solver {
+
+Summary SolveRun::run() {
+  if (problem_.stages.empty()) throw std::invalid_argument("Problem::stages is empty");
+  constexpr double small = 1e3;  // combinations below which ends, sides and guides are not worth their while
+  const bool empty = has_empty_slot(problem_);
+  if (!empty && search_space(problem_) > small) {
+    if (criteria_.objectives == 2 && !control_.options().stagewise) find_ends();
+    if (criteria_.objectives == 3 && control_.options().look_first) find_sides();
+  }
+  if (!empty) search();
+  better_among_equals();
+  return summary();
+}
+
+/// Solves for other objectives first: what is found counts here too.
+Summary SolveRun::solve_first(Options options, Scope scope) {
+  options.confirm = false;
+  options.progress = nullptr;  // it would tell of other objectives
+  Summary found = SolveRun(problem_, options, scope).run();
+  control_.nodes += found.nodes;
+  earlier_evaluations_ += found.evaluations;
+  for (const Build& build : found.builds) incumbents_.offer({scores_of(build), build});
+  return found;
+}
+
+std::vector<double> SolveRun::scores_of(const Build& build) const {
+  std::vector<double> score(criteria_.size());
+  criteria_.scores<double>(build.resources, score);
+  return score;
+}
+
+/// The two ends of a front by themselves: they bound it, and their distance says what rate between the objectives is
+/// worth a guide.
+void SolveRun::find_ends() {
+  std::vector<std::vector<double>> ends;
+  for (const std::size_t first : {std::size_t{0}, std::size_t{1}}) {
+    Options options = control_.options();
+    options.ties.insert(options.ties.begin(), options.objectives[1 - first]);
+    options.objectives = {options.objectives[first]};
+    options.time_limit_seconds -= control_.seconds();
+    const Summary end = solve_first(std::move(options), Scope::all);
+    if (end.builds.empty()) return;
+    ends.push_back(scores_of(end.builds[0]));
+  }
+  const double rise = ends[1][0] - ends[0][0];
+  const double fall = ends[0][1] - ends[1][1];
+  if (rise > 0.0 && fall > 0.0) add_guides(criteria_, rise / fall);
+  for (RankedBuild& ranked : incumbents_.builds()) ranked.score = scores_of(ranked.build);
+}
+
+/// What is best in two of three objectives belongs to the front. Stage by stage (frontier.h) it is found soon,
+/// where that method applies, while a search in all three that ends at the limit may have come upon a few builds only.
+void SolveRun::find_sides() {
+  constexpr double share = 0.2;  // of the time left, for each
+  for (std::size_t other = 0; other < 3; ++other) {
+    Options options = control_.options();
+    options.objectives.erase(options.objectives.begin() + static_cast<std::ptrdiff_t>(other));
+    options.time_limit_seconds = share * (options.time_limit_seconds - control_.seconds());
+    solve_first(std::move(options), Scope::stage_by_stage);
+  }
+}
+
+/// Within the tolerance of continuous variables a search does not ask what decides between equals. So parts of the
+/// best build are changed one by one for such as are better in that and no worse in the objective. (Incumbents would
+/// not take such a build: within the tolerance the one known is as good.)
+void SolveRun::better_among_equals() {
+  if (!priced_ || criteria_.objectives != 1 || criteria_.ties == 0 || incumbents_.builds().empty()) return;
+  RankedBuild& best = incumbents_.builds().front();
+  searched_best_ = best.score[0];
+  std::vector<double> score(criteria_.size());
+  const Neighbours neighbours(problem_);
+  for (std::size_t tie = 1; tie <= criteria_.ties; ++tie) {
+    const std::vector<double> most(best.score.begin(), best.score.begin() + static_cast<std::ptrdiff_t>(tie));
+    const auto value = [&](std::span<const double> resources) {
+      criteria_.scores<double>(resources, score);
+      for (std::size_t k = 0; k < most.size(); ++k)
+        if (rounded(score[k]) > rounded(most[k])) return infinity;
+      return rounded(score[tie]);
+    };
+    best.build = neighbours.improved(best.build, value, [this] { return control_.time_is_up(); });
+    criteria_.scores<double>(best.build.resources, best.score);
+  }
+  best.build.worst_utilisation = neighbours.worst_utilisation(best.build);
+}
+
+Summary SolveRun::summary() {
+  Summary out;
+  out.combinations = search_space(problem_);
+  out.nodes = control_.nodes;
+  out.evaluations = control_.evaluations() + earlier_evaluations_;
+  const double best = incumbents_.best();
+  // What the tolerance gave up may be better by so much.
+  const double searched = std::min(best, searched_best_);
+  const double settled = std::isfinite(best) ? searched - incumbents_.tolerance * std::fabs(searched) : infinity;
+  out.lower_bound = std::min(settled, open_bound_);
+  for (const RankedBuild& ranked : incumbents_.builds()) out.builds.push_back(ranked.build);
+  if (criteria_.objectives == 1 && out.builds.size() > 1) out.builds.resize(1);
+  out.gap = std::isfinite(best) ? (best - out.lower_bound) / std::max(std::fabs(best), 1e-300) : infinity;
+  const bool closed = complete_ || (criteria_.objectives == 1 && out.gap <= control_.options().gap);
+  out.status = !closed ? Status::limit : out.builds.empty() ? Status::infeasible : Status::optimal;
+  out.seconds = control_.seconds();
+  if (priced_ && criteria_.objectives > 1) out.front_tolerance = front_tolerance();
+  out.method = sentence_of({priced_, criteria_.objectives > 1, stagewise_, allowances_priced_});
+  if (priced_ && control_.options().confirm && criteria_.objectives == 1 && !out.builds.empty()) {
+    out.confirmations = confirm(problem_, criteria_, out.builds.front(), priced_stages_);
+    out.method += confirmation_sentence(out.confirmations);
+  }
+  return out;
+}
+
+}  // namespace millwright::solver

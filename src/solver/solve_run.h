@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// One solve: every combination of shared choices, cheapest first, with common incumbents. What comes before the search
+// (ends and sides of a front) and after it (the choice among equals, the summary) is in solve_run.cpp, the search of
+// the combinations in solve_search.cpp.
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "solver/branch_and_bound.h"
+#include "solver/criteria.h"
+#include "solver/frontier.h"
+#include "solver/incumbents.h"
+#include "solver/rest_curve.h"
+#include "solver/search_control.h"
+#include "solver/shared_choices.h"
+#include "solver/stage_plan.h"
+
+namespace millwright::solver {
+
+class SolveRun {
+ public:
+  /// What is solved at all: all else (than what frontier.h does) ends at the limit, with nothing found.
+  enum class Scope { all, stage_by_stage };
+  SolveRun(const Problem& problem, const Options& options, Scope scope = Scope::all)
+      : problem_(problem),
+        criteria_(make_criteria(problem, options)),
+        control_(options),
+        incumbents_(criteria_),
+        scope_(scope) {}
+
+  Summary run();
+
+ private:
+  /// A combination that has been begun; `search` points into `plans`.
+  struct OpenSearch {
+    std::unique_ptr<std::vector<StagePlan>> plans;
+    std::unique_ptr<BranchAndBound> search;
+    std::unique_ptr<Frontier> frontier = nullptr;  ///< by which any build is looked for
+    std::vector<double> score = {};                ///< lower bounds
+    std::uint64_t questions = 0;                   ///< asked to prepare it
+    bool tried = false;                            ///< in vain, to be settled without knowing any build
+  };
+  enum class Effort { brief, thorough, whole };
+
+  void find_ends();
+  void find_sides();
+  Summary solve_first(Options options, Scope scope);
+  [[nodiscard]] std::vector<double> scores_of(const Build& build) const;
+  void better_among_equals();
+  Summary summary();
+
+  void search();
+  std::optional<OpenSearch> start(const Combination& combination);
+  void look_around(std::vector<OpenSearch>& open);
+  bool look_briefly(std::vector<OpenSearch>& open);
+  void settle_more(std::vector<OpenSearch>& open);
+  template <class Settle>
+  void go_through(std::vector<OpenSearch>& open, Settle&& settle);
+  bool settle(OpenSearch& open, Effort effort);
+  bool settle_briefly(OpenSearch& open, std::uint64_t share, const CurveEffort& effort = {});
+  bool stage_by_stage(std::vector<StagePlan>& plans, double lower_bound);
+  void look_for_builds(const OpenSearch& open);
+  void finish(OpenSearch& open);
+  [[nodiscard]] std::vector<double> what_matters() const;
+  void sharpen(std::vector<StagePlan>& plans, const CurveEffort& effort = {});
+  [[nodiscard]] double leaf_tolerance() const;
+  [[nodiscard]] LeafPrecision precision_for(const std::vector<StagePlan>& plans) const {
+    return first_precision(plans, leaf_tolerance(), criteria_.objectives);
+  }
+  std::unique_ptr<BranchAndBound> label_by_label(std::vector<StagePlan>& plans) {
+    return label_by_label(plans, precision_for(plans));
+  }
+  std::unique_ptr<BranchAndBound> label_by_label(std::vector<StagePlan>& plans, LeafPrecision precision) {
+    return std::make_unique<BranchAndBound>(problem_, criteria_, plans, incumbents_, control_, std::move(precision));
+  }
+  void leave_open(double lower_bound) {
+    complete_ = false;
+    open_bound_ = std::min(open_bound_, lower_bound);
+  }
+  void set_tolerance() { incumbents_.tolerance = priced_ ? 0.5 * tolerated() : 0.0; }
+  /// What an answer with priced variables may fall short of the best.
+  [[nodiscard]] double tolerated() const {
+    return criteria_.objectives > 1 ? front_tolerance() : control_.options().gap;
+  }
+  [[nodiscard]] double front_tolerance() const {
+    return std::max(control_.options().front_tolerance, control_.options().gap);
+  }
+
+  const Problem& problem_;
+  Criteria criteria_;
+  SearchControl control_;
+  Incumbents incumbents_;
+  Scope scope_;
+  std::uint64_t earlier_evaluations_ = 0;
+  bool complete_ = true;
+  bool beyond_scope_ = false;
+  bool priced_ = false;
+  bool stagewise_ = false;          ///< frontier.h was used
+  bool allowances_priced_ = false;  ///< by it
+  std::vector<bool> priced_stages_;
+  double open_bound_ = infinity;
+  double searched_best_ = infinity;  ///< of the builds that the search has found
+};
+
+}  // namespace millwright::solver

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/solve_run.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/row_dominance.h"
+
+namespace millwright::solver {
+namespace {
+
+/// What a state that uses up all that later stages can bear costs in these looks (Frontier::look).
+constexpr double little_share = 0.03, much_share = 0.3;
+/// A problem that is settled in so many nodes is not worth rest curves.
+constexpr std::uint64_t easy_nodes = 200;
+
+/// The least bound from a place on; infinity where there is nothing more.
+template <class Parts>
+double least(const Parts& parts, std::size_t from) {
+  double bound = infinity;
+  for (std::size_t i = from; i < parts.size(); ++i) bound = std::min(bound, parts[i].score[0]);
+  return bound;
+}
+
+}  // namespace
+
+void SolveRun::search() {
+  std::vector<Combination> combinations = combinations_of(problem_, criteria_, control_.desk(0));
+  std::vector<OpenSearch> open;
+  // A single objective looks at every combination briefly first, and goes on with the most promising one: what is
+  // found in one settles much of the others.
+  for (std::size_t i = 0; i < combinations.size(); ++i) {
+    const Combination& combination = combinations[i];
+    control_.enter(combination.score[0], std::min(least(combinations, i + 1), least(open, 0)));
+    if (control_.time_is_up() || beyond_scope_) {
+      leave_open(combination.score[0]);
+      break;
+    }
+    if (incumbents_.hopeless(combination.score, 0.0)) continue;
+    if (auto started = start(combination)) open.push_back(std::move(*started));
+  }
+  std::stable_sort(open.begin(), open.end(), [](const auto& a, const auto& b) { return a.score[0] < b.score[0]; });
+  look_around(open);
+  for (OpenSearch& each : open) each.frontier = nullptr;
+  // What is settled soon in one combination may leave nothing to do in those that would take long.
+  for (const Effort effort : {Effort::brief, Effort::thorough, Effort::whole})
+    go_through(open, [&](OpenSearch& each) { return settle(each, effort); });
+}
+
+/// For any build, in each combination: to prove that there is none in the first may take far longer than to find one
+/// in the second, and with one it is easier. Then the combination in which the best build is comes first.
+void SolveRun::look_around(std::vector<OpenSearch>& open) {
+  if (criteria_.objectives > 1 || open.size() < 2 || !incumbents_.builds().empty()) return;
+  if (!control_.options().stagewise || !control_.options().look_first) return;
+  if (!look_briefly(open)) return;
+  settle_more(open);
+  for (const double share : {little_share, much_share})
+    for (OpenSearch& each : open)
+      if (each.frontier != nullptr && incumbents_.builds().empty() && !each.frontier->look(share, Frontier::many_nodes))
+        return;
+  if (incumbents_.builds().empty()) return;
+  const std::vector<Row>& shared = incumbents_.builds().front().build.shared;
+  std::stable_partition(open.begin(), open.end(), [&](const OpenSearch& each) {
+    const auto of_search = each.plans->front().shared;
+    return std::equal(shared.begin(), shared.end(), of_search.begin(), of_search.end());
+  });
+}
+
+/// False: there is no time, or the first combination is easy.
+bool SolveRun::look_briefly(std::vector<OpenSearch>& open) {
+  for (OpenSearch& each : open) {
+    if (!incumbents_.builds().empty()) break;
+    each.frontier = std::make_unique<Frontier>(problem_, criteria_, *each.plans, incumbents_, control_);
+    if (!each.frontier->applicable()) return false;
+    const Frontier::Difficulty difficulty = each.frontier->find_difficulty();
+    if (difficulty == Frontier::Difficulty::out_of_time) return false;
+    if (difficulty == Frontier::Difficulty::easy) {
+      if (&each == &open.front()) return false;
+      each.frontier = nullptr;
+    } else if (!each.frontier->look(little_share, Frontier::few_nodes)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Where there is no build yet a longer search label by label is worth its while: all that comes then takes longer.
+void SolveRun::settle_more(std::vector<OpenSearch>& open) {
+  constexpr std::uint64_t share = 2;
+  go_through(open, [&](OpenSearch& each) {
+    if (!incumbents_.builds().empty()) return false;
+    each.tried = each.frontier != nullptr;
+    return each.tried && settle_briefly(each, share);
+  });
+}
+
+/// Takes out what is hopeless or has been settled.
+template <class Settle>
+void SolveRun::go_through(std::vector<OpenSearch>& open, Settle&& settle) {
+  for (std::size_t i = 0; i < open.size();) {
+    double elsewhere = std::min(open_bound_, least(open, i + 1));
+    for (std::size_t j = 0; j < i; ++j) elsewhere = std::min(elsewhere, open[j].score[0]);
+    control_.enter(open[i].score[0], elsewhere);
+    if (incumbents_.hopeless(open[i].score, 0.0) || settle(open[i]))
+      open.erase(open.begin() + static_cast<std::ptrdiff_t>(i));
+    else
+      ++i;
+  }
+}
+
+/// A point that stands for designs a little better than itself may be too heavy for a later stage where they are not.
+/// What stays undecided for that reason is decided with points that stand for less.
+/// All stages together give up less than what incumbents settle (set_tolerance), or every build would be undecided;
+/// and what a label stands for may be given up by a guide of a front with the label, which costs no more than that.
+double SolveRun::leaf_tolerance() const {
+  const auto priced = static_cast<double>(std::count(priced_stages_.begin(), priced_stages_.end(), true));
+  return std::min(0.25, 0.45 / std::max(priced, 1.0)) * tolerated();
+}
+
+/// Empty when the combination is settled.
+std::optional<SolveRun::OpenSearch> SolveRun::start(const Combination& combination) {
+  const std::uint64_t before = control_.evaluations();
+  OpenSearch open{std::make_unique<std::vector<StagePlan>>(), nullptr, nullptr, combination.score};
+  std::vector<StagePlan>& plans = *open.plans;
+  const bool prepared = control_.while_there_is_time(
+      [&] { plans = make_plans(problem_, combination.shared, criteria_, control_.desk(0)); });
+  if (!prepared) leave_open(combination.score[0]);
+  if (plans.empty()) return std::nullopt;
+  open.questions = control_.evaluations() - before;
+  priced_stages_.resize(plans.size());
+  for (std::size_t i = 0; i < plans.size(); ++i) {
+    priced_ = priced_ || plans[i].any_priced;
+    priced_stages_[i] = priced_stages_[i] || plans[i].any_priced;
+  }
+  beyond_scope_ =
+      scope_ == Scope::stage_by_stage && !Frontier(problem_, criteria_, plans, incumbents_, control_).applicable();
+  if (beyond_scope_) {
+    leave_open(combination.score[0]);
+    return std::nullopt;
+  }
+  if (criteria_.objectives > 1) {
+    control_.while_there_is_time([&] { leave_out_dominated_rows(plans, control_.desk(0)); });
+    sharpen(plans);
+    if (stage_by_stage(plans, combination.score[0])) return std::nullopt;
+  }
+  set_tolerance();
+  open.search = label_by_label(plans);
+  if (criteria_.objectives > 1) return open;
+  const SearchResult result = open.search->run(std::min(control_.options().patience, easy_nodes));
+  if (result.complete) return std::nullopt;
+  open.score[0] = std::max(open.score[0], result.lower_bound);
+  return open;
+}
+
+/// Totals of the objectives beyond which the curves of what is to come need not be known.
+std::vector<double> SolveRun::what_matters() const {
+  std::vector<double> most(criteria_.objectives, infinity);
+  for (std::size_t k = 0; k < most.size() && criteria_.objectives < 3 && !incumbents_.builds().empty(); ++k) {
+    most[k] = -infinity;
+    for (const RankedBuild& build : incumbents_.builds()) most[k] = std::max(most[k], build.score[k]);
+  }
+  return most;
+}
+
+/// What is to come at least, by what has been handed on; the curves that there was no time for are left out.
+void SolveRun::sharpen(std::vector<StagePlan>& plans, const CurveEffort& effort) {
+  control_.while_there_is_time([&] { find_rest_curves(plans, what_matters(), effort, control_.desk(0)); });
+}
+
+/// Searches a single objective label by label while that costs no more than `share` times what preparing it did: what
+/// is not done then is better done stage by stage. True when it is settled.
+bool SolveRun::settle_briefly(OpenSearch& open, std::uint64_t share, const CurveEffort& effort) {
+  if (control_.time_is_up()) return false;
+  sharpen(*open.plans, effort);
+  open.search = label_by_label(*open.plans);
+  constexpr std::uint64_t nodes_at_once = 500;
+  const std::uint64_t before = control_.evaluations();
+  for (std::uint64_t nodes = 0; nodes < control_.options().patience; nodes += nodes_at_once) {
+    const SearchResult result = open.search->run(nodes_at_once);
+    if (result.complete) return true;
+    open.score[0] = std::max(open.score[0], result.lower_bound);
+    if (control_.time_is_up() || control_.evaluations() - before > share * open.questions) break;
+  }
+  open.search = nullptr;
+  return false;
+}
+
+/// The best build is known only when all that might be better has been looked at, which may take longer than there is
+/// time: a good one first.
+void SolveRun::look_for_builds(const OpenSearch& open) {
+  constexpr double good = 0.01, coarse = 1e-4;
+  constexpr std::size_t labels = 30, nodes = 30000;
+  const bool wanted = control_.options().look_first && std::ranges::any_of(*open.plans, &StagePlan::any_priced);
+  if (!wanted || incumbents_.best() <= open.score[0] + good * std::fabs(open.score[0])) return;
+  LeafPrecision precision = precision_for(*open.plans);
+  precision.tolerance = std::max(precision.tolerance, coarse);
+  label_by_label(*open.plans, std::move(precision))->look(labels, nodes);
+}
+
+bool SolveRun::settle(OpenSearch& open, Effort effort) {
+  const bool single = criteria_.objectives == 1;
+  if (effort == Effort::brief)
+    return single && !(open.tried && incumbents_.builds().empty()) && settle_briefly(open, 1);
+  if (effort == Effort::thorough) {  // its curves serve all that follows
+    if (!single) return false;
+    control_.while_there_is_time([&] { leave_out_dominated_rows(*open.plans, control_.desk(0)); });
+    return settle_briefly(open, 1, CurveEffort::thorough());
+  }
+  finish(open);
+  return true;
+}
+
+void SolveRun::finish(OpenSearch& open) {
+  if (criteria_.objectives == 1) {
+    if (stage_by_stage(*open.plans, open.score[0])) return;
+    look_for_builds(open);
+    // Regions may have been left out: a search that was begun before counts them by numbers that are no longer
+    // theirs.
+    open.search = label_by_label(*open.plans);
+  }
+  set_tolerance();
+  SearchResult result = open.search->run();
+  while (!result.complete && !control_.time_is_up() && may_be_finer(open.search->precision(), leaf_tolerance())) {
+    LeafPrecision precision = finer(open.search->precision(), open.search->undecided_designs());
+    open.search = nullptr;  // it may be large
+    open.search = label_by_label(*open.plans, std::move(precision));
+    result = open.search->run();
+  }
+  if (!result.complete) leave_open(std::max(open.score[0], result.lower_bound));
+}
+
+/// One or two objectives by frontier.h; false when that method does not apply or leaves something undecided.
+bool SolveRun::stage_by_stage(std::vector<StagePlan>& plans, double lower_bound) {
+  if (criteria_.objectives > 2 || !control_.options().stagewise) return false;
+  Frontier frontier(problem_, criteria_, plans, incumbents_, control_);
+  if (!frontier.applicable()) return false;
+  stagewise_ = true;
+  const bool settled = frontier.run(allowances_priced_, lower_bound);
+  allowances_priced_ = allowances_priced_ || frontier.used_prices();
+  if (settled) return true;
+  if (frontier.undecided() && !control_.time_is_up()) return false;
+  leave_open(lower_bound);
+  return true;
+}
+
+}  // namespace millwright::solver
