@@ -9,13 +9,26 @@ namespace millwright::evaluation {
 using machine::Requirement;
 using scalar::Interval;
 
+namespace {
+
+/// With a range from standstill and one beyond the end: sets of parts seem to ask for speeds that no part alone does,
+/// and profiles ask for every speed from nothing on.
+std::vector<double> with_outer_ranges(std::vector<double> edges) {
+  constexpr double beyond = 4.0;  // largest and smallest pinion of two tables come to no more, mostly
+  if (edges.front() > 0.0) edges.insert(edges.begin(), 0.0);
+  edges.push_back(beyond * edges.back());
+  return edges;
+}
+
+}  // namespace
+
 MotorSet::MotorSet(MotorTable motors,
                    const machine::Requirements& require,
                    std::size_t voltages,
                    std::vector<double> speeds)
     : motors_(std::move(motors)),
       require_(require),
-      speeds_(std::move(speeds)),
+      speeds_(with_outer_ranges(std::move(speeds))),
       torque_table_(voltages * motors_.pairs.size()) {
   std::map<std::pair<int, double>, solver::Row> first_with;  // (motor, current)
   for (solver::Row row = 0; row < motors_.pairs.size(); ++row) {

@@ -77,7 +77,7 @@ T available_torque(const MotorRanges& ranges, const T& angular_speed) {
 class MotorSet {
  public:
   /// `speeds`: the angular speeds [rad/s] that can occur on the axis, ascending edges of the ranges of the torque
-  /// table.
+  /// table. (Below and above them there is one range more.)
   MotorSet(MotorTable motors, const machine::Requirements& require, std::size_t voltages, std::vector<double> speeds);
 
   [[nodiscard]] const MotorTable& motors() const { return motors_; }

@@ -54,7 +54,7 @@ std::pair<double, double> constant_speed_range(const machine::Axis& axis) {
   double slow = scalar::rounding::infinity, fast = 0.0;
   for (const machine::Move& move : axis.moves) {
     if (move.profile) {
-      // What is slower than that is looked up motor by motor.
+      // What is slower than that is one range of the torque table.
       slow = std::min(slow, 0.02 * move.profile->peak_speed);
       fast = std::max(fast, move.profile->peak_speed);
       continue;
