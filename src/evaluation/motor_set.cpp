@@ -14,7 +14,7 @@ namespace {
 /// With a range from standstill and one beyond the end: sets of parts seem to ask for speeds that no part alone does,
 /// and profiles ask for every speed from nothing on.
 std::vector<double> with_outer_ranges(std::vector<double> edges) {
-  constexpr double beyond = 4.0;  // largest and smallest pinion of two tables come to no more, mostly
+  constexpr double beyond = 4.0;  // mostly sets of pinions ask for no more than that
   if (edges.front() > 0.0) edges.insert(edges.begin(), 0.0);
   edges.push_back(beyond * edges.back());
   return edges;

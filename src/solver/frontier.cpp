@@ -8,6 +8,7 @@
 #include "solver/frontier_sums.h"
 #include "solver/leaf_point.h"
 #include "solver/least_front.h"
+#include "solver/neighbours.h"
 #include "solver/rest_curve.h"
 
 namespace millwright::solver {
@@ -350,7 +351,14 @@ Build Frontier::build_of(const Label& last) {
     relieve(stage, before, build.stages[stage], build.worst_utilisation);
     label = &before;
   }
+  take_stock(build);
   return build;
+}
+
+/// Totals that are no scores may hang on what has been moved.
+void Frontier::take_stock(Build& build) const {
+  Build moved = build;
+  if (Neighbours(problem_).evaluate(moved)) build = std::move(moved);
 }
 
 void Frontier::relieve(std::size_t stage, const Label& before, StageChoice& choice, double& utilisation) {

@@ -168,6 +168,7 @@ class Frontier {
   const LeafAnswer& leaf(std::size_t stage, Chunk& chunk, const Combination& combination);
   void finish(const Label& label);
   Build build_of(const Label& last);
+  void take_stock(Build& build) const;
   void relieve(std::size_t stage, const Label& before, StageChoice& choice, double& utilisation);
 
   const Problem& problem_;

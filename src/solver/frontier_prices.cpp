@@ -52,6 +52,7 @@ void Frontier::improve() {
     before.enclosure.assign(before.state.begin(), before.state.end());
     relieve(stage, before, choice, ranked.build.worst_utilisation);
   }
+  take_stock(ranked.build);
   incumbents_.offer(std::move(ranked));
 }
 

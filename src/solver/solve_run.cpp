@@ -13,15 +13,21 @@ namespace millwright::solver {
 
 Summary SolveRun::run() {
   if (problem_.stages.empty()) throw std::invalid_argument("Problem::stages is empty");
-  constexpr double small = 1e3;  // combinations below which ends, sides and guides are not worth their while
-  const bool empty = has_empty_slot(problem_);
-  if (!empty && search_space(problem_) > small) {
-    if (criteria_.objectives == 2 && !control_.options().stagewise) find_ends();
-    if (criteria_.objectives == 3 && control_.options().look_first) find_sides();
-  }
-  if (!empty) search();
+  if (!has_empty_slot(problem_) && find_some_first()) search();
   better_among_equals();
   return summary();
+}
+
+/// Of several objectives: what is better known before the search. False: there is no build at all.
+bool SolveRun::find_some_first() {
+  constexpr double small = 1e3;  // combinations below which none of it is worth its while
+  const Options& options = control_.options();
+  const bool ends = criteria_.objectives == 2 && !options.stagewise;
+  const bool sides = criteria_.objectives == 3 && options.stagewise && options.look_first;
+  if ((!ends && !sides) || !(search_space(problem_) > small)) return true;
+  if (sides) return find_sides();
+  find_ends();
+  return true;
 }
 
 /// Solves for other objectives first: what is found counts here too.
@@ -60,16 +66,19 @@ void SolveRun::find_ends() {
   for (RankedBuild& ranked : incumbents_.builds()) ranked.score = scores_of(ranked.build);
 }
 
-/// What is best in two of three objectives belongs to the front. Stage by stage (frontier.h) it is found soon,
-/// where that method applies, while a search in all three that ends at the limit may have come upon a few builds only.
-void SolveRun::find_sides() {
-  constexpr double share = 0.2;  // of the time left, for each
-  for (std::size_t other = 0; other < 3; ++other) {
+/// For what is best in two of three objectives there is a build on the front that is as good in these two. Stage by
+/// stage (frontier.h) such are found soon, where that method applies, while a search in all three that ends at the
+/// limit may have come upon a few builds only. Nothing is proved by it but that there may be no build at all: then
+/// false.
+bool SolveRun::find_sides() {
+  constexpr double share = 0.1;  // of the time left, for each
+  for (std::size_t other = 0; other < 3 && !control_.time_is_up(); ++other) {
     Options options = control_.options();
     options.objectives.erase(options.objectives.begin() + static_cast<std::ptrdiff_t>(other));
     options.time_limit_seconds = share * (options.time_limit_seconds - control_.seconds());
-    solve_first(std::move(options), Scope::stage_by_stage);
+    if (solve_first(std::move(options), Scope::stage_by_stage).status == Status::infeasible) return false;
   }
+  return true;
 }
 
 /// Within the tolerance of continuous variables a search does not ask what decides between equals. So parts of the

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// One solve: every combination of shared choices, cheapest first, with common incumbents. What comes before the search
-// (ends and sides of a front) and after it (the choice among equals, the summary) is in solve_run.cpp, the search of
-// the combinations in solve_search.cpp.
+// One solve: every combination of shared choices, the cheapest begun first, with common incumbents. What comes before
+// the search (ends and sides of a front) and after it (the choice among equals, the summary) is in solve_run.cpp, the
+// search of the combinations in solve_search.cpp.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@ namespace millwright::solver {
 
 class SolveRun {
  public:
-  /// What is solved at all: all else (than what frontier.h does) ends at the limit, with nothing found.
+  /// `stage_by_stage`: only what frontier.h does, the rest is left open.
   enum class Scope { all, stage_by_stage };
   SolveRun(const Problem& problem, const Options& options, Scope scope = Scope::all)
       : problem_(problem),
@@ -46,8 +46,9 @@ class SolveRun {
   };
   enum class Effort { brief, thorough, whole };
 
+  bool find_some_first();
   void find_ends();
-  void find_sides();
+  bool find_sides();
   Summary solve_first(Options options, Scope scope);
   [[nodiscard]] std::vector<double> scores_of(const Build& build) const;
   void better_among_equals();

@@ -2,6 +2,7 @@
 #include "solver/solve_run.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "solver/row_dominance.h"
@@ -27,8 +28,7 @@ double least(const Parts& parts, std::size_t from) {
 void SolveRun::search() {
   std::vector<Combination> combinations = combinations_of(problem_, criteria_, control_.desk(0));
   std::vector<OpenSearch> open;
-  // A single objective looks at every combination briefly first, and goes on with the most promising one: what is
-  // found in one settles much of the others.
+  // A single objective looks at every combination briefly first: what is found in one settles much of the others.
   for (std::size_t i = 0; i < combinations.size(); ++i) {
     const Combination& combination = combinations[i];
     control_.enter(combination.score[0], std::min(least(combinations, i + 1), least(open, 0)));
@@ -42,9 +42,16 @@ void SolveRun::search() {
   std::stable_sort(open.begin(), open.end(), [](const auto& a, const auto& b) { return a.score[0] < b.score[0]; });
   look_around(open);
   for (OpenSearch& each : open) each.frontier = nullptr;
-  // What is settled soon in one combination may leave nothing to do in those that would take long.
-  for (const Effort effort : {Effort::brief, Effort::thorough, Effort::whole})
-    go_through(open, [&](OpenSearch& each) { return settle(each, effort); });
+  // What is settled soon in one combination may leave nothing to do in those that would take long. (But where variables
+  // move the objective builds are looked for last, and without any the others are not settled soon.)
+  constexpr std::array efforts = {Effort::brief, Effort::thorough, Effort::whole};
+  if (priced_) {
+    go_through(open, [&](OpenSearch& each) {
+      return std::ranges::any_of(efforts, [&](Effort effort) { return settle(each, effort); });
+    });
+  } else {
+    for (const Effort effort : efforts) go_through(open, [&](OpenSearch& each) { return settle(each, effort); });
+  }
 }
 
 /// For any build, in each combination: to prove that there is none in the first may take far longer than to find one
@@ -142,6 +149,10 @@ std::optional<SolveRun::OpenSearch> SolveRun::start(const Combination& combinati
     control_.while_there_is_time([&] { leave_out_dominated_rows(plans, control_.desk(0)); });
     sharpen(plans);
     if (stage_by_stage(plans, combination.score[0])) return std::nullopt;
+    if (scope_ == Scope::stage_by_stage) {
+      leave_open(combination.score[0]);
+      return std::nullopt;
+    }
   }
   set_tolerance();
   open.search = label_by_label(plans);

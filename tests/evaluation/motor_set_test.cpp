@@ -4,6 +4,7 @@
 #include "evaluation/motor_set.h"
 
 #include <algorithm>
+#include <numeric>
 #include <random>
 
 #include "catch.h"
@@ -61,6 +62,13 @@ TEST_CASE("Torques of sets of motors contain those of each motor at every speed"
     loose += torque.upper > 1.001 * most ? 1 : 0;  // at a fifth of the least speed some motor has as much
   }
   CHECK(outside == 0);
+  // From standstill on is one range: all of it is asked of the table, whatever the part of it.
+  std::vector<Row> many(20);
+  std::iota(many.begin(), many.end(), Row{0});
+  const Interval slowest = set.torque<Interval>(many, 0, Interval(0.0, 4.9));
+  const Interval slower = set.torque<Interval>(many, 0, Interval(0.5, 1.0));
+  CHECK(slower.lower == slowest.lower);
+  CHECK(slower.upper == slowest.upper);
   CHECK(loose < 40);
 }
 
