@@ -355,7 +355,8 @@ Build Frontier::build_of(const Label& last) {
   return build;
 }
 
-/// Totals that are no scores may hang on what has been moved.
+/// Totals that are no scores may hang on what has been moved. (That only makes the worst utilisation smaller, so what
+/// was feasible is.)
 void Frontier::take_stock(Build& build) const {
   Build moved = build;
   if (Neighbours(problem_).evaluate(moved)) build = std::move(moved);

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+//
+// How the combinations of shared choices are settled: each is prepared (stage_plan.h) and looked at briefly, cheapest
+// first; of those left, label by label (branch_and_bound.h) for as long as that is cheap; then stage by stage
+// (frontier.h) where that method applies, and what remains label by label to the end. Several objectives go stage by
+// stage at once.
 #include "solver/solve_run.h"
 
 #include <algorithm>
