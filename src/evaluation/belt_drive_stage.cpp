@@ -38,11 +38,10 @@ BeltDriveStage::BeltDriveStage(const machine::Axis& axis,
   tables_.push_back(std::move(belts_.belts));
   tables_.push_back(std::move(belts_.pulleys));
   tables_.push_back(std::move(belts_.idlers));
-  motors_ = std::make_unique<MotorSet>(motor_table(catalogue, axis, voltages, prices),
-                                       axis.require,
-                                       voltages.size(),
-                                       belt_speed_edges(axis, tables_.front(), reduction_));
-  tables_.push_back(motors_->motors().table);
+  take_motors(motor_table(catalogue, axis, voltages, prices),
+              axis,
+              voltages.size(),
+              belt_speed_edges(axis, tables_.front(), reduction_));
   reduction_.add_to(tables_);
   for (SlotTable& table : tables_) table.multiply(drives_);
   finish_slots();
@@ -123,7 +122,7 @@ bool BeltDriveStage::fits(
     return std::abs(tables_[pulley_slot].reading(row_a, BeltTables::bore) - shaft) < 1e-6;
   };
   if (reduction_.is(slot_b)) return bore_is(reduction_.shaft(row_b));
-  return reduction_.slot().has_value() || bore_is(motors_->motors().pairs[row_b].shaft);
+  return reduction_.slot().has_value() || bore_is(motors_->pairs()[row_b].shaft);
 }
 
 solver::FitKey BeltDriveStage::fit_key(std::span<const solver::Row>,
@@ -142,7 +141,7 @@ solver::FitKey BeltDriveStage::fit_key(std::span<const solver::Row>,
     if (other == idler_slot) return key(fit.idler, 0);
     return {tables_[pulley_slot].reading(row, BeltTables::bore), 0.0};
   }
-  return {reduction_.is(slot) ? reduction_.shaft(row) : motors_->motors().pairs[row].shaft, 0.0};
+  return {reduction_.is(slot) ? reduction_.shaft(row) : motors_->pairs()[row].shaft, 0.0};
 }
 
 std::optional<std::size_t> BeltDriveStage::own_row_kind(std::size_t slot, solver::Row row) const {

@@ -45,7 +45,7 @@ class DriveStage : public ElementStage<Derived> {
   /// The most that any of its motors turns its flange by [N.m].
   [[nodiscard]] double largest_flange_torque() const {
     double largest = 0.0;
-    for (solver::Row row = 0; row < motors_->motors().pairs.size(); ++row)
+    for (solver::Row row = 0; row < motors_->pairs().size(); ++row)
       for (std::size_t voltage = 0; voltage < motors_->voltages(); ++voltage)
         largest = std::max(largest, flange_torque(reading_of(row, voltage)).upper);
     return largest;
@@ -106,6 +106,12 @@ class DriveStage : public ElementStage<Derived> {
         load_share_(axis.mechanism.load_share),
         acceleration_time_(axis.acceleration_time),
         reduction_(axis, prices) {}
+
+  /// Their slot is the next. `speeds`: as MotorSet's.
+  void take_motors(MotorTable motors, const machine::Axis& axis, std::size_t voltages, std::vector<double> speeds) {
+    motors_ = std::make_unique<MotorSet>(std::move(motors.pairs), axis.require, voltages, std::move(speeds));
+    this->tables_.push_back(std::move(motors.table));
+  }
 
   AxisPlace place_;
   double drives_ = 1.0;

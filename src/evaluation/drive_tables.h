@@ -38,21 +38,23 @@ struct MotorRanges {
   };
   std::vector<Curve> curves;
   bool model_may_govern = false;
+  scalar::Interval mass;  ///< kg, of the motor
 };
 
 /// A motor with a driver at each supply voltage of the problem.
 struct MotorPair {
-  double shaft = 0.0;                                                 ///< m
-  double frame_size = 0.0;                                            ///< m
-  bool torque_is_estimate = true;                                     ///< no published curve governs at any voltage
-  std::vector<machine::MotorFigures<double>> at_voltage;              ///< per voltage
+  int motor = 0;                                          ///< row in the catalogue
+  double mass = 0.0;                                      ///< kg, of the motor: the driver is in its cabinet
+  double shaft = 0.0;                                     ///< m
+  double frame_size = 0.0;                                ///< m
+  bool torque_is_estimate = true;                         ///< no published curve governs at any voltage
+  std::vector<machine::MotorFigures<double>> at_voltage;  ///< per voltage
   std::vector<std::shared_ptr<const mechanics::PullOutCurve>> curve;  ///< per voltage, null where the model governs
-  std::vector<bool> fits_voltage;                                     ///< driver runs at this voltage
   std::vector<MotorRanges> ranges;  ///< per voltage; empty where every figure is what it is
 };
 struct MotorTable {
-  SlotTable table;  ///< no readings of its own: they depend on the voltage
-  std::vector<MotorPair> pairs;
+  SlotTable table;               ///< no readings of its own: they depend on the voltage
+  std::vector<MotorPair> pairs;  ///< per row
 };
 MotorTable motor_table(const catalogue::Catalogue& catalogue,
                        const machine::Axis& axis,

@@ -7,7 +7,6 @@
 //   evaluate = the design on double, bound = on Interval, slopes = on Dual<Interval>, gradient = on Dual<double>.
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -160,7 +159,7 @@ class ElementStage : public solver::Stage {
     const auto& derived = static_cast<const Derived&>(*this);
     if constexpr (requires { derived.row_kind_of(slot, solver::Row{}); }) {
       if (tables_[slot].has_ranges() || !derived.row_kind_of(slot, 0)) return 0;
-      return tables_[slot].fields() + total_count;
+      return tables_[slot].width();
     }
     return 0;
   }
@@ -174,14 +173,7 @@ class ElementStage : public solver::Stage {
                            std::span<const solver::Row> rows,
                            std::vector<scalar::Interval>& readings) {
     append_ranges(
-        rows, table.fields(), [&](solver::Row row) { return table.readings(row); }, readings);
-    std::array<double, total_count> totals{};
-    const auto totals_of = [&](solver::Row row) {
-      const Candidate& candidate = table.candidate(row);
-      for (std::size_t i = 0; i < total_count; ++i) totals[i] = total_of(candidate, static_cast<Total>(i));
-      return totals.data();
-    };
-    append_ranges(rows, total_count, totals_of, readings);
+        rows, table.width(), [&](solver::Row row) { return table.numbers(row); }, readings);
   }
 
   static void read_ranges(const SlotTable& table,
@@ -259,7 +251,7 @@ class ElementStage : public solver::Stage {
       const SlotTable& table = tables_[slot];
       sum = sum + hull_of<T>(selection.rows[slot],
                              table.fields() + static_cast<std::size_t>(what),
-                             [&](solver::Row row) { return total_of(table.candidate(row), what); });
+                             [&](solver::Row row) { return table.total(row, what); });
     }
     return sum;
   }

@@ -203,12 +203,12 @@ void MachineModel::add_spares(const PriceBook& prices) {
     for (SlotTable& table : std::visit(
              [](auto& stage) -> auto& { return stage->change_tables(); }, entry.stage))
       for (std::size_t row = 0; row < table.rows(); ++row)
-        for (PartUse& use : table.change(row).parts) {
+        for (PartUse& use : table.change_parts(row)) {
           use.spares = machine::spares_of(problem_, entry.axis, use.slot);
           if (!(use.spares > 0.0)) continue;
           const double more = use.spares * price_of(use);
           use.price += more;
-          add_to_price(table.change(row), more);
+          table.add_to_price(row, more);
         }
 }
 

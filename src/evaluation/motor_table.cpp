@@ -194,6 +194,8 @@ class MotorPairs {
  private:
   void add(const Motor& motor, const Driver& driver, double current) {
     MotorPair pair;
+    pair.motor = motor.row;
+    pair.mass = motor.mass;
     pair.shaft = motor.shaft;
     if (!std::isnan(motor.frame_size)) pair.frame_size = motor.frame_size;
     machine::MotorFigures<double> f = motor.figures;
@@ -205,7 +207,6 @@ class MotorPairs {
     for (const double v : voltages_) {
       f.voltage = v;
       pair.at_voltage.push_back(f);
-      pair.fits_voltage.push_back(drivers_.runs_at(driver, v));
       pair.curve.push_back(governing_curve(curves_, maker, part, v, std::min(driver.peak_current, current)));
       if (pair.curve.back() != nullptr) pair.torque_is_estimate = false;
     }
@@ -225,6 +226,7 @@ class MotorPairs {
     using scalar::Interval;
     const auto range = [&](const char* name) { return motors_.range(column(Family::steppers, name), motor.row); };
     MotorRanges of_pair;
+    of_pair.mass = range("mass");
     machine::MotorFigures<Interval>& f = of_pair.figures;
     f = motor_figures(motors_, motor.row, range);
     f.asked_current = axis_.motor.currents.empty()
@@ -239,7 +241,7 @@ class MotorPairs {
       pair.ranges.push_back(of_pair);
     }
     candidate.ranges = candidate_ranges(
-        {}, candidate.price, {}, range("mass"), driver_table_.range(column(Family::drivers, "mass"), driver.row));
+        {}, candidate.price, {}, of_pair.mass, driver_table_.range(column(Family::drivers, "mass"), driver.row));
   }
 
   void take_curves(const Motor& motor, double voltage, const scalar::Interval& current, MotorRanges& of_pair) const {

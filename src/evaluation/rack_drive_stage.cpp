@@ -41,11 +41,10 @@ RackDriveStage::RackDriveStage(const machine::Axis& axis,
   name_ = axis.name + ".drive";
   tables_.push_back(rack_table(catalogue, axis, prices));
   tables_.push_back(pinion_table(catalogue, prices));
-  motors_ = std::make_unique<MotorSet>(motor_table(catalogue, axis, voltages, prices),
-                                       axis.require,
-                                       voltages.size(),
-                                       rack_speed_edges(axis, tables_[pinion_slot], reduction_));
-  tables_.push_back(motors_->motors().table);
+  take_motors(motor_table(catalogue, axis, voltages, prices),
+              axis,
+              voltages.size(),
+              rack_speed_edges(axis, tables_[pinion_slot], reduction_));
   reduction_.add_to(tables_);
   for (SlotTable& table : tables_) table.multiply(drives_);
   finish_slots();
@@ -108,7 +107,7 @@ bool RackDriveStage::fits(
   if (slot_a == pinion_slot && reduction_.is(slot_b))
     return same(pinions.reading(row_a, pinion_bore), reduction_.shaft(row_b));
   if (slot_a == pinion_slot && slot_b == motor_slot && !reduction_.slot())
-    return same(pinions.reading(row_a, pinion_bore), motors_->motors().pairs[row_b].shaft);
+    return same(pinions.reading(row_a, pinion_bore), motors_->pairs()[row_b].shaft);
   return true;
 }
 
@@ -121,7 +120,7 @@ solver::FitKey RackDriveStage::fit_key(std::span<const solver::Row>,
   if (slot == pinion_slot && other == rack_slot)
     return {table.reading(row, pinion_module), table.reading(row, pinion_angle)};
   if (slot == pinion_slot) return {table.reading(row, pinion_bore), 0.0};
-  return {reduction_.is(slot) ? reduction_.shaft(row) : motors_->motors().pairs[row].shaft, 0.0};
+  return {reduction_.is(slot) ? reduction_.shaft(row) : motors_->pairs()[row].shaft, 0.0};
 }
 
 template RackDrive<double> RackDriveStage::design(const Selection<double>&) const;

@@ -13,12 +13,10 @@ RotaryDriveStage::RotaryDriveStage(const machine::Axis& axis,
     : DriveStage(axis, place, prices), data_(geared_drive_data(axis)), inertia_(axis.inertia) {
   name_ = axis.name + ".drive";
   const auto [slow, fast] = constant_speed_range(axis);
-  motors_ = std::make_unique<MotorSet>(
-      motor_table(catalogue, axis, voltages, prices),
-      axis.require,
-      voltages.size(),
-      log_spaced(0.999 * slow * reduction_.least_ratio(), 1.001 * fast * reduction_.largest_ratio()));
-  tables_.push_back(motors_->motors().table);
+  take_motors(motor_table(catalogue, axis, voltages, prices),
+              axis,
+              voltages.size(),
+              log_spaced(0.999 * slow * reduction_.least_ratio(), 1.001 * fast * reduction_.largest_ratio()));
   reduction_.add_to(tables_);
   finish_slots();
   if (!acceleration_time_.fixed())

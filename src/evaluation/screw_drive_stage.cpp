@@ -118,12 +118,11 @@ ScrewDriveStage::ScrewDriveStage(const machine::Axis& axis,
       screws_(screw_table(catalogue, axis, prices)) {
   name_ = axis.name + ".drive";
   const bool stiffness = stiffness_matters(axis);
-  motors_ = std::make_unique<MotorSet>(motor_table(catalogue, axis, voltages, prices),
-                                       axis.require,
-                                       voltages.size(),
-                                       screw_speed_edges(axis, screws_, reduction_));
   tables_.push_back(std::move(screws_.table));
-  tables_.push_back(motors_->motors().table);
+  take_motors(motor_table(catalogue, axis, voltages, prices),
+              axis,
+              voltages.size(),
+              screw_speed_edges(axis, screws_, reduction_));
   const auto add = [&](SlotTable table) {
     tables_.push_back(std::move(table));
     return tables_.size() - 1;
@@ -145,7 +144,7 @@ ScrewDriveStage::ScrewDriveStage(const machine::Axis& axis,
 
 /// The kind of all these screws, if they are of one kind.
 ScrewKind ScrewDriveStage::kind_of(const RowsAlive& screws) const {
-  const std::size_t reading = tables_[screw_slot].fields() + total_count;
+  const std::size_t reading = tables_[screw_slot].width();
   const scalar::Interval kinds = reading < screws.readings.size() ? screws.readings[reading] : kinds_of(screws);
   return kinds.lower == kinds.upper ? screws_.kinds[screws.front()] : ScrewKind::mixed;
 }
@@ -233,7 +232,7 @@ bool ScrewDriveStage::fits(
     return tables_[fixed_slot_].reading(row_b, 0) <= screws_.figures[row_a].root_diameter * margin;
   if (slot_a == screw_slot && slot_b == free_slot_) return free_support_fits(row_a, row_b);
   if (slot_a == motor_slot && slot_b == coupling_slot_ && !reduction_.slot())
-    return coupling_fits(motors_->motors().pairs[row_a].shaft, row_b);
+    return coupling_fits(motors_->pairs()[row_a].shaft, row_b);
   if (slot_a == coupling_slot_ && slot_b == fixed_slot_)
     return tables_[*coupling_slot_].reading(row_a, 4) <= tables_[fixed_slot_].reading(row_b, 0) * margin;
   if (slot_a == coupling_slot_ && reduction_.is(slot_b)) return coupling_fits(reduction_.shaft(row_b), row_a);
@@ -253,7 +252,7 @@ solver::FitKey ScrewDriveStage::fit_key(std::span<const solver::Row>,
     return {tables_[slot].reading(row, 0), 0.0};
   if (slot == free_slot_ && other == screw_slot) return {tables_[slot].reading(row, 0), tables_[slot].reading(row, 4)};
   if (slot == coupling_slot_) return {tables_[slot].reading(row, 4), tables_[slot].reading(row, 5)};
-  if (slot == motor_slot && other == coupling_slot_) return {motors_->motors().pairs[row].shaft, 0.0};
+  if (slot == motor_slot && other == coupling_slot_) return {motors_->pairs()[row].shaft, 0.0};
   if (reduction_.is(slot) && other == coupling_slot_) return {reduction_.shaft(row), 0.0};
   return {};
 }

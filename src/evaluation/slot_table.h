@@ -109,16 +109,6 @@ inline std::shared_ptr<const CandidateRanges> candidate_ranges(std::span<const s
   return ranges;
 }
 
-/// Makes a candidate dearer, or cheaper.
-inline void add_to_price(Candidate& candidate, double more) {
-  candidate.price += more;
-  if (!candidate.ranges) return;
-  auto ranges = std::make_shared<CandidateRanges>(*candidate.ranges);
-  scalar::Interval& price = ranges->totals[static_cast<std::size_t>(Total::price)];
-  price = price + scalar::Interval(more);
-  candidate.ranges = std::move(ranges);
-}
-
 /// So many of a candidate.
 inline Candidate times(double count, Candidate candidate) {
   if (candidate.ranges) {
@@ -146,17 +136,36 @@ class SlotTable {
   void add(Candidate candidate, std::span<const double> readings) {
     has_ranges_ = has_ranges_ || candidate.ranges != nullptr;
     candidates_.push_back(std::move(candidate));
-    readings_.insert(readings_.end(), readings.begin(), readings.end());
+    numbers_.insert(numbers_.end(), readings.begin(), readings.end());
+    numbers_.resize(numbers_.size() + total_count);
+    note_totals(candidates_.size() - 1);
   }
   [[nodiscard]] const std::string& name() const { return name_; }
-  [[nodiscard]] Candidate& change(std::size_t row) { return candidates_[row]; }
+  /// What a candidate puts on the bill of materials. Its total price is changed by add_to_price.
+  [[nodiscard]] std::span<PartUse> change_parts(std::size_t row) { return candidates_[row].parts; }
+  /// Makes a candidate dearer, or cheaper.
+  void add_to_price(std::size_t row, double more) {
+    Candidate& candidate = candidates_[row];
+    candidate.price += more;
+    if (candidate.ranges) {
+      auto ranges = std::make_shared<CandidateRanges>(*candidate.ranges);
+      scalar::Interval& price = ranges->totals[static_cast<std::size_t>(Total::price)];
+      price = price + scalar::Interval(more);
+      candidate.ranges = std::move(ranges);
+    }
+    note_totals(row);
+  }
   /// Says which rows are never worse than this one.
   void cover(std::size_t row, std::vector<solver::Row> by) { candidates_[row].covered_by = std::move(by); }
   [[nodiscard]] std::size_t rows() const { return candidates_.size(); }
   [[nodiscard]] const Candidate& candidate(std::size_t row) const { return candidates_[row]; }
-  [[nodiscard]] double reading(std::size_t row, std::size_t field) const { return readings_[row * fields_ + field]; }
-  /// All readings of a row, side by side.
-  [[nodiscard]] const double* readings(std::size_t row) const { return readings_.data() + row * fields_; }
+  /// All numbers of a row, side by side: its readings, then its totals.
+  [[nodiscard]] const double* numbers(std::size_t row) const { return numbers_.data() + row * width(); }
+  [[nodiscard]] std::size_t width() const { return fields_ + total_count; }
+  [[nodiscard]] double reading(std::size_t row, std::size_t field) const { return numbers(row)[field]; }
+  [[nodiscard]] double total(std::size_t row, Total what) const {
+    return numbers(row)[fields_ + static_cast<std::size_t>(what)];
+  }
   /// The interval of a reading: the number itself where no range is given.
   [[nodiscard]] scalar::Interval range(std::size_t row, std::size_t field) const {
     const auto& ranges = candidates_[row].ranges;
@@ -171,7 +180,11 @@ class SlotTable {
 
   /// Takes so many of every candidate; the readings stay those of one.
   void multiply(double count) {
-    for (Candidate& candidate : candidates_) candidate = times(count, std::move(candidate));
+    if (count == 1.0) return;
+    for (std::size_t row = 0; row < candidates_.size(); ++row) {
+      candidates_[row] = times(count, std::move(candidates_[row]));
+      note_totals(row);
+    }
   }
 
   /// Keeps only the candidates for which keep(row) holds.
@@ -182,22 +195,25 @@ class SlotTable {
       if (!keep(row)) continue;
       if (to != row) {
         candidates_[to] = std::move(candidates_[row]);
-        std::copy_n(readings_.begin() + static_cast<std::ptrdiff_t>(row * fields_),
-                    fields_,
-                    readings_.begin() + static_cast<std::ptrdiff_t>(to * fields_));
+        std::copy_n(numbers(row), width(), numbers_.begin() + static_cast<std::ptrdiff_t>(to * width()));
       }
       ++to;
     }
     candidates_.resize(to);
-    readings_.resize(to * fields_);
+    numbers_.resize(to * width());
   }
 
  private:
+  void note_totals(std::size_t row) {
+    double* const totals = numbers_.data() + row * width() + fields_;
+    for (std::size_t i = 0; i < total_count; ++i) totals[i] = total_of(candidates_[row], static_cast<Total>(i));
+  }
+
   std::string name_;
   std::size_t fields_ = 0;
   bool has_ranges_ = false;
   std::vector<Candidate> candidates_;
-  std::vector<double> readings_;
+  std::vector<double> numbers_;  ///< row by row; totals stand here again because long tables are read by these alone
 };
 
 /// Rows alive of every slot; a single design has one each.

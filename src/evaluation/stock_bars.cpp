@@ -175,14 +175,14 @@ std::optional<std::size_t> StockBars::stock_of(Place place, const PartUse& use) 
 void StockBars::reprice(std::size_t stage, std::vector<SlotTable>& tables) const {
   for (std::size_t slot = 0; slot < tables.size(); ++slot)
     for (std::size_t row = 0; row < tables[slot].rows(); ++row)
-      for (PartUse& use : tables[slot].change(row).parts) {
+      for (PartUse& use : tables[slot].change_parts(row)) {
         const auto stock = stock_of({stage, slot}, use);
         if (!stock) continue;
         const BarStock& from = stocks_[*stock];
         const Lengths lengths = lengths_of(use, axis_of_[stage]);
         const double more = charged(from, lengths) - sum_of(lengths) * from.bar_price / from.size.stock_length;
         use.price += more;
-        add_to_price(tables[slot].change(row), more);
+        tables[slot].add_to_price(row, more);
       }
 }
 

@@ -52,7 +52,7 @@ template <class Stage, class Drive, class TracedDrive>
 void trace_motor(
     const Stage& stage, const Drive& from, const ChosenRows& chosen, GivenFigures& given, TracedDrive& to) {
   using scalar::Traced;
-  const MotorPair& pair = stage.motors().motors().pairs[chosen.rows[Stage::motor_slot]];
+  const MotorPair& pair = stage.motors().pairs()[chosen.rows[Stage::motor_slot]];
   machine::MotorFigures<Traced> figures;
   given.take_all(motor_names, pair.at_voltage[chosen.voltage], figures, walk_motor_figures);
   to.motor = machine::motor_reading(

@@ -92,9 +92,9 @@ TEST_CASE("Shipped motors: a curve governs only at or above its voltage and curr
   const catalogue::Table& steppers = shipped_catalogue().table(catalogue::Family::steppers);
   const auto& voltages = sander().machine().supply_voltages;
   std::size_t governed = 0, modelled = 0;
-  for (Row row = 0; row < motors.motors().pairs.size(); ++row) {
-    const auto& pair = motors.motors().pairs[row];
-    const int motor = motors.motors().table.candidate(row).parts[0].row;
+  for (Row row = 0; row < motors.pairs().size(); ++row) {
+    const auto& pair = motors.pairs()[row];
+    const int motor = motors.pairs()[row].motor;
     for (std::size_t v = 0; v < voltages.size(); ++v) {
       const solver::RowsAlive alive{std::span(&row, 1)};
       const auto reading = motors.reading<double>(alive, v);
@@ -132,7 +132,7 @@ TEST_CASE("Bounds of the torque of many motors hold at and beyond the edges of t
   const auto& motors = drive_of("x").motors();
   std::mt19937 random(5);
   std::vector<Row> alive;
-  for (Row row = 0; row < motors.motors().pairs.size(); row += 7) alive.push_back(row);
+  for (Row row = 0; row < motors.pairs().size(); row += 7) alive.push_back(row);
   const auto uniform = [&] { return static_cast<double>(random() >> 8U) / 16777216.0; };
   for (int n = 0; n < 2000; ++n) {
     const double lower = 1e-3 * std::pow(1e7, uniform());

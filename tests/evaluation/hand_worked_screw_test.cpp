@@ -249,10 +249,10 @@ TEST_CASE("Without enough voltage for the published curve only the model counts,
   problem.supply_voltages = {20.0, 24.0, 36.0};
   const evaluation::MachineModel model(problem, parts());
   const auto& drive = std::get<std::unique_ptr<evaluation::ScrewDriveStage>>(model.entries().front().stage);
-  const auto& pairs = drive->motors().motors().pairs;
+  const auto& pairs = drive->motors().pairs();
   bool seen = false;
   for (solver::Row row = 0; row < pairs.size(); ++row) {
-    const auto& candidate = drive->motors().motors().table.candidate(row);
+    const auto& candidate = drive->tables()[evaluation::ScrewDriveStage::motor_slot].candidate(row);
     const catalogue::Table& steppers = parts().table(catalogue::Family::steppers);
     const std::string motor(steppers.part_number(candidate.parts[0].row));
     const double peak = pairs[row].at_voltage[0].driver_peak_current;
@@ -278,7 +278,7 @@ TEST_CASE("A torque margin that the problem states holds for curve and model") {
   problem.axes[0].require.set(machine::Requirement::torque_margin, 0.6);
   const evaluation::MachineModel model(problem, parts());
   const auto& drive = std::get<std::unique_ptr<evaluation::ScrewDriveStage>>(model.entries().front().stage);
-  for (solver::Row row = 0; row < drive->motors().motors().pairs.size(); ++row) {
+  for (solver::Row row = 0; row < drive->motors().pairs().size(); ++row) {
     const solver::RowsAlive alive{std::span(&row, 1)};
     for (std::size_t v = 0; v < 2; ++v) CHECK(drive->motors().reading<double>(alive, v).torque_margin == 0.6);
   }

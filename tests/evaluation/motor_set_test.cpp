@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Torques of sets of motors over any range of speed, from standstill to beyond what the axis can ask for.
+// Torques of sets of motors over any range of speed, from standstill to beyond what the axis can ask for, and the
+// tables that they are read from.
 #include "evaluation/motor_set.h"
 
 #include <algorithm>
@@ -23,8 +24,8 @@ TEST_CASE("Torques of sets of motors contain those of each motor at every speed"
   const evaluation::PriceBook prices(problem, catalogue);
   const std::vector<double> voltages{24.0, 48.0};
   const machine::Axis& axis = problem.axes.front();
-  const MotorSet set(motor_table(catalogue, axis, voltages, prices), axis.require, 2, {5.0, 20.0, 80.0, 300.0});
-  const auto motors = static_cast<Row>(set.motors().pairs.size());
+  const MotorSet set(motor_table(catalogue, axis, voltages, prices).pairs, axis.require, 2, {5.0, 20.0, 80.0, 300.0});
+  const auto motors = static_cast<Row>(set.pairs().size());
   std::mt19937 random(7);
   const auto uniform = [&](double low, double high) {
     return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
@@ -47,7 +48,7 @@ TEST_CASE("Torques of sets of motors contain those of each motor at every speed"
     double most = 0.0;
     for (const Row row : rows) {
       const auto torque_at = [&](double at) {
-        return evaluation::available_torque<double>(set.motors().pairs[row], voltage, at);
+        return evaluation::available_torque<double>(set.pairs()[row], voltage, at);
       };
       for (const double part : {0.0, 0.3, 1.0}) {
         const double at =
@@ -70,6 +71,90 @@ TEST_CASE("Torques of sets of motors contain those of each motor at every speed"
   CHECK(slower.lower == slowest.lower);
   CHECK(slower.upper == slowest.upper);
   CHECK(loose < 40);
+}
+
+TEST_CASE("The torque table holds of every motor what it does in each range, and hardly more") {
+  const machine::Problem problem = shipped_problem("sander");
+  const catalogue::Catalogue& catalogue = shipped_catalogue();
+  const evaluation::PriceBook prices(problem, catalogue);
+  const std::vector<double> voltages{24.0, 48.0};
+  machine::Axis axis = problem.axes.front();
+  axis.motor.currents = {0.7, 1.0, 2.8};  // motors with several currents of their own, drivers that give less
+  const auto pairs = motor_table(catalogue, axis, voltages, prices).pairs;
+  const std::vector<double> edges{0.0, 5.0, 20.0, 80.0, 300.0, 1200.0};  // with what the table adds at both ends
+  const evaluation::TorqueTable table(pairs, voltages.size(), {5.0, 20.0, 80.0, 300.0});
+  REQUIRE(table.ranges() + 1 == edges.size());
+  CHECK(table.covers(Interval(0.0, 1200.0)));
+  CHECK(!table.covers(Interval(300.0, 1200.1)));
+  std::size_t outside = 0, loose = 0, governed = 0, kept_together = 0;
+  for (Row row = 0; row < pairs.size(); ++row) {
+    for (std::size_t v = 0; v < voltages.size(); ++v) {
+      std::vector<Interval> read;
+      table.read(std::span(&row, 1), v, read);
+      REQUIRE(read.size() == table.ranges());
+      governed += pairs[row].curve[v] != nullptr ? 1 : 0;
+      for (std::size_t r = 0; r < table.ranges(); ++r) {
+        const double slow = evaluation::available_torque<double>(pairs[row], v, edges[r]);
+        const double fast = evaluation::available_torque<double>(pairs[row], v, edges[r + 1]);
+        const double middle = evaluation::available_torque<double>(pairs[row], v, 0.5 * (edges[r] + edges[r + 1]));
+        outside += read[r].lower <= fast && middle <= read[r].upper && read[r].lower <= middle && slow <= read[r].upper
+                       ? 0
+                       : 1;
+        const double room = 1e-6 * (std::abs(slow) + std::abs(fast));
+        if (pairs[row].curve[v] == nullptr) loose += read[r].lower < fast - room || read[r].upper > slow + room;
+        const Interval hull = table.hull(std::span(&row, 1), v, r);
+        CHECK((hull.lower == read[r].lower && hull.upper == read[r].upper));
+      }
+    }
+  }
+  CHECK(outside == 0);
+  CHECK(loose == 0);
+  CHECK(governed > 0);
+  // Neighbours are kept together exactly where motor and current are the same.
+  for (Row row = 1; row < pairs.size(); ++row) {
+    const auto current = [&](Row of) {
+      return std::min(pairs[of].at_voltage[0].driver_peak_current, pairs[of].at_voltage[0].asked_current);
+    };
+    const std::vector<Row> both{row - 1, row};
+    int visited = 0;
+    table.visit_unlike(both, [&](Row) { ++visited; });
+    const bool same = pairs[row].motor == pairs[row - 1].motor && current(row) == current(row - 1);
+    CHECK(visited == (same ? 1 : 2));
+    kept_together += same ? 1 : 0;
+  }
+  CHECK(kept_together > 10);
+}
+
+TEST_CASE("Tables of candidates keep readings and totals of every row through all changes") {
+  evaluation::SlotTable table("slot", 2);
+  const auto add = [&](double price, double riding, double standing, double a, double b) {
+    evaluation::Candidate candidate;
+    candidate.price = price;
+    candidate.mass = riding + standing;
+    candidate.riding_mass = riding;
+    candidate.standing_mass = standing;
+    table.add(std::move(candidate), std::vector<double>{a, b});
+  };
+  add(10.0, 1.0, 2.0, 0.1, 0.2);
+  add(20.0, 3.0, 4.0, 0.3, 0.4);
+  add(30.0, 5.0, 6.0, 0.5, 0.6);
+  table.multiply(2.0);
+  table.add_to_price(2, 0.5);
+  table.filter([](std::size_t row) { return row != 1; });
+  REQUIRE(table.rows() == 2);
+  using enum evaluation::Total;
+  const std::vector<std::vector<double>> expected{{0.1, 0.2, 20.0, 6.0, 2.0, 4.0, 6.0},
+                                                  {0.5, 0.6, 60.5, 22.0, 10.0, 12.0, 22.0}};
+  for (std::size_t row = 0; row < 2; ++row) {
+    CHECK(std::vector<double>(table.numbers(row), table.numbers(row) + table.width()) == expected[row]);
+    CHECK(table.reading(row, 1) == expected[row][1]);
+    CHECK(table.total(row, price) == expected[row][2]);
+    CHECK(table.total(row, mass) == expected[row][3]);
+    CHECK(table.total(row, riding_mass) == expected[row][4]);
+    CHECK(table.total(row, standing_mass) == expected[row][5]);
+    CHECK(table.total(row, burden) == expected[row][6]);
+    CHECK(table.candidate(row).price == expected[row][2]);
+  }
 }
 
 }  // namespace motor_set_test

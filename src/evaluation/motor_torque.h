@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The available torque of a motor with its driver at one supply voltage, on any scalar.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+
+#include "evaluation/drive_tables.h"
+#include "machine/axis_motion.h"
+#include "machine/motor.h"
+#include "scalar/scalars.h"
+
+namespace millwright::evaluation {
+
+/// Available torque of one motor: its published curve where that governs, else (and above the curve) the winding model.
+template <class T>
+T available_torque(const MotorPair& pair, std::size_t voltage, const T& angular_speed) {
+  using namespace scalar;
+  const machine::MotorFigures<double>& figures = pair.at_voltage[voltage];
+  const auto model = [&] {
+    machine::MotorFigures<T> f;
+    f.holding_torque = in_unit<T>(figures.holding_torque, dimension::torque);
+    f.rated_current = in_unit<T>(figures.rated_current, dimension::current);
+    f.resistance = in_unit<T>(figures.resistance, dimension::resistance);
+    f.inductance = in_unit<T>(figures.inductance, dimension::inductance);
+    f.rotor_teeth = T(figures.rotor_teeth);
+    f.voltage = in_unit<T>(figures.voltage, dimension::voltage);
+    const double current = std::min(figures.driver_peak_current, figures.asked_current);
+    return machine::modelled_torque(f, in_unit<T>(current, dimension::current), angular_speed);
+  };
+  const mechanics::PullOutCurve* curve = pair.curve[voltage].get();
+  if (curve == nullptr) return model();
+  const T last = in_unit<T>(curve->points().back().torque, dimension::torque);
+  // The curve may end above the model: there the torque jumps down.
+  return step_below(
+      angular_speed,
+      in_unit<T>(curve->last_speed(), dimension::angular_speed),
+      [&] { return (*curve)(angular_speed); },
+      [&] { return smaller(model(), last); });
+}
+
+/// The same over the figures of one motor that are intervals.
+template <class T>
+T available_torque(const MotorRanges& ranges, const T& angular_speed) {
+  using namespace scalar;
+  const machine::MotorFigures<Interval>& figures = ranges.figures;
+  machine::MotorFigures<T> f;
+  f.holding_torque = T(figures.holding_torque);
+  f.rated_current = T(figures.rated_current);
+  f.resistance = T(figures.resistance);
+  f.inductance = T(figures.inductance);
+  f.rotor_teeth = T(figures.rotor_teeth);
+  f.voltage = T(figures.voltage);
+  const T current = T(smaller(figures.driver_peak_current, figures.asked_current));
+  const auto model = [&] { return machine::modelled_torque(f, current, angular_speed); };
+  std::optional<T> result;
+  const auto take = [&](const T& torque) { result = result ? hull(*result, torque) : torque; };
+  if (ranges.model_may_govern) take(model());
+  for (const MotorRanges::Curve& curve : ranges.curves)
+    for (const mechanics::PullOutCurve* end : {&curve.lowest, &curve.highest})
+      take(step_below(
+          angular_speed,
+          T(end->last_speed()),
+          [&] { return (*end)(angular_speed); },
+          [&] { return smaller(model(), T(end->points().back().torque)); }));
+  return result.value();
+}
+
+}  // namespace millwright::evaluation
