@@ -66,7 +66,7 @@ class Shaving {
       for (std::size_t slot = 0; slot < slots; ++slot) {
         const RowSet all = plan_.region.rows[slot];
         const bool is_long = all->size() >= long_table;
-        if (is_long && sample_has_hope(slot)) continue;
+        if (is_long && sample_has_hope(slot, all->all(), 128)) continue;
         std::vector<Row> kept = is_long ? sieved(slot) : hopeful_rows(slot);
         if (kept.empty()) return false;
         if (kept.size() == all->size()) continue;
@@ -99,10 +99,8 @@ class Shaving {
     return kept;
   }
 
-  /// A long table of which no row in a sample is without hope is left as it is.
-  bool sample_has_hope(std::size_t slot) {
-    constexpr std::size_t sample = 128;
-    const std::vector<Row>& rows = plan_.region.rows[slot]->all();
+  /// Rows of which none in a sample is without hope are left as they are.
+  bool sample_has_hope(std::size_t slot, const std::vector<Row>& rows, std::size_t sample) {
     for (std::size_t i = 0; i < sample; ++i)
       if (hopeless_alone(slot, rows[i * rows.size() / sample])) return false;
     return true;
@@ -110,7 +108,7 @@ class Shaving {
 
   /// Of any other, sets of rows that are alike are asked about instead of rows.
   std::vector<Row> sieved(std::size_t slot) {
-    constexpr std::size_t few = 16;
+    constexpr std::size_t few = 16, not_many = 512, sample = 16;
     RowProfile profile(*plan_.stage, plan_.shared);
     find_profile(plan_, inherited_, slot, profile, desk_);
     Region region = plan_.region;
@@ -128,11 +126,12 @@ class Shaving {
       open.pop_back();
       const auto& answer = ask(slot, region.rows[slot]->alive());
       if (hopeless(plan_, answer)) continue;
-      if (region.rows[slot]->size() <= few) {
+      read_bounds(plan_, answer, bounds);
+      const std::size_t size = region.rows[slot]->size();
+      if (size <= few || (size <= not_many && sample_has_hope(slot, region.rows[slot]->all(), sample))) {
         kept.insert(kept.end(), region.rows[slot]->begin(), region.rows[slot]->end());
         continue;
       }
-      read_bounds(plan_, answer, bounds);
       RowProfile::Split split = profile.split(region, bounds.open, worth);
       open.push_back(std::move(split.left));
       open.push_back(std::move(split.right));
