@@ -13,21 +13,34 @@
 
 namespace millwright::evaluation {
 
+/// Peak amplitude of the current that a motor gets [A]: what is set, or what a weak driver gives.
+inline double driver_current(const MotorPair& pair, std::size_t voltage) {
+  const machine::MotorFigures<double>& figures = pair.at_voltage[voltage];
+  return std::min(figures.driver_peak_current, figures.asked_current);
+}
+
+/// What the winding model reads of a motor.
+template <class T>
+machine::MotorFigures<T> model_figures(const MotorPair& pair, std::size_t voltage) {
+  using namespace scalar;
+  const machine::MotorFigures<double>& figures = pair.at_voltage[voltage];
+  machine::MotorFigures<T> f;
+  f.holding_torque = in_unit<T>(figures.holding_torque, dimension::torque);
+  f.rated_current = in_unit<T>(figures.rated_current, dimension::current);
+  f.resistance = in_unit<T>(figures.resistance, dimension::resistance);
+  f.inductance = in_unit<T>(figures.inductance, dimension::inductance);
+  f.rotor_teeth = T(figures.rotor_teeth);
+  f.voltage = in_unit<T>(figures.voltage, dimension::voltage);
+  return f;
+}
+
 /// Available torque of one motor: its published curve where that governs, else (and above the curve) the winding model.
 template <class T>
 T available_torque(const MotorPair& pair, std::size_t voltage, const T& angular_speed) {
   using namespace scalar;
-  const machine::MotorFigures<double>& figures = pair.at_voltage[voltage];
   const auto model = [&] {
-    machine::MotorFigures<T> f;
-    f.holding_torque = in_unit<T>(figures.holding_torque, dimension::torque);
-    f.rated_current = in_unit<T>(figures.rated_current, dimension::current);
-    f.resistance = in_unit<T>(figures.resistance, dimension::resistance);
-    f.inductance = in_unit<T>(figures.inductance, dimension::inductance);
-    f.rotor_teeth = T(figures.rotor_teeth);
-    f.voltage = in_unit<T>(figures.voltage, dimension::voltage);
-    const double current = std::min(figures.driver_peak_current, figures.asked_current);
-    return machine::modelled_torque(f, in_unit<T>(current, dimension::current), angular_speed);
+    return machine::modelled_torque(
+        model_figures<T>(pair, voltage), in_unit<T>(driver_current(pair, voltage), dimension::current), angular_speed);
   };
   const mechanics::PullOutCurve* curve = pair.curve[voltage].get();
   if (curve == nullptr) return model();

@@ -30,11 +30,8 @@ float single_below(double x) {
 }  // namespace
 
 TorqueTable::TorqueTable(std::span<const MotorPair> pairs, std::size_t voltages, std::vector<double> speeds)
-    : pairs_(pairs), speeds_(with_outer_ranges(std::move(speeds))) {
-  const auto current_of = [&](solver::Row row) {
-    const machine::MotorFigures<double>& figures = pairs_[row].at_voltage.front();
-    return std::min(figures.driver_peak_current, figures.asked_current);
-  };
+    : pairs_(pairs), speeds_(with_outer_ranges(std::move(speeds))), modelled_(speeds_) {
+  const auto current_of = [&](solver::Row row) { return driver_current(pairs_[row], 0); };
   std::size_t of_motor = 0;  // first entry of the motor of the row before
   for (solver::Row row = 0; row < pairs_.size(); ++row) {
     if (row > 0 && pairs_[row].motor != pairs_[row - 1].motor) of_motor = row_of_.size();
@@ -58,21 +55,17 @@ void TorqueTable::work_out(const MotorPair& pair, std::size_t voltage, float* bo
     bounds[range] = single_below(least);
     bounds[ranges() + range] = single_below(-most);
   };
-  const auto torque = [&](const Interval& speed) { return available_torque<Interval>(pair, voltage, speed); };
   if (pair.curve[voltage] != nullptr) {
     for (std::size_t r = 0; r < ranges(); ++r) {
-      const Interval found = torque({speeds_[r], speeds_[r + 1]});
+      const Interval found = available_torque<Interval>(pair, voltage, {speeds_[r], speeds_[r + 1]});
       note(r, found.lower, found.upper);
     }
     return;
   }
   // By the model torque never rises with speed: what it is at the edges bounds it between them.
-  Interval at_edge = torque(Interval(speeds_.front()));
-  for (std::size_t r = 0; r < ranges(); ++r) {
-    const Interval at_next = torque(Interval(speeds_[r + 1]));
-    note(r, at_next.lower, at_edge.upper);
-    at_edge = at_next;
-  }
+  thread_local std::vector<Interval> at_edges;
+  modelled_.find(model_figures<Interval>(pair, voltage), driver_current(pair, voltage), at_edges);
+  for (std::size_t r = 0; r < ranges(); ++r) note(r, at_edges[r + 1].lower, at_edges[r].upper);
 }
 
 const float* TorqueTable::bounds_of(std::size_t voltage, solver::Row row) const {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "evaluation/drive_tables.h"
+#include "machine/modelled_torques.h"
 #include "scalar/scalars.h"
 #include "solver/stage.h"
 
@@ -53,8 +54,9 @@ class TorqueTable {
 
   std::span<const MotorPair> pairs_;
   std::vector<double> speeds_;
-  std::vector<solver::Row> entry_;   ///< [row]: what is known of a motor at a current is known once
-  std::vector<solver::Row> row_of_;  ///< [entry]: the first row
+  machine::ModelledTorques modelled_;  ///< at the edges
+  std::vector<solver::Row> entry_;     ///< [row]: what is known of a motor at a current is known once
+  std::vector<solver::Row> row_of_;    ///< [entry]: the first row
   /// Per voltage and entry.
   std::unique_ptr<std::atomic<bool>[]> known_;
   std::unique_ptr<float[]> bounds_;

@@ -204,22 +204,23 @@ CurrentSlopes current_slopes(const Box& box, const Interval& i_q) {
   return *all;
 }
 
-Box box_of(const Interval& voltage,
-           const Interval& resistance,
-           const Interval& inductance,
-           const Interval& rotor_teeth,
-           const Interval& torque_constant,
-           const Interval& current_amplitude,
-           const Interval& angular_speed) {
-  return {from_zero(voltage),
-          from_zero(resistance),
-          from_zero(rotor_teeth) * from_zero(inductance),
-          from_zero(torque_constant),
-          from_zero(current_amplitude),
-          from_zero(angular_speed)};
-}
-
 }  // namespace
+
+PullOutTorques::PullOutTorques(const Interval& voltage,
+                               const Interval& resistance,
+                               const Interval& inductance,
+                               const Interval& rotor_teeth,
+                               const Interval& torque_constant,
+                               const Interval& current_amplitude)
+    : voltage_(from_zero(voltage)),
+      resistance_(from_zero(resistance)),
+      linkage_(from_zero(rotor_teeth) * from_zero(inductance)),
+      constant_(from_zero(torque_constant)),
+      current_(from_zero(current_amplitude)) {}
+
+Interval PullOutTorques::at(const Interval& angular_speed) const {
+  return torque_over({voltage_, resistance_, linkage_, constant_, current_, from_zero(angular_speed)});
+}
 
 Interval pull_out_torque(const Interval& voltage,
                          const Interval& resistance,
@@ -228,8 +229,8 @@ Interval pull_out_torque(const Interval& voltage,
                          const Interval& torque_constant,
                          const Interval& current_amplitude,
                          const Interval& angular_speed) {
-  return torque_over(
-      box_of(voltage, resistance, inductance, rotor_teeth, torque_constant, current_amplitude, angular_speed));
+  return PullOutTorques(voltage, resistance, inductance, rotor_teeth, torque_constant, current_amplitude)
+      .at(angular_speed);
 }
 
 PullOutRange pull_out_torque_and_slopes(const Interval& voltage,
@@ -239,8 +240,12 @@ PullOutRange pull_out_torque_and_slopes(const Interval& voltage,
                                         const Interval& torque_constant,
                                         const Interval& current_amplitude,
                                         const Interval& angular_speed) {
-  const Box box =
-      box_of(voltage, resistance, inductance, rotor_teeth, torque_constant, current_amplitude, angular_speed);
+  const Box box{from_zero(voltage),
+                from_zero(resistance),
+                from_zero(rotor_teeth) * from_zero(inductance),
+                from_zero(torque_constant),
+                from_zero(current_amplitude),
+                from_zero(angular_speed)};
   const Interval torque = torque_over(box);
   const Interval quotient = torque / box.constant;
   const Interval i_q(larger(quotient.lower, 0.0), smaller(quotient.upper, box.current.upper));

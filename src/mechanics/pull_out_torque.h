@@ -81,6 +81,21 @@ Interval pull_out_torque(const Interval& voltage,
                          const Interval& current_amplitude,
                          const Interval& angular_speed);
 
+/// The same at one speed after the other: what does not hang on the speed is worked out once.
+class PullOutTorques {
+ public:
+  PullOutTorques(const Interval& voltage,
+                 const Interval& resistance,
+                 const Interval& inductance,
+                 const Interval& rotor_teeth,
+                 const Interval& torque_constant,
+                 const Interval& current_amplitude);
+  [[nodiscard]] Interval at(const Interval& angular_speed) const;
+
+ private:
+  Interval voltage_, resistance_, linkage_, constant_, current_;
+};
+
 /// With the derivatives (hulls of the one-sided ones at kinks): never positive for resistance and speed, never negative
 /// for voltage and current.
 PullOutRange pull_out_torque_and_slopes(const Interval& voltage,
