@@ -47,7 +47,6 @@ struct MotorPair {
   double mass = 0.0;                                      ///< kg, of the motor: the driver is in its cabinet
   double shaft = 0.0;                                     ///< m
   double frame_size = 0.0;                                ///< m
-  bool torque_is_estimate = true;                         ///< no published curve governs at any voltage
   std::vector<machine::MotorFigures<double>> at_voltage;  ///< per voltage
   std::vector<std::shared_ptr<const mechanics::PullOutCurve>> curve;  ///< per voltage, null where the model governs
   std::vector<MotorRanges> ranges;  ///< per voltage; empty where every figure is what it is

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "evaluation/motor_set.h"
 
-#include <algorithm>
+#include <optional>
 
 namespace millwright::evaluation {
 

@@ -11,6 +11,7 @@
 #include "evaluation/drive_tables.h"
 #include "evaluation/motor_torque.h"
 #include "evaluation/torque_table.h"
+#include "machine/axis_motion.h"
 #include "machine/requirement.h"
 #include "scalar/scalars.h"
 

@@ -208,7 +208,6 @@ class MotorPairs {
       f.voltage = v;
       pair.at_voltage.push_back(f);
       pair.curve.push_back(governing_curve(curves_, maker, part, v, std::min(driver.peak_current, current)));
-      if (pair.curve.back() != nullptr) pair.torque_is_estimate = false;
     }
     Candidate candidate = candidate_of({{"motor", Family::steppers, motor.row, 1.0, 0.0, motor.price, motor.mass},
                                         {"driver", Family::drivers, driver.row, 1.0, 0.0, driver.price, driver.mass}},

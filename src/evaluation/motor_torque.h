@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "evaluation/drive_tables.h"
-#include "machine/axis_motion.h"
 #include "machine/motor.h"
 #include "scalar/scalars.h"
 

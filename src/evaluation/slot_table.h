@@ -137,7 +137,7 @@ class SlotTable {
     has_ranges_ = has_ranges_ || candidate.ranges != nullptr;
     candidates_.push_back(std::move(candidate));
     numbers_.insert(numbers_.end(), readings.begin(), readings.end());
-    numbers_.resize(numbers_.size() + total_count);
+    numbers_.resize(candidates_.size() * width());
     note_totals(candidates_.size() - 1);
   }
   [[nodiscard]] const std::string& name() const { return name_; }

@@ -72,7 +72,7 @@ const float* TorqueTable::bounds_of(std::size_t voltage, solver::Row row) const 
   const std::size_t entry = voltage * row_of_.size() + entry_[row];
   float* const bounds = bounds_.get() + entry * 2 * ranges();
   if (!known_[entry].load(std::memory_order_acquire)) {
-    const std::lock_guard lock(working_out_);
+    const std::lock_guard lock(working_out_[entry % working_out_.size()]);
     if (!known_[entry].load(std::memory_order_relaxed)) {
       work_out(pairs_[row_of_[entry_[row]]], voltage, bounds);
       known_[entry].store(true, std::memory_order_release);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Bounds of the available torque of motors in a few ranges of speed, so that the hull over many motors is a few
-// comparisons. What a motor does is worked out when it is first asked for: a design that is only evaluated costs
-// nothing. Numbers of single precision, rounded outward, are exact enough for sets of motors and half as long to read.
+// comparisons. What a motor does is worked out when it is first asked for: a design that is only evaluated costs next
+// to nothing. Numbers of single precision, rounded outward, are exact enough for sets of motors and half as long to
+// read.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <memory>
 #include <mutex>
@@ -38,8 +40,8 @@ class TorqueTable {
   /// Appends that of every range.
   void read(std::span<const solver::Row> rows, std::size_t voltage, std::vector<scalar::Interval>& readings) const;
 
-  /// Calls with each of the rows, but of neighbours with the same torque with one: most drivers of a motor give it the
-  /// same current.
+  /// Calls with each of the rows (at least one), but of neighbours with the same torque with one: most drivers of a
+  /// motor give it the same current.
   template <class Visit>
   void visit_unlike(std::span<const solver::Row> rows, Visit&& visit) const {
     visit(rows.front());
@@ -54,13 +56,12 @@ class TorqueTable {
 
   std::span<const MotorPair> pairs_;
   std::vector<double> speeds_;
-  machine::ModelledTorques modelled_;  ///< at the edges
-  std::vector<solver::Row> entry_;     ///< [row]: what is known of a motor at a current is known once
-  std::vector<solver::Row> row_of_;    ///< [entry]: the first row
-  /// Per voltage and entry.
-  std::unique_ptr<std::atomic<bool>[]> known_;
-  std::unique_ptr<float[]> bounds_;
-  mutable std::mutex working_out_;
+  machine::ModelledTorques modelled_;               ///< at the edges
+  std::vector<solver::Row> entry_;                  ///< [row]: what is known of a motor at a current is known once
+  std::vector<solver::Row> row_of_;                 ///< [entry]: the first row
+  std::unique_ptr<std::atomic<bool>[]> known_;      ///< [voltage, entry]: whether it has been worked out
+  std::unique_ptr<float[]> bounds_;                 ///< [voltage, entry, 2 * ranges()], as bounds_of gives them
+  mutable std::array<std::mutex, 16> working_out_;  ///< by the number of the entry
 };
 
 }  // namespace millwright::evaluation

@@ -16,15 +16,21 @@ struct Box {
 
 Interval from_zero(const Interval& x) { return {larger(x.lower, 0.0), larger(x.upper, 0.0)}; }
 
+/// A square that is neither near to the smallest nor to the largest number.
+bool is_ordinary(double square) { return square > 1e-250 && square < 1e250; }
+
 /// Bounds of the largest torque current at one point, a part in 1e9 around the plain number, each proved by one
-/// comparison; nothing where rounding leaves it open. Arguments may be wrong by three parts in 1e15: then no term below
-/// is wrong by more than three parts in 1e14, and sums are compared with a margin of a part in 1e13 of their terms.
+/// comparison; nothing where rounding leaves it open. Voltage, resistance and current may be wrong by two parts in
+/// 1e15, the others by five: then no term below is wrong by more than four parts in 1e14, and sums are compared with a
+/// margin of a part in 1e13 of their terms. (All that while no square runs out of the numbers that there are.)
 std::optional<Interval> proved_current(
     double voltage, double resistance, double reactance, double emf, double current) {
   constexpr double step = 1e-9, error = 1e-13;
   const double found = largest_torque_current(voltage, resistance, reactance, emf, current);
   if (!(found > 1e-4 * current)) return std::nullopt;
   const double impedance_squared = resistance * resistance + reactance * reactance;
+  if (!is_ordinary(impedance_squared) || !is_ordinary(voltage * voltage) || !is_ordinary(current * current))
+    return std::nullopt;
   const double centre_d = -reactance * emf / impedance_squared;
   const double centre_q = -resistance * emf / impedance_squared;
   const double radius = voltage / std::sqrt(impedance_squared);
@@ -44,7 +50,7 @@ std::optional<Interval> proved_current(
   if (upper >= current) return Interval(lower, current);
   const double height = upper - centre_q;
   const double half_width = radius * radius - height * height + error * (radius * radius + height * height);
-  if (half_width >= 0.0) {
+  if (!(half_width < 0.0)) {
     const double reach = std::sqrt(current * current - upper * upper + room) + std::sqrt(half_width);
     if (!(reach * (1.0 + error) < -centre_d * (1.0 - error))) return std::nullopt;
   }
@@ -78,15 +84,16 @@ double unweakened_current_at_least(
 }
 
 /// The driver can hold the full current square to the flux everywhere in the box. (No plain number here is wrong by
-/// more than a part in 1e14.)
+/// more than a part in 1e14, but for squares too small to matter beside what is allowed.)
 bool certainly_current_limited(const Box& box) {
   const double active = box.resistance.upper * box.current.upper + box.constant.upper * box.speed.upper;
   const double reactive = box.linkage.upper * box.speed.upper * box.current.upper;
-  return active * active + reactive * reactive <= box.voltage.lower * box.voltage.lower * (1.0 - 1e-13);
+  const double allowed = box.voltage.lower * box.voltage.lower;
+  return is_ordinary(allowed) && active * active + reactive * reactive <= allowed * (1.0 - 1e-13);
 }
 
 /// A number but for the rounding of a few operations.
-bool is_rounded_number(const Interval& x) { return x.upper - x.lower <= 1e-15 * x.upper; }
+bool is_rounded_number(const Interval& x) { return x.upper - x.lower <= 2e-15 * x.upper; }
 
 /// Range of the torque current over a box narrow in constant and linkage.
 Interval current_over(const Box& box) {

@@ -66,7 +66,7 @@ class Shaving {
       for (std::size_t slot = 0; slot < slots; ++slot) {
         const RowSet all = plan_.region.rows[slot];
         const bool is_long = all->size() >= long_table;
-        if (is_long && sample_has_hope(slot, all->all(), 128)) continue;
+        if (is_long && sample_has_hope(slot, all->all(), long_sample)) continue;
         std::vector<Row> kept = is_long ? sieved(slot) : hopeful_rows(slot);
         if (kept.empty()) return false;
         if (kept.size() == all->size()) continue;
@@ -80,7 +80,7 @@ class Shaving {
   }
 
  private:
-  static constexpr std::size_t long_table = 1024;
+  static constexpr std::size_t long_table = 1024, long_sample = 128;
 
   const Answer<Interval>& ask(std::size_t slot, const RowsAlive& rows) {
     return desk_.bound_with(*plan_.stage, plan_.shared, inherited_, plan_.region, slot, rows);
@@ -106,7 +106,8 @@ class Shaving {
     return true;
   }
 
-  /// Of any other, sets of rows that are alike are asked about instead of rows.
+  /// Of a long table sets of alike rows are asked about instead of rows, down to small ones, or to some hundred rows of
+  /// which a sample has hope.
   std::vector<Row> sieved(std::size_t slot) {
     constexpr std::size_t few = 16, not_many = 512, sample = 16;
     RowProfile profile(*plan_.stage, plan_.shared);
