@@ -7,6 +7,7 @@
 
 #include "app/program.h"
 #include "catch.h"
+#include "sanitized.h"
 
 namespace millwright::app::output_test {
 namespace {
@@ -50,7 +51,9 @@ std::vector<Case> cases() {
 TEST_CASE("What the program made and nobody edits is made anew, all else gives way to force alone") {
   const Workshop shop;
   shop.write("m.toml", one_slide);
+  std::size_t number = 0;
   for (const Case& each : cases()) {
+    if (sanitized && number++ % 2 == 1) continue;
     INFO(each.command.front() << " " << each.option << " " << each.file);
     const Words words = with(each.command, {each.option, each.file});
     if (!shop.has(each.file)) CHECK(shop.run(words).exit_code == 0);

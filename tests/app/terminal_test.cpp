@@ -9,6 +9,7 @@
 
 #include "app/program.h"
 #include "catch.h"
+#include "sanitized.h"
 #include "shipped_machines.h"
 
 namespace millwright::app::terminal_test {
@@ -51,19 +52,20 @@ void fits(const std::vector<std::string>& arguments) {
 
 TEST_CASE("Checks of every shipped machine fit 80 columns") {
   for (const char* name : millwright::shipped_machines) {
-    fits({"check", problems + name + ".toml", problems + name + "-bom.csv"});
+    if (!sanitized) fits({"check", problems + name + ".toml", problems + name + "-bom.csv"});
     fits({"check", problems + name + ".toml", problems + name + "-bom.csv", "--full"});
   }
 }
 
 TEST_CASE("Answers, fronts, runners-up and refusals fit 80 columns") {
   fits({"solve", problems + "lifter.toml", "--alternatives", "4"});
-  fits({"solve", problems + "rotary-table.toml", "--limit", "cost=400 USD", "--without", "A4988"});
   fits({"pareto", problems + "lifter.toml"});
   fits({"solve", problems + "lifter.toml", "--limit", "cost=10 USD"});
   fits({"explain", problems + "lifter.toml", "--limit", "cost=10 USD"});
   const std::string bill = problems + "lifter-bom.csv";
   fits({"compare", bill, bill, "--problem", problems + "lifter.toml"});
+  if (sanitized) return;
+  fits({"solve", problems + "rotary-table.toml", "--limit", "cost=400 USD", "--without", "A4988"});
   fits({"solve", problems + "lifter.toml", "--set", "axis.z.structure_mass=5:15:3 kg", "--minimise", "cost + 25*mass"});
 }
 

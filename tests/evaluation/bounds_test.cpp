@@ -13,6 +13,7 @@
 #include "evaluation/machine_stages.h"
 #include "evaluation/machines.h"
 #include "evaluation/random_boxes.h"
+#include "sanitized.h"
 
 namespace bounds_test {
 
@@ -516,12 +517,13 @@ TEST_CASE("The written machines and the sander have every kind of stage") {
 }
 
 TEST_CASE("Bounds of random sets contain their members") {
+  const std::size_t sets = sanitized ? 500 : 2000;
   for (const StageEntry* entry : all_stages()) {
     const solver::Stage& stage = entry->as_stage();
     BoxSampler sampler = sampler_of(*entry, 11);
     Findings findings;
     std::size_t proved = 0;
-    for (int n = 0; n < 2000; ++n) {
+    for (std::size_t n = 0; n < sets; ++n) {
       SampledBox box = sampler.box();
       Answer<Interval> bounds;
       stage.bound(box.box(), bounds);
@@ -550,7 +552,7 @@ TEST_CASE("Bounds of random sets contain their members") {
     }
     INFO(entry->axis << "." << entry->element << ": " << findings.count() << " outside\n" << findings.text());
     CHECK(findings.count() == 0);
-    CHECK(proved > 2000);  // the bounds say something
+    CHECK(proved > sets);  // the bounds say something
   }
 }
 
@@ -577,12 +579,13 @@ std::uint64_t kept_in(const Answer<Interval>& bounds) {
 
 // The search does not ask again about constraints that a set has been proved to keep.
 TEST_CASE("A constraint that a set keeps is kept by its parts, and leaving it out changes nothing else") {
+  const std::size_t sets = sanitized ? 300 : 1000;
   for (const StageEntry* entry : all_stages()) {
     const solver::Stage& stage = entry->as_stage();
     BoxSampler sampler = sampler_of(*entry, 14);
     Findings findings;
     std::size_t left_out = 0;
-    for (int n = 0; n < 1000; ++n) {
+    for (std::size_t n = 0; n < sets; ++n) {
       SampledBox whole = sampler.box();
       SampledBox part = part_of(whole, sampler);
       Answer<Interval> bounds, all, some;
@@ -607,7 +610,7 @@ TEST_CASE("A constraint that a set keeps is kept by its parts, and leaving it ou
     }
     INFO(entry->axis << "." << entry->element << ": " << findings.count() << "\n" << findings.text());
     CHECK(findings.count() == 0);
-    CHECK((stage.constraints() < 3 || left_out > 500));
+    CHECK((stage.constraints() < 3 || 2 * left_out > sets));
   }
 }
 
@@ -651,12 +654,13 @@ const Interval& range_of(const SampledBox& b, Input input) {
 // By the mean value theorem a secant between two members is a value of the slope between them, kinks and steps
 // included: nothing has to be left out but rounding.
 TEST_CASE("Slopes of random sets contain the secants between their members") {
+  const std::size_t sets = sanitized ? 700 : 2000;
   for (const StageEntry* entry : all_stages()) {
     const solver::Stage& stage = entry->as_stage();
     BoxSampler sampler = sampler_of(*entry, 13);
     Findings findings;
     std::size_t looked = 0;
-    for (int n = 0; n < 2000; ++n) {
+    for (std::size_t n = 0; n < sets; ++n) {
       SampledBox box = sampler.box();
       const auto inputs = inputs_of(stage, box.inherited.size());
       const Input input = inputs[sampler.below(inputs.size())];
@@ -687,7 +691,7 @@ TEST_CASE("Slopes of random sets contain the secants between their members") {
     }
     INFO(entry->axis << "." << entry->element << ": " << findings.count() << " outside\n" << findings.text());
     CHECK(findings.count() == 0);
-    CHECK(looked > 1000);
+    CHECK(2 * looked > sets);
   }
 }
 
@@ -722,6 +726,7 @@ std::optional<std::pair<Row, Row>> comparable_rows(const solver::Stage& stage,
 // what two rows differ by would not be the sum of what their readings do.
 TEST_CASE("What two rows of a kind differ by lies within the slopes in their readings") {
   std::map<std::size_t, std::size_t> graded_slots;  // [kind of stage]
+  const std::size_t pairs = sanitized ? 60 : 200;
   for (const StageEntry* entry : all_stages()) {
     const solver::Stage& stage = entry->as_stage();
     BoxSampler sampler = sampler_of(*entry, 16);
@@ -731,7 +736,7 @@ TEST_CASE("What two rows of a kind differ by lies within the slopes in their rea
       ++graded_slots[entry->stage.index()];
       Findings findings;
       std::size_t differ = 0;
-      for (int n = 0; n < 200; ++n) {
+      for (std::size_t n = 0; n < pairs; ++n) {
         SampledPoint p = sampler.point(sampler.box());
         SampledBox box;
         box.stage = &stage;
@@ -775,7 +780,7 @@ TEST_CASE("What two rows of a kind differ by lies within the slopes in their rea
                        << " outside, " << differ << " differ\n"
                        << findings.text());
       CHECK(findings.count() == 0);
-      CHECK(differ > 100);
+      CHECK(2 * differ > pairs);
     }
   }
   CHECK(graded_slots.size() == 3);  // screw, belt and rack drives
@@ -787,7 +792,7 @@ TEST_CASE("Gradients are the derivatives") {
     BoxSampler sampler = sampler_of(*entry, 14);
     Findings findings;
     std::size_t looked = 0;
-    for (int n = 0; n < 300; ++n) {
+    for (int n = 0; n < (sanitized ? 100 : 300); ++n) {
       const SampledPoint p = sampler.point(sampler.box());
       for (const Input input : inputs_of(stage, p.inherited.size())) {
         Answer<double> gradient, at;
@@ -824,7 +829,7 @@ TEST_CASE("Gradients are the derivatives") {
     }
     INFO(entry->axis << "." << entry->element << ": " << findings.count() << " wrong\n" << findings.text());
     CHECK(findings.count() == 0);
-    CHECK(looked > 1000);
+    CHECK(looked > (sanitized ? 300 : 1000));
   }
 }
 

@@ -12,6 +12,7 @@
 #include "evaluation/synthesis.h"
 #include "evaluation/tiny_catalogue.h"
 #include "machine/bill_of_materials.h"
+#include "sanitized.h"
 
 namespace current_choice_test {
 
@@ -139,12 +140,13 @@ TEST_CASE("A holding torque with one phase on is sqrt(2) times less than with bo
 TEST_CASE("Machines that choose their motors' currents equal those of all builds") {
   const TinyCatalogue tiny;
   std::set<double> set;
-  int compliant = 0, impossible = 0;
+  int machines = 0, compliant = 0, impossible = 0;
   for (const double mass : {3.0, 12.0, 60.0})
     for (const char* currents : {"[\"0.6 A\", \"1.2 A\", \"2 A\", \"2.8 A\"]",
                                  "\"2 A\"",
                                  "[\"2.8 A\", \"0.6 A\"]",
                                  "[\"1.2 A\", \"1.6 A\", \"4 A\"]"}) {
+      if (sanitized && ++machines % 3 != 1) continue;
       const machine::Problem problem = problem_of_text(two_axes(mass, currents));
       const MachineModel model(problem, tiny.parts());
       const Exhaustive all(model);
@@ -169,7 +171,8 @@ TEST_CASE("Machines that choose their motors' currents equal those of all builds
         }
       }
     }
-  CHECK(compliant >= 8);
+  CHECK(compliant >= (sanitized ? 2 : 8));
+  if (sanitized) return;
   CHECK(impossible >= 1);
   CHECK(set.size() >= 3);
 }

@@ -10,6 +10,7 @@
 #include "evaluation/synthesis.h"
 #include "evaluation/tiny_catalogue.h"
 #include "machine/bill_of_materials.h"
+#include "sanitized.h"
 
 namespace reduction_choice_test {
 
@@ -110,6 +111,7 @@ TEST_CASE("Cheapest and lightest machines that choose a reduction equal those of
   int compliant = 0, impossible = 0;
   for (const double force : {40.0, 300.0, 6000.0})
     for (const char* below : {belt, rack}) {
+      if (sanitized && (force < 300.0) != (below == belt)) continue;
       const machine::Problem problem = problem_of_text(two_axes(force, below));
       machine::Problem everything = problem;
       for (machine::Axis& axis : everything.axes) axis.keep_every_candidate = true;
@@ -134,7 +136,8 @@ TEST_CASE("Cheapest and lightest machines that choose a reduction equal those of
         chosen.insert("y " + reduction_of(design, "y"));
       }
     }
-  CHECK(compliant >= 4);
+  CHECK(compliant >= (sanitized ? 2 : 4));
+  if (sanitized) return;
   CHECK(impossible >= 1);
   for (const std::string& each : chosen) UNSCOPED_INFO(each);
   CHECK(chosen.size() >= 4);  // not always the same one
