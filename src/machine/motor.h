@@ -113,7 +113,8 @@ T whole_watts(const T& power) {
   return up_to_whole(power, in_unit<T>(1.0, dimension::power_output));
 }
 
-/// Pull-out torque by the winding model.
+/// Pull-out torque by the winding model. (ModelledTorques bounds the same for many motors at once: what changes here
+/// changes there.)
 template <class T>
 T modelled_torque(const MotorFigures<T>& f, const T& current, const T& angular_speed) {
   using namespace scalar;

@@ -9,12 +9,22 @@ namespace millwright::mechanics::stepper {
 
 namespace {
 
-/// A box of motors and operating points; `linkage` is λ = N_r L.
-struct Box {
-  Interval voltage, resistance, linkage, constant, current, speed;
-};
-
 Interval from_zero(const Interval& x) { return {larger(x.lower, 0.0), larger(x.upper, 0.0)}; }
+
+WindingBox box_of(const Interval& voltage,
+                  const Interval& resistance,
+                  const Interval& inductance,
+                  const Interval& rotor_teeth,
+                  const Interval& torque_constant,
+                  const Interval& current_amplitude,
+                  const Interval& angular_speed) {
+  return {from_zero(voltage),
+          from_zero(resistance),
+          from_zero(rotor_teeth) * from_zero(inductance),
+          from_zero(torque_constant),
+          from_zero(current_amplitude),
+          from_zero(angular_speed)};
+}
 
 /// A square that is neither near to the smallest nor to the largest number.
 bool is_ordinary(double square) { return square > 1e-250 && square < 1e250; }
@@ -85,7 +95,7 @@ double unweakened_current_at_least(
 
 /// The driver can hold the full current square to the flux everywhere in the box. (No plain number here is wrong by
 /// more than a part in 1e14, but for squares too small to matter beside what is allowed.)
-bool certainly_current_limited(const Box& box) {
+bool certainly_current_limited(const WindingBox& box) {
   const double active = box.resistance.upper * box.current.upper + box.constant.upper * box.speed.upper;
   const double reactive = box.linkage.upper * box.speed.upper * box.current.upper;
   const double allowed = box.voltage.lower * box.voltage.lower;
@@ -96,7 +106,7 @@ bool certainly_current_limited(const Box& box) {
 bool is_rounded_number(const Interval& x) { return x.upper - x.lower <= 2e-15 * x.upper; }
 
 /// Range of the torque current over a box narrow in constant and linkage.
-Interval current_over(const Box& box) {
+Interval current_over(const WindingBox& box) {
   const auto& [voltage, resistance, linkage, constant, current, speed] = box;
   if (is_rounded_number(voltage) && is_rounded_number(resistance) && is_rounded_number(linkage) &&
       is_rounded_number(constant) && is_rounded_number(current) && is_rounded_number(speed)) {
@@ -137,14 +147,14 @@ Interval piece(const Interval& x, int n, int count) {
   return {end(n), end(n + 1)};
 }
 
-Interval torque_over(const Box& box) {
+Interval torque_over(const WindingBox& box) {
   if (certainly_current_limited(box)) return box.constant * box.current;
   const int constants = pieces(box.constant);
   const int linkages = pieces(box.linkage);
   Interval torque;
   for (int i = 0; i < constants; ++i) {
     for (int k = 0; k < linkages; ++k) {
-      Box part = box;
+      WindingBox part = box;
       part.constant = piece(box.constant, i, constants);
       part.linkage = piece(box.linkage, k, linkages);
       const Interval here = part.constant * current_over(part);
@@ -160,7 +170,7 @@ using CurrentSlopes = std::array<Interval, 6>;
 /// Where the voltage limits, with the current (i_d, i_q) and the multiplier m of the voltage limit: a change of |v|² by
 /// 2 dw changes the largest i_q by -m dw (m = 1/(Z² i_q + E R), and |i_d| / (E (R |i_d| + X i_q)) where both limit).
 CurrentSlopes voltage_limited_slopes(
-    const Box& box, const Interval& m, const Interval& i_d, const Interval& i_q, const Interval& by_current) {
+    const WindingBox& box, const Interval& m, const Interval& i_d, const Interval& i_q, const Interval& by_current) {
   const Interval emf = box.constant * box.speed;
   const Interval size_squared = square(i_d) + square(i_q);
   const Interval voltage_q =
@@ -183,7 +193,7 @@ void widen(std::optional<CurrentSlopes>& all, const CurrentSlopes& one) {
   for (std::size_t k = 0; k < one.size(); ++k) (*all)[k] = hull((*all)[k], one[k]);
 }
 
-CurrentSlopes current_slopes(const Box& box, const Interval& i_q) {
+CurrentSlopes current_slopes(const WindingBox& box, const Interval& i_q) {
   std::optional<CurrentSlopes> all;
   const CurrentSlopes constant_current{0.0, 0.0, 0.0, 0.0, 1.0, 0.0};
   if (certainly_current_limited(box)) return constant_current;
@@ -219,14 +229,12 @@ PullOutTorques::PullOutTorques(const Interval& voltage,
                                const Interval& rotor_teeth,
                                const Interval& torque_constant,
                                const Interval& current_amplitude)
-    : voltage_(from_zero(voltage)),
-      resistance_(from_zero(resistance)),
-      linkage_(from_zero(rotor_teeth) * from_zero(inductance)),
-      constant_(from_zero(torque_constant)),
-      current_(from_zero(current_amplitude)) {}
+    : box_(box_of(voltage, resistance, inductance, rotor_teeth, torque_constant, current_amplitude, Interval(0.0))) {}
 
 Interval PullOutTorques::at(const Interval& angular_speed) const {
-  return torque_over({voltage_, resistance_, linkage_, constant_, current_, from_zero(angular_speed)});
+  WindingBox box = box_;
+  box.speed = from_zero(angular_speed);
+  return torque_over(box);
 }
 
 Interval pull_out_torque(const Interval& voltage,
@@ -236,8 +244,8 @@ Interval pull_out_torque(const Interval& voltage,
                          const Interval& torque_constant,
                          const Interval& current_amplitude,
                          const Interval& angular_speed) {
-  return PullOutTorques(voltage, resistance, inductance, rotor_teeth, torque_constant, current_amplitude)
-      .at(angular_speed);
+  return torque_over(
+      box_of(voltage, resistance, inductance, rotor_teeth, torque_constant, current_amplitude, angular_speed));
 }
 
 PullOutRange pull_out_torque_and_slopes(const Interval& voltage,
@@ -247,12 +255,8 @@ PullOutRange pull_out_torque_and_slopes(const Interval& voltage,
                                         const Interval& torque_constant,
                                         const Interval& current_amplitude,
                                         const Interval& angular_speed) {
-  const Box box{from_zero(voltage),
-                from_zero(resistance),
-                from_zero(rotor_teeth) * from_zero(inductance),
-                from_zero(torque_constant),
-                from_zero(current_amplitude),
-                from_zero(angular_speed)};
+  const WindingBox box =
+      box_of(voltage, resistance, inductance, rotor_teeth, torque_constant, current_amplitude, angular_speed);
   const Interval torque = torque_over(box);
   const Interval quotient = torque / box.constant;
   const Interval i_q(larger(quotient.lower, 0.0), smaller(quotient.upper, box.current.upper));

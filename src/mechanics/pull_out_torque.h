@@ -81,6 +81,11 @@ Interval pull_out_torque(const Interval& voltage,
                          const Interval& current_amplitude,
                          const Interval& angular_speed);
 
+/// A box of motors and operating points, nothing in it below zero; `linkage` is λ = N_r L.
+struct WindingBox {
+  Interval voltage, resistance, linkage, constant, current, speed;
+};
+
 /// The same at one speed after the other: what does not hang on the speed is worked out once.
 class PullOutTorques {
  public:
@@ -93,7 +98,7 @@ class PullOutTorques {
   [[nodiscard]] Interval at(const Interval& angular_speed) const;
 
  private:
-  Interval voltage_, resistance_, linkage_, constant_, current_;
+  WindingBox box_;  ///< at rest
 };
 
 /// With the derivatives (hulls of the one-sided ones at kinks): never positive for resistance and speed, never negative
