@@ -11,21 +11,6 @@ namespace {
 
 Interval from_zero(const Interval& x) { return {larger(x.lower, 0.0), larger(x.upper, 0.0)}; }
 
-WindingBox box_of(const Interval& voltage,
-                  const Interval& resistance,
-                  const Interval& inductance,
-                  const Interval& rotor_teeth,
-                  const Interval& torque_constant,
-                  const Interval& current_amplitude,
-                  const Interval& angular_speed) {
-  return {from_zero(voltage),
-          from_zero(resistance),
-          from_zero(rotor_teeth) * from_zero(inductance),
-          from_zero(torque_constant),
-          from_zero(current_amplitude),
-          from_zero(angular_speed)};
-}
-
 /// A square that is neither near to the smallest nor to the largest number.
 bool is_ordinary(double square) { return square > 1e-250 && square < 1e250; }
 
@@ -229,13 +214,20 @@ PullOutTorques::PullOutTorques(const Interval& voltage,
                                const Interval& rotor_teeth,
                                const Interval& torque_constant,
                                const Interval& current_amplitude)
-    : box_(box_of(voltage, resistance, inductance, rotor_teeth, torque_constant, current_amplitude, Interval(0.0))) {}
+    : at_rest_{from_zero(voltage),
+               from_zero(resistance),
+               from_zero(rotor_teeth) * from_zero(inductance),
+               from_zero(torque_constant),
+               from_zero(current_amplitude),
+               Interval(0.0)} {}
 
-Interval PullOutTorques::at(const Interval& angular_speed) const {
-  WindingBox box = box_;
+WindingBox PullOutTorques::box_at(const Interval& angular_speed) const {
+  WindingBox box = at_rest_;
   box.speed = from_zero(angular_speed);
-  return torque_over(box);
+  return box;
 }
+
+Interval PullOutTorques::at(const Interval& angular_speed) const { return torque_over(box_at(angular_speed)); }
 
 Interval pull_out_torque(const Interval& voltage,
                          const Interval& resistance,
@@ -244,8 +236,8 @@ Interval pull_out_torque(const Interval& voltage,
                          const Interval& torque_constant,
                          const Interval& current_amplitude,
                          const Interval& angular_speed) {
-  return torque_over(
-      box_of(voltage, resistance, inductance, rotor_teeth, torque_constant, current_amplitude, angular_speed));
+  return PullOutTorques(voltage, resistance, inductance, rotor_teeth, torque_constant, current_amplitude)
+      .at(angular_speed);
 }
 
 PullOutRange pull_out_torque_and_slopes(const Interval& voltage,
@@ -256,7 +248,8 @@ PullOutRange pull_out_torque_and_slopes(const Interval& voltage,
                                         const Interval& current_amplitude,
                                         const Interval& angular_speed) {
   const WindingBox box =
-      box_of(voltage, resistance, inductance, rotor_teeth, torque_constant, current_amplitude, angular_speed);
+      PullOutTorques(voltage, resistance, inductance, rotor_teeth, torque_constant, current_amplitude)
+          .box_at(angular_speed);
   const Interval torque = torque_over(box);
   const Interval quotient = torque / box.constant;
   const Interval i_q(larger(quotient.lower, 0.0), smaller(quotient.upper, box.current.upper));

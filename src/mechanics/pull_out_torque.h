@@ -96,9 +96,11 @@ class PullOutTorques {
                  const Interval& torque_constant,
                  const Interval& current_amplitude);
   [[nodiscard]] Interval at(const Interval& angular_speed) const;
+  /// What that is worked out from.
+  [[nodiscard]] WindingBox box_at(const Interval& angular_speed) const;
 
  private:
-  WindingBox box_;  ///< at rest
+  WindingBox at_rest_;
 };
 
 /// With the derivatives (hulls of the one-sided ones at kinks): never positive for resistance and speed, never negative

@@ -112,15 +112,15 @@ TEST_CASE("What a little more deflection and load are worth to a plate is worked
   const Rate* mass = rate_of(explanation, "structure_mass");
   REQUIRE(mass != nullptr);
   CHECK(mass->slope == Approx(-price * g * L * L * L / 48.0 / (E * inertia * t * t * t) / steepness).epsilon(1e-4));
+  // Nothing else holds the plate.
+  CHECK(rate_of(explanation, "frame_safety_factor") == nullptr);
+  CHECK(rate_of(explanation, "torque_margin") == nullptr);
   if (sanitized) return;
   // The same in mass: 8000 kg/m3, which are not sold at 2 a kilogram there.
   const Explanation lightest = machine.explain("mass");
   const Rate* in_mass = rate_of(lightest, "frame_deflection_ratio");
   REQUIRE(in_mass != nullptr);
   CHECK(in_mass->slope == Approx(price / 2.0 * L / steepness).epsilon(1e-4));
-  // Nothing else holds the plate.
-  CHECK(rate_of(explanation, "frame_safety_factor") == nullptr);
-  CHECK(rate_of(explanation, "torque_margin") == nullptr);
 }
 
 TEST_CASE("What a little of each condition is worth to a bar is what machines solved to the proof differ by") {
