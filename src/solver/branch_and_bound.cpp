@@ -15,6 +15,11 @@ constexpr std::size_t batch_size = 8;
 
 double below(double a, double b) { return scalar::rounding::sum_down(a, b); }
 
+/// What has been proved of the whole holds for a part of it.
+void take_over_bounds(std::span<const double> whole, std::vector<double>& part) {
+  for (std::size_t k = 0; k < part.size(); ++k) part[k] = std::max(part[k], whole[k]);
+}
+
 std::vector<OpenBox::Origin> origins_of(const std::vector<OpenBox>& boxes) {
   std::vector<OpenBox::Origin> origins;
   for (const OpenBox& box : boxes) origins.push_back(box.origin);
@@ -148,7 +153,10 @@ void BranchAndBound::expand_stream(const Node& node, Outcome& outcome, Desk& des
   first.label = node.label;
   first.region = plan.frontier[region].region;
   first.depth = node.depth + 1;
-  if (bound_node(first, desk)) outcome.nodes.push_back(std::move(first));
+  if (bound_node(first, desk)) {
+    take_over_bounds(node.score, first.score);
+    outcome.nodes.push_back(std::move(first));
+  }
   Node others;
   if (make_stream(node.label, region + 1, others)) outcome.nodes.push_back(std::move(others));
 }
@@ -162,7 +170,9 @@ void BranchAndBound::branch(const Node& node, Outcome& outcome, Desk& desk) cons
     child.region = std::move(part);
     child.utilisation = node.utilisation;  // constraints that are kept are not looked at any more
     child.depth = node.depth + 1;
-    if (bound_node(child, desk)) outcome.nodes.push_back(std::move(child));
+    if (!bound_node(child, desk)) return;
+    take_over_bounds(node.score, child.score);
+    outcome.nodes.push_back(std::move(child));
   };
   std::vector<double> least = node.reached;
   for (std::size_t k = 0; k < least.size(); ++k) least[k] -= label.score_lower[k];

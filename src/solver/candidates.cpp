@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/archive.h"
 #include "solver/best_first.h"
 #include "solver/candidate_groups.h"
 #include "solver/region_order.h"
@@ -23,9 +22,10 @@ class CandidateSearch {
         comparison_(*question_.comparison),
         desk_(desk),
         worth_(plan_.region.rows.size()),
-        order_(question_.mix ? RegionOrder(plan_, *question_.mix) : RegionOrder(plan_)),
+        order_(question_.mix ? RegionOrder(plan_, comparison_.scores(), *question_.mix)
+                             : RegionOrder(plan_, comparison_.scores())),
         groups_(questions),
-        known_(questions.size(), Archive(comparison_.dimensions())),
+        known_(questions.size(), KnownKeys(comparison_)),
         sets_(questions.size()),
         node_limit_(question_.node_limit) {
     if (node_limit_ < endless && questions.size() > 1) node_limit_ *= 2;  // several share what they look at
@@ -239,6 +239,7 @@ class CandidateSearch {
         desk_.evaluate(*plan_.stage, Point{plan_.shared, set.reference, candidate.rows, candidate.variables});
     candidate.score.resize(plan_.criteria->size());
     plan_.criteria->scores<double>(answer.resources, candidate.score);
+    candidate.most_score = candidate.score;
     candidate.least = answer.handed_on;
     candidate.most = answer.handed_on;
     take_range(node.region, group, candidate);
@@ -262,10 +263,17 @@ class CandidateSearch {
       candidate.least[h] = answer.handed_on[h].lower + view.of(group).to_reference[h].first;
       candidate.most[h] = answer.handed_on[h].upper + view.of(group).to_reference[h].second;
     }
+    if (!question_.form->scores_vary()) return;
+    std::vector<Interval> score(candidate.score.size());
+    plan_.criteria->scores<Interval>(answer.resources, score);
+    for (std::size_t k = 0; k < score.size(); ++k) {
+      candidate.score[k] = score[k].lower;
+      candidate.most_score[k] = score[k].upper;
+    }
   }
   [[nodiscard]] std::vector<double> worst_key(const Candidate& candidate) const {
     std::vector<double> key(comparison_.dimensions());
-    comparison_.best_key(candidate.score, candidate.most, candidate.least, key.data());
+    comparison_.best_key(candidate.most_score, candidate.most, candidate.least, key.data());
     return key;
   }
 
@@ -274,7 +282,7 @@ class CandidateSearch {
     std::stable_sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) {
       return a.key != b.key ? a.key < b.key : a.universal > b.universal;
     });
-    Archive known(comparison_.dimensions());
+    KnownKeys known(comparison_);
     std::erase_if(all, [&](const Candidate& candidate) {
       if (known.dominates(candidate.key)) return true;
       if (candidate.universal) known.add(worst_key(candidate));
@@ -290,7 +298,7 @@ class CandidateSearch {
   RegionOrder order_;
   BestFirst<Node> open_;
   CandidateGroups groups_;
-  std::vector<Archive> known_;      ///< [group]: universal designs
+  std::vector<KnownKeys> known_;    ///< [group]: universal designs
   std::vector<CandidateSet> sets_;  ///< [group]
   std::vector<double> key_;
   std::size_t node_limit_;

@@ -53,11 +53,12 @@ struct CandidateQuestion {
 
 struct Candidate {
   std::vector<Row> rows;
-  std::vector<double> variables;  ///< feasible at every state of H when universal
-  std::vector<double> score;      ///< own share
-  std::vector<double> least;      ///< handed on from the reference state, wherever in H what is not linear is
-  std::vector<double> most;       ///< the same at most; no more where the form is exact
-  std::vector<double> key;        ///< of score and state: the best
+  std::vector<double> variables;   ///< feasible at every state of H when universal
+  std::vector<double> score;       ///< own share, the least in H
+  std::vector<double> most_score;  ///< the same at most; no more where no score depends on the state
+  std::vector<double> least;       ///< handed on from the reference state, wherever in H what is not linear is
+  std::vector<double> most;        ///< the same at most; no more where the form is exact
+  std::vector<double> key;         ///< of score and state: the best
   bool universal = false;
 };
 

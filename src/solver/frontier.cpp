@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/archive.h"
 #include "solver/frontier_sums.h"
 #include "solver/leaf_point.h"
 #include "solver/least_front.h"
@@ -19,6 +18,11 @@ constexpr std::size_t most_combinations = std::size_t{1} << 22;  // kept at a ti
 
 /// Room for the rounding of sums, so that bounds stay bounds.
 double with_slack(double bound) { return std::isfinite(bound) ? bound + 1e-11 * std::fabs(bound) : bound; }
+
+/// Whether each label has one design there, or a cover of its own.
+bool is_alone(const StagePlan& plan) {
+  return plan.stage->slots().empty() && (plan.any_priced || plan.stage->variables().empty());
+}
 
 /// The largest value that does not count as equal.
 double less_than(double score) { return std::isfinite(score) ? score - 1e-12 * std::fabs(score) : score; }
@@ -35,8 +39,7 @@ Frontier::Frontier(const Problem& problem,
   for (const StagePlan& plan : plans_) {
     if (plan.any_priced && criteria_.objectives == 1) applicable_ = false;  // its covers are coarser than a gap
     forms_.push_back(find_state_form(plan, control_.desk(0)));
-    const bool alone = plan.stage->slots().empty() && (plan.any_priced || plan.stage->variables().empty());
-    applicable_ = applicable_ && (alone || (forms_.back().additive && !plan.any_priced));
+    applicable_ = applicable_ && (is_alone(plan) || (forms_.back().additive && !plan.any_priced));
     priced += plan.any_priced ? 1 : 0;
   }
   // The stages' shares add up; a little is left for rounding.
@@ -47,7 +50,7 @@ Frontier::Frontier(const Problem& problem,
 bool Frontier::run(bool shared_allowances, double least_total) {
   least_total_ = least_total;
   find_rest();
-  if (!pass({.with_states = false, .patience = quick_patience()}) && control_.time_is_up()) return false;
+  if (!pass({.compared = Compared::objectives, .patience = quick_patience()}) && control_.time_is_up()) return false;
   // Where what is cheap first leaves too little of a shared allowance to what comes later, nothing is found that way.
   const bool nothing_yet = criteria_.objectives == 1 && incumbents_.builds().empty();
   if ((shared_allowances || nothing_yet) && !find_better_first(shared_allowances)) return false;
@@ -64,9 +67,7 @@ bool Frontier::run(bool shared_allowances, double least_total) {
     if (!control_.while_there_is_time([&] { settled_ = !find_vectors(); })) return false;
     if (settled_) return true;
   }
-  if (criteria_.objectives == 1 && aim()) return !undecided_;
-  undecided_ = false;
-  return pass({}) && !undecided_;
+  return criteria_.objectives == 1 ? find_least() : pass({}) && !undecided_;
 }
 
 /// What all stages from each one on add at least.
@@ -80,14 +81,14 @@ void Frontier::find_rest() {
   for (std::size_t i = stages; i-- > 0;) rest_[i] = sum_of_staircases(own[i], rest_[i + 1], staircase_points);
 }
 
-/// A total matters only below a corner between two neighbours of the known front (equals may win a tie).
-std::vector<Pair> Frontier::corners() const {
+/// A total matters only below a corner between two neighbours of the known front. `equals`: they may win a tie.
+std::vector<Pair> Frontier::corners(bool equals) const {
   const std::vector<RankedBuild>& builds = incumbents_.builds();
   std::vector<Pair> corners;
   if (criteria_.objectives == 1 && !builds.empty()) {
     // Something cheaper, or something as cheap that may win the tie.
-    corners.push_back({less_than(builds[0].score[0]), infinity});
-    corners.push_back({with_slack(builds[0].score[0]), with_slack(criteria_.second(builds[0].score))});
+    if (!least_known_) corners.push_back({less_than(builds[0].score[0]), infinity});
+    if (equals) corners.push_back({with_slack(builds[0].score[0]), with_slack(criteria_.second(builds[0].score))});
   } else {
     double second = infinity;
     for (const RankedBuild& build : builds) {
@@ -106,8 +107,8 @@ std::vector<Pair> Frontier::corners() const {
   return criteria_.objectives > 1 ? upper_staircase(std::move(corners)) : corners;
 }
 
-void Frontier::update_useful() {
-  const std::vector<Pair> corners = this->corners();
+void Frontier::update_useful(bool equals) {
+  const std::vector<Pair> corners = this->corners(equals);
   useful_.clear();
   for (const auto& rest : rest_) useful_.push_back(difference_of_staircases(corners, rest, staircase_points));
 }
@@ -115,15 +116,16 @@ void Frontier::update_useful() {
 bool Frontier::pass(const Pass& pass) {
   haste_ = pass.haste;
   patience_ = pass.patience;
-  update_useful();
+  update_useful(pass.compared != Compared::without_ties);
   labels_.assign(plans_.size() + 1, {});
   labels_[0].push_back(first_label(problem_, criteria_));
   for (std::size_t stage = 0; stage < plans_.size(); ++stage) {
     const int digits = haste_ ? haste_->digits : exact_digits;
-    const Comparison comparison(criteria_, plans_[stage].after, pass.with_states, digits);
+    const Comparison comparison(criteria_, plans_[stage].after, pass.compared, digits);
+    const bool label_by_label = is_alone(plans_[stage]) && (forms_[stage].scores_vary() || !forms_[stage].additive);
     const bool advanced = plans_[stage].any_priced ? advance_priced(stage, comparison)
-                          : forms_[stage].additive ? advance(stage, comparison)
-                                                   : advance_each(stage, comparison);
+                          : label_by_label         ? advance_each(stage, comparison)
+                                                   : advance(stage, comparison);
     if (!advanced) return false;
     if (haste_) keep_best(stage);
   }
@@ -153,7 +155,7 @@ bool Frontier::advance(std::size_t stage, const Comparison& comparison) {
     if (!combine(stage, static_cast<std::uint32_t>(i), chunks, comparison)) return false;
   }
   sort_combinations(comparison);
-  Archive known(comparison.dimensions());
+  KnownKeys known(comparison);
   const bool exact = forms_[stage].all_exact();
   std::vector<double> own_key(comparison.dimensions());  // of the label, not of what it was bounded by
   for (std::size_t i = 0; i < combinations_.size(); ++i) {
@@ -229,7 +231,7 @@ void Frontier::worst_key(std::size_t stage,
   const Label& label = labels_[stage][chunk.labels[combination.label]];
   const Candidate& candidate = chunk.set.candidates[combination.candidate];
   std::vector<double> score = label.score;
-  for (std::size_t k = 0; k < score.size(); ++k) score[k] += candidate.score[k];
+  for (std::size_t k = 0; k < score.size(); ++k) score[k] += candidate.most_score[k];
   std::vector<double> least = candidate.least;
   std::vector<double> most = candidate.most;
   for (std::size_t c = 0; c < least.size(); ++c) {
@@ -244,7 +246,7 @@ void Frontier::worst_key(std::size_t stage,
 void Frontier::compact(std::size_t stage, const std::vector<Chunk>& chunks, const Comparison& comparison) {
   sort_combinations(comparison);
   const std::size_t n = comparison.dimensions();
-  Archive known(n);
+  KnownKeys known(comparison);
   const bool exact = forms_[stage].all_exact();
   std::vector<double> worst(n);
   std::size_t looked_at = 0;

@@ -20,6 +20,9 @@
 // such stages every design is matched within the tolerance by a build of the front or by one that a later stage refuses
 // for being heavier by no more than the tolerance; without them the front is exact.
 //
+// Of a single objective the least comes first, without comparing what decides between equals; builds as good as the
+// best are looked at when the least of all combinations of shared choices is known (decide_equals).
+//
 // A stage that chooses nothing may have scores that depend on the state (what is owned of a part and what is to be
 // bought): it is asked label by label too.
 //
@@ -30,6 +33,7 @@
 // simply add up (state_form.h), designs whose feasibility stays undecided.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <map>
@@ -41,6 +45,7 @@
 #include "solver/candidates.h"
 #include "solver/continuous.h"
 #include "solver/incumbents.h"
+#include "solver/rest_curve.h"
 #include "solver/rest_plane.h"
 #include "solver/search_control.h"
 
@@ -56,10 +61,16 @@ class Frontier {
 
   /// Whether the method can do this problem at all.
   [[nodiscard]] bool applicable() const { return applicable_; }
-  /// True when the incumbents are the front. False: time limit, or something undecided (then `undecided()`).
+  /// True when the incumbents are the front, but for builds that are equal in a single objective and may win the tie
+  /// (`equals_left`). False: time limit, or something undecided (then `undecided()`).
   /// `shared_allowances`: prices for them have been of use elsewhere in the problem. `least_total`: of the first score,
   /// as far as it is known.
   bool run(bool shared_allowances, double least_total);
+  /// Whether `decide_equals` has something to do.
+  [[nodiscard]] bool equals_left() const { return least_known_; }
+  /// Of builds that are equal in the objective the best, after a `run` on these plans that left equals; better in the
+  /// objective there is none. False: time limit, or something undecided.
+  bool decide_equals();
   enum class Difficulty { out_of_time, easy, hard };
   /// Whether to prove things takes so long that it is worth looking for any build first (else it is easy: `run` does
   /// it). To be called before `look`.
@@ -68,6 +79,8 @@ class Frontier {
   /// score, and so many nodes are looked at for the designs of a chunk. False when time is up.
   bool look(double share, std::size_t nodes) { return pass({.haste = Haste{.share = share, .nodes = nodes}}); }
   [[nodiscard]] bool undecided() const { return undecided_; }
+  /// What the first score comes to at least, as far as `run` has proved it.
+  [[nodiscard]] double least_total() const { return least_total_ - rest_slack * std::fabs(least_total_); }
   /// Whether shared allowances were given prices (rest_plane.h).
   [[nodiscard]] bool used_prices() const { return used_prices_; }
 
@@ -85,7 +98,7 @@ class Frontier {
     Mix mix = {};             ///< of the objectives, that is to be small
   };
   struct Pass {
-    bool with_states = true;
+    Compared compared = Compared::everything;
     std::optional<Haste> haste = std::nullopt;
     std::size_t patience = endless;  ///< nodes or combinations at a stage from which on it is given up
   };
@@ -93,6 +106,9 @@ class Frontier {
   bool look_for_builds(const Haste& haste);
   bool look_for_any();
   void improve();
+  void improve_equals();
+  bool has_own_best() const;
+  void offer_relieved(RankedBuild ranked);
   /// For the first pass. Long where there are many nearly equal parts; then others that are quicker must find
   /// something.
   [[nodiscard]] std::size_t quick_patience() const {
@@ -120,6 +136,7 @@ class Frontier {
 
   bool pass(const Pass& pass);
   bool by_sections();
+  bool find_least();
   bool aim();
   bool settle(const Section& section, const std::vector<StagePlan>& plans, const std::vector<StateForm>& forms);
   std::vector<double> known_inside(const Section& section) const;
@@ -128,7 +145,7 @@ class Frontier {
   double central(double score, const Section& section) const;
   bool is_wide(const Section& section) const;
   bool is_narrow(const Section& section) const;
-  std::vector<Pair> corners() const;
+  std::vector<Pair> corners(bool equals = true) const;
   bool advance(std::size_t stage, const Comparison& comparison);
   bool find_candidates_of(std::vector<Chunk>& chunks);
   bool advance_priced(std::size_t stage, const Comparison& comparison);
@@ -143,7 +160,7 @@ class Frontier {
   void sharpen_planes(std::size_t stage, const std::vector<Chunk>& chunks);
   template <class Found>
   void sums(std::size_t stage, const Chunk& chunk, std::uint32_t label, std::size_t stride, Found&& found) const;
-  void update_useful();
+  void update_useful(bool equals = true);
   std::vector<Chunk> make_chunks(std::size_t stage, const Comparison& comparison) const;
   void ask(std::size_t stage, const Comparison& comparison, Chunk& chunk) const;
   void ask_totals(std::size_t stage, Chunk& chunk) const;
@@ -194,6 +211,7 @@ class Frontier {
   std::size_t patience_ = endless;                             ///< of the pass under way
   Section section_;                                            ///< of the front that is looked for
   bool settled_ = false;                                       ///< nothing is left that could change the known front
+  bool least_known_ = false;  ///< nothing has a smaller first score than the best build, of these shared choices
 };
 
 }  // namespace millwright::solver

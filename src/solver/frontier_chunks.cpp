@@ -16,7 +16,8 @@ constexpr double narrow = 0.02;  // relative width of a chunk's states
 
 }  // namespace
 
-/// Labels with alike states together, by the component that differs most among those that decide about feasibility.
+/// Labels with alike states together, by the component that differs most among those that decide about feasibility or
+/// move scores.
 std::vector<Frontier::Chunk> Frontier::make_chunks(std::size_t stage, const Comparison& comparison) const {
   const std::vector<Label>& labels = labels_[stage];
   const StateForm& form = forms_[stage];
@@ -25,7 +26,7 @@ std::vector<Frontier::Chunk> Frontier::make_chunks(std::size_t stage, const Comp
   double widest = 0.0;
   std::size_t component = 0;
   for (std::size_t c = 0; c < form.influences.size(); ++c) {
-    if (!form.influences[c]) continue;
+    if (!form.influences[c] && !form.moves_scores[c]) continue;
     const auto [low, high] = std::minmax_element(
         labels.begin(), labels.end(), [c](const Label& a, const Label& b) { return a.state[c] < b.state[c]; });
     const double width = (high->state[c] - low->state[c]) / std::max(std::fabs(high->state[c]), 1e-9);

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "solver/archive.h"
 #include "solver/frontier.h"
 
 namespace millwright::solver {
@@ -122,7 +121,7 @@ void Frontier::keep_undominated(std::vector<Label> labels, std::size_t stage, co
     const auto right = key_of(b);
     return std::lexicographical_compare(left.begin(), left.end(), right.begin(), right.end());
   });
-  Archive known(n);
+  KnownKeys known(comparison);
   for (const std::size_t i : order) {
     if (known.dominates(key_of(i))) continue;
     known.add(key_of(i));

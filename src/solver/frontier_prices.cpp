@@ -15,7 +15,7 @@ namespace millwright::solver {
 Frontier::Difficulty Frontier::find_difficulty() {
   if (control_.time_is_up()) return Difficulty::out_of_time;
   find_rest();
-  if (pass({.with_states = false, .patience = quick_patience()})) return Difficulty::easy;
+  if (pass({.compared = Compared::objectives, .patience = quick_patience()})) return Difficulty::easy;
   return control_.time_is_up() ? Difficulty::out_of_time : Difficulty::hard;
 }
 
@@ -29,21 +29,35 @@ bool Frontier::look_for_any() {
   return true;
 }
 
-/// Changes single parts of the best build for better ones, if it is of these shared choices and has not been changed
-/// yet.
+/// Whether there is a best build to be changed, of these shared choices.
+bool Frontier::has_own_best() const {
+  if (criteria_.objectives > 1 || incumbents_.builds().empty() || !control_.options().look_first) return false;
+  const std::vector<Row>& shared = incumbents_.builds().front().build.shared;
+  return std::equal(shared.begin(), shared.end(), plans_.front().shared.begin());
+}
+
+/// Changes single parts of the best build for better ones, if it has not been changed yet.
 void Frontier::improve() {
-  if (criteria_.objectives > 1 || incumbents_.builds().empty() || !control_.options().look_first) return;
-  const RankedBuild& best = incumbents_.builds().front();
-  const std::span<const Row> shared = plans_.front().shared;
-  if (!(best.score[0] < improved_) || !std::equal(shared.begin(), shared.end(), best.build.shared.begin())) return;
-  RankedBuild ranked;
-  ranked.score.resize(criteria_.size());
+  if (!has_own_best() || !(incumbents_.builds().front().score[0] < improved_)) return;
+  RankedBuild ranked = incumbents_.builds().front();
   const auto value = [&](std::span<const double> resources) {
     criteria_.scores<double>(resources, ranked.score);
     return ranked.score[0];
   };
-  ranked.build = Neighbours(problem_).improved(best.build, value, [this] { return control_.time_is_up(); });
+  ranked.build = Neighbours(problem_).improved(ranked.build, value, [this] { return control_.time_is_up(); });
   improved_ = value(ranked.build.resources);
+  offer_relieved(std::move(ranked));
+}
+
+/// The same for what decides between equals.
+void Frontier::improve_equals() {
+  if (!has_own_best()) return;
+  RankedBuild ranked = incumbents_.builds().front();
+  Neighbours(problem_).improve_equals(criteria_, ranked, [this] { return control_.time_is_up(); });
+  offer_relieved(std::move(ranked));
+}
+
+void Frontier::offer_relieved(RankedBuild ranked) {
   ranked.build.worst_utilisation = 0.0;
   for (std::size_t stage = 0; stage < plans_.size(); ++stage) {
     StageChoice& choice = ranked.build.stages[stage];

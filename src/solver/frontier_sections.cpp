@@ -11,24 +11,51 @@
 #include "solver/frontier.h"
 
 namespace millwright::solver {
-/// A single objective: looks for builds that come to no more than a little above what every build comes to at least.
-/// There is little to look at below that, and the best of what is found is the best of all. Where it is too much, less
-/// is looked at. True when one is found.
+/// A single objective: its least. What decides between equals is not compared on the way, or far more would be left
+/// wherever stages add nothing to the objective; and where the least is greater than another one nobody asks for it.
+bool Frontier::find_least() {
+  undecided_ = false;
+  bool found = aim();
+  if (!found && !control_.time_is_up()) {
+    undecided_ = false;
+    found = pass({.compared = Compared::without_ties});
+  }
+  if (!found || undecided_) return false;
+  least_known_ = !incumbents_.builds().empty();
+  return true;
+}
+
+bool Frontier::decide_equals() {
+  find_rest();
+  least_known_ = true;
+  improve_equals();
+  mixes_ = {Mix::only(0)};
+  const bool prepared = control_.while_there_is_time([&] {
+    planes_ = std::make_unique<RestPlanes>(problem_, plans_, forms_, control_.desk(0));
+    settled_ = find_planes() && !restrict_stages();
+  });
+  if (!prepared || settled_) return prepared;
+  return pass({}) && !undecided_;
+}
+
+/// Looks for builds that come to no more than a little above what every build comes to at least. There is little to
+/// look at below that, and the best of what is found is the best of all. Where it is too much, less is looked at. True
+/// when one is found.
 bool Frontier::aim() {
   constexpr double first_share = 0.1, largest_share = 0.4, least_share = 0.01;
-  double least = std::max(least_total_, rest_.front().front().first);
+  least_total_ = std::max(least_total_, rest_.front().front().first);
   double too_much = infinity;  // the least that has been
   bool found = false;
   for (double share = first_share; !found && share > least_share && share <= largest_share;) {
     const double known = incumbents_.best();
-    if (!std::isfinite(known) || !(known > least)) break;
-    section_.to = least + share * (known - least);
+    if (!std::isfinite(known) || !(known > least_total_)) break;
+    section_.to = least_total_ + share * (known - least_total_);
     if (!(section_.to < too_much)) break;
     undecided_ = false;  // what a pass that was given up left undecided may be beyond this section
-    const bool done = pass({.patience = 10 * control_.options().stage_patience});
-    if (control_.time_is_up()) break;
+    const bool done = pass({.compared = Compared::without_ties, .patience = 10 * control_.options().stage_patience});
+    if (control_.time_is_up() || (done && undecided_)) break;
     found = done && incumbents_.best() <= section_.to;
-    (done ? least : too_much) = section_.to;
+    (done ? least_total_ : too_much) = section_.to;
     share *= done ? 2.0 : 0.25;
   }
   section_ = Section{};

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solver/least_front.h"
 
+#include <algorithm>
+#include <array>
+
 #include "solver/archive.h"
 #include "solver/best_first.h"
 #include "solver/region_order.h"
@@ -15,7 +18,8 @@ std::vector<Pair> least_front(const StagePlan& plan, std::size_t node_limit, Des
     std::vector<double> key;
     double value = 0.0;
   };
-  const RegionOrder order(plan);
+  constexpr std::array<std::size_t, 2> first_two = {0, 1};
+  const RegionOrder order(plan, std::span(first_two).first(std::min<std::size_t>(plan.criteria->size(), 2)));
   BestFirst<Node> open;
   Archive known(2);
   std::vector<Pair> found;

@@ -130,4 +130,19 @@ Build Neighbours::improved(Build build, const Value& value, const std::function<
   return build;
 }
 
+void Neighbours::improve_equals(const Criteria& criteria, RankedBuild& best, const std::function<bool()>& stop) const {
+  std::vector<double> score(criteria.size());
+  for (std::size_t tie = criteria.objectives; tie < criteria.objectives + criteria.ties; ++tie) {
+    const std::vector<double> most(best.score.begin(), best.score.begin() + static_cast<std::ptrdiff_t>(tie));
+    const auto value = [&](std::span<const double> resources) {
+      criteria.scores<double>(resources, score);
+      for (std::size_t k = 0; k < most.size(); ++k)
+        if (rounded(score[k]) > rounded(most[k])) return std::numeric_limits<double>::infinity();
+      return rounded(score[tie]);
+    };
+    best.build = improved(best.build, value, stop);
+    criteria.scores<double>(best.build.resources, best.score);
+  }
+}
+
 }  // namespace millwright::solver

@@ -5,7 +5,7 @@
 // nothing.
 #pragma once
 
-#include "solver/solver.h"
+#include "solver/incumbents.h"
 
 namespace millwright::solver {
 
@@ -22,6 +22,8 @@ class Neighbours {
   /// A feasible build that no change of a single row looked at makes better: from `build`, which must be feasible, slot
   /// by slot to the best row there. Its worst utilisation is not worked out. `stop` is asked now and then.
   [[nodiscard]] Build improved(Build build, const Value& value, const std::function<bool()>& stop) const;
+  /// The same for what decides between equals, without becoming worse in an objective.
+  void improve_equals(const Criteria& criteria, RankedBuild& best, const std::function<bool()>& stop) const;
   [[nodiscard]] double worst_utilisation(const Build& build) const;
   /// Works out the states and totals of a build whose rows fit; false if it is not feasible.
   bool evaluate(Build& build) const { return complete(build, 0, std::vector<double>(problem_.resources.size(), 0.0)); }

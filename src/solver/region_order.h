@@ -18,11 +18,12 @@ namespace millwright::solver {
 /// A positive sum of a region's coordinates, in the ascending order of which regions are taken.
 class RegionOrder {
  public:
-  explicit RegionOrder(const StagePlan& plan) {
-    for (std::size_t k = 0; k < plan.criteria->size(); ++k) weight_.push_back(1.0 / (std::fabs(plan.least[k]) + 1e-6));
+  /// `scores`: those that are the first coordinates.
+  RegionOrder(const StagePlan& plan, std::span<const std::size_t> scores) {
+    for (const std::size_t k : scores) weight_.push_back(1.0 / (std::fabs(plan.least[k]) + 1e-6));
   }
-  /// Of a mix of scores.
-  RegionOrder(const StagePlan& plan, const Mix& mix) : RegionOrder(plan) {
+  /// Of a mix of the first two.
+  RegionOrder(const StagePlan& plan, std::span<const std::size_t> scores, const Mix& mix) : RegionOrder(plan, scores) {
     const double unit = std::fabs(mix.of(plan.least)) + 1e-6;
     weight_[0] = mix.first / unit;
     weight_[1] = mix.second / unit;

@@ -36,7 +36,11 @@ double RestPlanes::Prices::find(const Mix& mix, double known) {
   mix_ = mix;
   first_ = 0;
   state_ = problem_.first_state;
-  const double best = climb(known, [this](double bound) { keep(bound); });
+  double best = 0.0;
+  climb(known, [&](double bound) {
+    keep(bound);
+    best = bound - sum_slack * before_.room;
+  });
   for (std::size_t a = 0; a < allowances_; ++a) has_had_price_[a] = has_had_price_[a] || best_price_[a] > 0.0;
   find_stairs();
   return best;

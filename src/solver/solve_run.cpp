@@ -88,19 +88,8 @@ void SolveRun::better_among_equals() {
   if (!priced_ || criteria_.objectives != 1 || criteria_.ties == 0 || incumbents_.builds().empty()) return;
   RankedBuild& best = incumbents_.builds().front();
   searched_best_ = best.score[0];
-  std::vector<double> score(criteria_.size());
   const Neighbours neighbours(problem_);
-  for (std::size_t tie = 1; tie <= criteria_.ties; ++tie) {
-    const std::vector<double> most(best.score.begin(), best.score.begin() + static_cast<std::ptrdiff_t>(tie));
-    const auto value = [&](std::span<const double> resources) {
-      criteria_.scores<double>(resources, score);
-      for (std::size_t k = 0; k < most.size(); ++k)
-        if (rounded(score[k]) > rounded(most[k])) return infinity;
-      return rounded(score[tie]);
-    };
-    best.build = neighbours.improved(best.build, value, [this] { return control_.time_is_up(); });
-    criteria_.scores<double>(best.build.resources, best.score);
-  }
+  neighbours.improve_equals(criteria_, best, [this] { return control_.time_is_up(); });
   best.build.worst_utilisation = neighbours.worst_utilisation(best.build);
 }
 

@@ -63,7 +63,9 @@ class SolveRun {
   void go_through(std::vector<OpenSearch>& open, Settle&& settle);
   bool settle(OpenSearch& open, Effort effort);
   bool settle_briefly(OpenSearch& open, std::uint64_t share, const CurveEffort& effort = {});
-  bool stage_by_stage(std::vector<StagePlan>& plans, double lower_bound);
+  enum class Settled { no, but_for_equals, yes };
+  Settled stage_by_stage(std::vector<StagePlan>& plans, double lower_bound);
+  void decide_equals();
   void look_for_builds(const OpenSearch& open);
   void finish(OpenSearch& open);
   [[nodiscard]] std::vector<double> what_matters() const;
@@ -103,6 +105,7 @@ class SolveRun {
   bool stagewise_ = false;          ///< frontier.h was used
   bool allowances_priced_ = false;  ///< by it
   std::vector<bool> priced_stages_;
+  std::vector<OpenSearch> equals_left_;  ///< nothing is better, but something as good may win the tie
   double open_bound_ = infinity;
   double searched_best_ = infinity;  ///< of the builds that the search has found
 };

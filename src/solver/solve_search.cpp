@@ -57,6 +57,15 @@ void SolveRun::search() {
   } else {
     for (const Effort effort : efforts) go_through(open, [&](OpenSearch& each) { return settle(each, effort); });
   }
+  decide_equals();
+}
+
+/// When the least of all combinations is known: in most of them there is none as good.
+void SolveRun::decide_equals() {
+  for (OpenSearch& each : equals_left_) {
+    if (control_.time_is_up() || incumbents_.hopeless(each.score, 0.0)) continue;
+    Frontier(problem_, criteria_, *each.plans, incumbents_, control_).decide_equals();
+  }
 }
 
 /// For any build, in each combination: to prove that there is none in the first may take far longer than to find one
@@ -153,7 +162,7 @@ std::optional<SolveRun::OpenSearch> SolveRun::start(const Combination& combinati
   if (criteria_.objectives > 1) {
     control_.while_there_is_time([&] { leave_out_dominated_rows(plans, control_.desk(0)); });
     sharpen(plans);
-    if (stage_by_stage(plans, combination.score[0])) return std::nullopt;
+    if (stage_by_stage(plans, combination.score[0]) == Settled::yes) return std::nullopt;
     if (scope_ == Scope::stage_by_stage) {
       leave_open(combination.score[0]);
       return std::nullopt;
@@ -228,7 +237,12 @@ bool SolveRun::settle(OpenSearch& open, Effort effort) {
 
 void SolveRun::finish(OpenSearch& open) {
   if (criteria_.objectives == 1) {
-    if (stage_by_stage(*open.plans, open.score[0])) return;
+    const Settled settled = stage_by_stage(*open.plans, open.score[0]);
+    if (settled == Settled::but_for_equals) {
+      open.score[0] = std::max(open.score[0], incumbents_.best());
+      return equals_left_.push_back(std::move(open));
+    }
+    if (settled == Settled::yes) return;
     look_for_builds(open);
     // Regions may have been left out: a search that was begun before counts them by numbers that are no longer
     // theirs.
@@ -245,18 +259,18 @@ void SolveRun::finish(OpenSearch& open) {
   if (!result.complete) leave_open(std::max(open.score[0], result.lower_bound));
 }
 
-/// One or two objectives by frontier.h; false when that method does not apply or leaves something undecided.
-bool SolveRun::stage_by_stage(std::vector<StagePlan>& plans, double lower_bound) {
-  if (criteria_.objectives > 2 || !control_.options().stagewise) return false;
+/// One or two objectives by frontier.h; `no` when that method does not apply or leaves something undecided.
+SolveRun::Settled SolveRun::stage_by_stage(std::vector<StagePlan>& plans, double lower_bound) {
+  if (criteria_.objectives > 2 || !control_.options().stagewise) return Settled::no;
   Frontier frontier(problem_, criteria_, plans, incumbents_, control_);
-  if (!frontier.applicable()) return false;
+  if (!frontier.applicable()) return Settled::no;
   stagewise_ = true;
   const bool settled = frontier.run(allowances_priced_, lower_bound);
   allowances_priced_ = allowances_priced_ || frontier.used_prices();
-  if (settled) return true;
-  if (frontier.undecided() && !control_.time_is_up()) return false;
-  leave_open(lower_bound);
-  return true;
+  if (settled) return frontier.equals_left() ? Settled::but_for_equals : Settled::yes;
+  if (frontier.undecided() && !control_.time_is_up()) return Settled::no;
+  leave_open(std::max(lower_bound, frontier.least_total()));
+  return Settled::yes;
 }
 
 }  // namespace millwright::solver

@@ -18,6 +18,7 @@ StateForm find_state_form(const StagePlan& plan, Desk& desk) {
   StateForm form;
   const std::size_t components = plan.inherited.size();
   form.influences.assign(components, false);
+  form.moves_scores.assign(components, false);
   form.exact.assign(components, true);
   form.slope.assign(components, std::vector<double>(components, 0.0));
   for (std::size_t c = 0; c < components; ++c) {
@@ -26,7 +27,7 @@ StateForm find_state_form(const StagePlan& plan, Desk& desk) {
         desk.slopes(*plan.stage, plan.shared, plan.inherited, plan.region, {Input::Kind::inherited, c});
     form.influences[c] = !std::all_of(slopes.utilisation.begin(), slopes.utilisation.end(), vanishes);
     for (std::size_t r = 0; r < slopes.resources.size(); ++r) {
-      if (plan.criteria->reads(r) && !vanishes(slopes.resources[r])) form.additive = false;
+      if (plan.criteria->reads(r) && !vanishes(slopes.resources[r])) form.moves_scores[c] = true;
     }
     for (std::size_t h = 0; h < components; ++h) {
       const Interval& slope = slopes.handed_on[h];
@@ -42,19 +43,28 @@ StateForm find_state_form(const StagePlan& plan, Desk& desk) {
   return form;
 }
 
-Comparison::Comparison(const Criteria& criteria, std::span<const Direction> directions, bool with_states, int digits)
-    : scores_(with_states ? criteria.size() - criteria.guides : criteria.objectives), digits_(digits) {
-  if (!with_states) return;
+Comparison::Comparison(const Criteria& criteria, std::span<const Direction> directions, Compared compared, int digits)
+    : digits_(digits) {
+  const std::size_t ties_end = criteria.objectives + criteria.ties;
+  for (std::size_t k = 0; k + criteria.guides < criteria.size(); ++k) {
+    const bool is_objective = k < criteria.objectives;
+    const bool is_tie = !is_objective && k < ties_end && !std::isfinite(criteria.limit[k]);
+    if (compared == Compared::objectives ? !is_objective : compared == Compared::without_ties && is_tie) continue;
+    scores_.push_back(k);
+    is_tie_.push_back(is_tie);
+  }
+  if (compared == Compared::objectives) return;
   for (std::size_t c = 0; c < directions.size(); ++c) {
     const Direction direction = directions[c];
     if (direction == Direction::irrelevant) continue;
     if (direction != Direction::larger_is_better) states_.push_back({c, false});
     if (direction != Direction::smaller_is_better) states_.push_back({c, true});
   }
+  is_tie_.resize(dimensions(), false);
 }
 
 void Comparison::key(std::span<const double> score, std::span<const double> state, double* out) const {
-  for (std::size_t k = 0; k < scores_; ++k) *out++ = rounded(score[k], digits_);
+  for (const std::size_t k : scores_) *out++ = rounded(score[k], digits_);
   for (const Coordinate& c : states_) *out++ = rounded(c.falling ? -state[c.component] : state[c.component], digits_);
 }
 
@@ -62,15 +72,49 @@ void Comparison::best_key(std::span<const double> score,
                           std::span<const double> least,
                           std::span<const double> most,
                           double* out) const {
-  for (std::size_t k = 0; k < scores_; ++k) *out++ = rounded(score[k], digits_);
+  for (const std::size_t k : scores_) *out++ = rounded(score[k], digits_);
   for (const Coordinate& c : states_) *out++ = rounded(c.falling ? -most[c.component] : least[c.component], digits_);
 }
 
 void Comparison::best_key(std::span<const double> score, std::span<const Interval> state, double* out) const {
-  for (std::size_t k = 0; k < scores_; ++k) *out++ = rounded(score[k], digits_);
+  for (const std::size_t k : scores_) *out++ = rounded(score[k], digits_);
   for (const Coordinate& c : states_) {
     *out++ = rounded(c.falling ? -state[c.component].upper : state[c.component].lower, digits_);
   }
+}
+
+KnownKeys::KnownKeys(const Comparison& comparison)
+    : is_tie_(comparison.is_tie()),
+      known_(comparison.dimensions() - static_cast<std::size_t>(std::count(is_tie_.begin(), is_tie_.end(), true))) {
+  for (std::size_t i = 0; i < is_tie_.size(); ++i)
+    if (is_tie_[i]) leading_ = i + 1;
+}
+
+std::span<const double> KnownKeys::counted(std::span<const double> key) const {
+  if (leading_ == 0) return key;
+  thread_local std::vector<double> counted;
+  counted.clear();
+  for (std::size_t i = 0; i < key.size(); ++i)
+    if (!is_tie_[i]) counted.push_back(key[i]);
+  return counted;
+}
+
+bool KnownKeys::dominates(std::span<const double> key) const {
+  // Both are equal in what comes first, or the known one is less there.
+  const auto wins = [&](Archive::Name name) {
+    const double* const known = decided_by_.data() + name * leading_;
+    for (std::size_t i = 0; i < leading_; ++i)
+      if (known[i] != key[i]) return known[i] < key[i];
+    return true;
+  };
+  return known_.any_at_most(counted(key), wins);
+}
+
+void KnownKeys::add(std::span<const double> key) {
+  if (leading_ == 0) return known_.add(key);
+  const auto name = static_cast<Archive::Name>(decided_by_.size() / leading_);
+  decided_by_.insert(decided_by_.end(), key.begin(), key.begin() + static_cast<std::ptrdiff_t>(leading_));
+  known_.add(counted(key), name);
 }
 
 }  // namespace millwright::solver
