@@ -10,27 +10,29 @@
 namespace millwright::solver {
 namespace {
 
-/// Labels between which the stage cannot tell: equal in every component that one of its utilisations reads.
+/// Labels between which the stage cannot tell: equal in every component that one of its utilisations or scores reads.
 struct Group {
   std::vector<std::uint32_t> labels;
-  Label best;  ///< the least of each score and, where it does not matter for feasibility, of each state's magnitude
+  Label best;  ///< the least of each score and, of components that it does not read, of each state's magnitude
   LeafAnswer answer;
 };
 
-void take_smaller(Label& best, const Label& label, const std::vector<bool>& influences) {
+void take_smaller(Label& best, const Label& label, const std::vector<bool>& reads) {
   for (std::size_t k = 0; k < best.score.size(); ++k) best.score[k] = std::min(best.score[k], label.score[k]);
   for (std::size_t c = 0; c < best.state.size(); ++c) {
-    if (!influences[c] && std::fabs(label.state[c]) < std::fabs(best.state[c])) best.state[c] = label.state[c];
+    if (!reads[c] && std::fabs(label.state[c]) < std::fabs(best.state[c])) best.state[c] = label.state[c];
   }
 }
 
-std::vector<Group> group_labels(const std::vector<Label>& labels, const std::vector<bool>& influences) {
+std::vector<Group> group_labels(const std::vector<Label>& labels, const StateForm& form) {
+  std::vector<bool> reads(form.influences);
+  for (std::size_t c = 0; c < reads.size(); ++c) reads[c] = reads[c] || form.moves_scores[c];
   std::vector<Group> groups;
   std::map<std::vector<double>, std::size_t> known;
   for (std::uint32_t i = 0; i < labels.size(); ++i) {
     std::vector<double> deciding;
-    for (std::size_t c = 0; c < influences.size(); ++c) {
-      if (influences[c]) deciding.push_back(labels[i].state[c]);
+    for (std::size_t c = 0; c < reads.size(); ++c) {
+      if (reads[c]) deciding.push_back(labels[i].state[c]);
     }
     const auto [place, first] = known.try_emplace(deciding, groups.size());
     if (first) {
@@ -39,7 +41,7 @@ std::vector<Group> group_labels(const std::vector<Label>& labels, const std::vec
     }
     Group& group = groups[place->second];
     group.labels.push_back(i);
-    take_smaller(group.best, labels[i], influences);
+    take_smaller(group.best, labels[i], reads);
   }
   for (Group& group : groups) {
     group.best.exact = true;
@@ -57,7 +59,7 @@ bool Frontier::advance_priced(std::size_t stage, const Comparison& comparison) {
   const std::vector<Pair>& useful = useful_[stage + 1];
   Region region;
   region.variables = plan.region.variables;
-  std::vector<Group> groups = group_labels(labels_[stage], forms_[stage].influences);
+  std::vector<Group> groups = group_labels(labels_[stage], forms_[stage]);
   control_.crew().run(groups.size(), [&](std::size_t i, unsigned thread) {
     if (control_.time_is_up()) return;
     Group& group = groups[i];

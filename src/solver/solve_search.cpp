@@ -269,7 +269,7 @@ SolveRun::Settled SolveRun::stage_by_stage(std::vector<StagePlan>& plans, double
   allowances_priced_ = allowances_priced_ || frontier.used_prices();
   if (settled) return frontier.equals_left() ? Settled::but_for_equals : Settled::yes;
   if (frontier.undecided() && !control_.time_is_up()) return Settled::no;
-  leave_open(std::max(lower_bound, frontier.least_total()));
+  leave_open(criteria_.objectives == 1 ? std::max(lower_bound, frontier.least_total()) : lower_bound);
   return Settled::yes;
 }
 
