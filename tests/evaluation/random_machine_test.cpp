@@ -12,6 +12,8 @@
 //   is evaluated anew, is above that bound by the promised gap of 1e-6 at the most. Of a front, every point of the grid
 //   must be covered to the stated tolerance.
 // - Limits of cost and mass are drawn between the ends of the front; the answers then follow from the front.
+// - Position errors, and fronts of cost and position error, are not enumerated: there the two methods of the search
+//   must agree, which bound and compare differently.
 //
 // MILLWRIGHT_RANDOM_MACHINES=20000 tries more when evaluation or search have been changed;
 // MILLWRIGHT_RANDOM_MACHINE=SEED looks at a single one and prints it.
@@ -74,7 +76,7 @@ Synthesis solved(const MachineModel& model,
 
 struct Counts {
   int machines = 0, unreadable = 0, too_large = 0, infeasible = 0, on_grid = 0, missed_windows = 0, long_fronts = 0;
-  int limited = 0, unfinished = 0, nothing_to_choose = 0;
+  int limited = 0, unfinished = 0, nothing_to_choose = 0, by_both = 0;
 };
 
 class Trial {
@@ -136,9 +138,58 @@ class Trial {
     same_answers(model, cheapest, all);
     if (!cheapest.designs.empty()) check_again(cheapest.designs.front());
     if (!front.empty()) limits(front);
+    compare_methods();
   }
 
  private:
+  /// By what an axis carries its error grows, and so what a stage adds depends on what arrives: stage by stage,
+  /// patiently and not, as label by label.
+  void compare_methods() {
+    if (every_->on_grid()) return;
+    for (const machine::Axis& axis : problem_->axes)
+      if (!axis.require.known(machine::Requirement::position_error)) return;
+    for (const bool front : {false, true}) {
+      evaluation::SearchOptions options;
+      options.objectives = {"position_error"};
+      if (front) options.objectives = {"cost", "position_error"};
+      INFO("by " << fmt::format("{}", fmt::join(options.objectives, ", ")));
+      machine::Problem counted = *problem_;
+      counted.counted = machine::counted_quantities(options.objectives);
+      const MachineModel model(counted, parts_.parts(), {}, {.objectives = options.objectives});
+      solver::Options each = evaluation::solver_options(model, options);
+      each.time_limit_seconds = front_limit;
+      each.stagewise = false;
+      const solver::Summary expected = solver::solve(model.problem(), each);
+      each.stagewise = true;
+      each.patience = 0;
+      for (const std::uint64_t patience : {std::uint64_t{30000}, std::uint64_t{0}}) {
+        INFO("patience " << patience);
+        each.stage_patience = patience;
+        const solver::Summary found = solver::solve(model.problem(), each);
+        if (found.status == solver::Status::limit || expected.status == solver::Status::limit) {
+          ++counts_.unfinished;
+          continue;
+        }
+        REQUIRE(found.builds.empty() == expected.builds.empty());
+        if (found.builds.empty()) continue;
+        const auto check_same = [&](machine::Quantity quantity, std::size_t i, double tolerance) {
+          const std::size_t resource = model.compared(quantity);
+          CHECK(found.builds[i].resources[resource] ==
+                Approx(expected.builds[i].resources[resource]).epsilon(tolerance));
+        };
+        const bool exact = found.front_tolerance == 0.0 && (front || (found.gap == 0.0 && expected.gap == 0.0));
+        if (!exact && !front) check_same(machine::Quantity::position_error, 0, 2.0 * gap);
+        if (!exact) continue;
+        ++counts_.by_both;
+        REQUIRE(found.builds.size() == expected.builds.size());
+        for (std::size_t i = 0; i < found.builds.size(); ++i) {
+          check_same(machine::Quantity::cost, i, rounding);
+          check_same(machine::Quantity::position_error, i, rounding);
+        }
+      }
+    }
+  }
+
   /// As the command line makes it: without what cannot be best by this objective.
   [[nodiscard]] MachineModel made_for(const std::string& objective, const machine::Problem& problem) const {
     return MachineModel(problem, parts_.parts(), {}, {.objectives = {objective}});
@@ -315,7 +366,8 @@ TEST_CASE("Random machines equal all of their builds") {
   }
   fmt::print(
       "{} machines: {} infeasible, {} with free dimensions, {} with fronts of several builds, {} limited, {} windows "
-      "that only the search found, {} not finished; {} too large to enumerate, {} without any candidate for a slot, {} "
+      "that only the search found, {} not finished, {} errors by both methods; {} too large to enumerate, {} without "
+      "any candidate for a slot, {} "
       "not readable\n",
       counts.machines,
       counts.infeasible,
@@ -324,6 +376,7 @@ TEST_CASE("Random machines equal all of their builds") {
       counts.limited,
       counts.missed_windows,
       counts.unfinished,
+      counts.by_both,
       counts.too_large,
       counts.nothing_to_choose,
       counts.unreadable);
@@ -332,6 +385,7 @@ TEST_CASE("Random machines equal all of their builds") {
   CHECK(counts.infeasible * 10 >= counts.machines);
   CHECK(counts.long_fronts * 5 >= counts.machines);
   CHECK(counts.on_grid * 20 >= counts.machines);
+  CHECK(counts.by_both * 10 >= (sanitized ? 0 : counts.machines));
   CHECK((counts.unreadable + counts.too_large + counts.nothing_to_choose) * 5 <= static_cast<int>(machines));
 }
 
