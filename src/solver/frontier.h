@@ -23,8 +23,8 @@
 // Of a single objective the least comes first, without comparing what decides between equals; builds as good as the
 // best are looked at when the least of all combinations of shared choices is known (decide_equals).
 //
-// A stage that chooses nothing may have scores that depend on the state (what is owned of a part and what is to be
-// bought): it is asked label by label too.
+// Where a score depends on the state (a position error on the carried mass) it is known within bounds over a chunk. A
+// stage that chooses nothing (what is owned of a part and what is to be bought) is asked label by label then.
 //
 // Where stages share allowances that bind, prices for those and for mixes of the two objectives come first
 // (rest_plane.h), and what is too much at once is done in sections of the front (frontier_sections.cpp).
@@ -69,8 +69,8 @@ class Frontier {
   /// Whether `decide_equals` has something to do.
   [[nodiscard]] bool equals_left() const { return least_known_; }
   /// Of builds that are equal in the objective the best, after a `run` on these plans that left equals; better in the
-  /// objective there is none. False: time limit, or something undecided.
-  bool decide_equals();
+  /// objective there is none. As far as there is time.
+  void decide_equals();
   enum class Difficulty { out_of_time, easy, hard };
   /// Whether to prove things takes so long that it is worth looking for any build first (else it is easy: `run` does
   /// it). To be called before `look`.
