@@ -40,16 +40,18 @@ const char* kind_name(ArgumentKind kind) {
 constexpr std::size_t limits_of_argument = 3;
 
 void check_range(const Argument& argument, std::size_t first, double value, std::vector<BrokenLimit>& broken) {
+  if (value >= argument.lower && value <= argument.upper) return;
+  if (std::isnan(value)) {
+    broken.push_back({first, 0.0, argument.name + " is not a number"});
+    return;
+  }
   const std::string& unit = argument.unit;
   const std::string suffix = unit.empty() || unit == "1" || unit == "any" ? "" : " " + unit;
   const std::string is = argument.name + " = " + text_of(value) + suffix + " is ";
-  if (std::isnan(value)) {
-    broken.push_back({first, 0.0, argument.name + " is not a number"});
-  } else if (value < argument.lower) {
+  if (value < argument.lower)
     broken.push_back({first + 1, argument.lower - value, is + "below " + text_of(argument.lower) + suffix});
-  } else if (value > argument.upper) {
+  else
     broken.push_back({first + 2, value - argument.upper, is + "above " + text_of(argument.upper) + suffix});
-  }
 }
 
 /// Everyday range of a unit, for arguments that name none.
