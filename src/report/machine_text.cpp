@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <span>
 
 #include "report/alternatives.h"
 #include "report/design_difference.h"
@@ -175,6 +176,11 @@ std::string more_text(const Design& design) {
   return fmt::format("--full: {}all {} checks, requirements and assumptions\n", outside, design.checks.size());
 }
 
+/// Of two or more: "cost and mass"; "cost, mass and energy".
+std::string objectives_text(std::span<const std::string> names) {
+  return fmt::format("{} and {}", fmt::join(names.first(names.size() - 1), ", "), names.back());
+}
+
 }  // namespace
 
 std::string title_text(const MachineResult& result, const Style& style) {
@@ -303,7 +309,7 @@ std::string front_text(const MachineResult& result, const Style& style) {
                                    result.designs.size(),
                                    result.designs.size() == 1 ? "" : "s",
                                    result.status == Status::limit ? " found before the limit" : "",
-                                   fmt::join(result.objectives, " and "),
+                                   objectives_text(result.objectives),
                                    preference_words(result))) +
          "\n";
   std::vector<TableColumn> columns{

@@ -14,7 +14,7 @@ namespace millwright::report {
 /// there is none.
 std::string solve_text(const MachineResult& result, const Style& style);
 
-/// The builds that no other build beats in both objectives, one a line, then how the ends of the front are built.
+/// The builds that no other build beats in all objectives, one a line, then how the ends of the front are built.
 std::string front_text(const MachineResult& result, const Style& style);
 
 /// What fails, first; then what was used and every check.

@@ -238,6 +238,8 @@ TEST_CASE("The fastest build, and the front of cost and time, say their times") 
   CHECK(front.exit_code == 0);
   CHECK(front.prints("that no other beats in cost and cycle_time"));
   CHECK(front.prints("Cheapest: "));
+  CHECK(shop.run({"pareto", "m.toml", "--minimise", "cost,mass,cycle_time"})
+            .prints("that no other beats in cost, mass and cycle_time"));
   const Json points = Json::parse(shop.run({"pareto", "m.toml", "--minimise", "cost,cycle_time", "--json", "-"}).out);
   CHECK(points.at("front")[0].at("objectives").contains("cycle_time"));
   CHECK(shop.run({"solve", "m.toml", "--minimise", "cost"}).out.find("Cycle time") == std::string::npos);
