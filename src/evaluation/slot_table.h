@@ -242,7 +242,7 @@ void append_ranges(std::span<const solver::Row> rows,
                    std::vector<scalar::Interval>& ranges) {
   const std::size_t first = ranges.size();
   const auto* const of_first = numbers(rows.front());
-  for (std::size_t i = 0; i < width; ++i) ranges.emplace_back(of_first[i]);
+  ranges.insert(ranges.end(), of_first, of_first + width);
   scalar::Interval* const out = ranges.data() + first;
   for (const solver::Row row : rows.subspan(1)) {
     const auto* const own = numbers(row);

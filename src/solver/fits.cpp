@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 
 namespace millwright::solver {
 namespace {
@@ -20,11 +21,15 @@ struct KeyOrder {
 Fits::Kinds Fits::kinds_of(const Stage& stage, std::span<const Row> shared, std::size_t slot, std::size_t other) {
   Kinds kinds;
   std::map<FitKey, std::uint32_t, KeyOrder> known;
+  auto latest = known.end();  // rows next to each other are mostly of one kind: one screw with many nuts
   for (Row row = 0; row < stage.slots()[slot].rows; ++row) {
-    const auto [kind, is_new] =
-        known.try_emplace(stage.fit_key(shared, slot, row, other), static_cast<std::uint32_t>(kinds.first.size()));
-    if (is_new) kinds.first.push_back(row);
-    kinds.of_row.push_back(kind->second);
+    const FitKey key = stage.fit_key(shared, slot, row, other);
+    if (latest == known.end() || !(latest->first == key)) {
+      bool is_new = false;
+      std::tie(latest, is_new) = known.try_emplace(key, static_cast<std::uint32_t>(kinds.first.size()));
+      if (is_new) kinds.first.push_back(row);
+    }
+    kinds.of_row.push_back(latest->second);
   }
   return kinds;
 }
@@ -32,14 +37,14 @@ Fits::Kinds Fits::kinds_of(const Stage& stage, std::span<const Row> shared, std:
 template <class Fit>
 Fits::Pairs Fits::pairs_of(const Kinds& own, const Kinds& other, Fit&& fit) {
   Pairs pairs;
-  pairs.words = (other.of_row.size() + word_bits - 1) / word_bits;
+  pairs.words = (other.first.size() + word_bits - 1) / word_bits;
   pairs.kinds = own.first.size();
   pairs.kind = own.of_row;
   pairs.bits.assign(pairs.kinds * pairs.words, 0);
   for (std::size_t kind = 0; kind < pairs.kinds; ++kind) {
     std::uint64_t* bits = pairs.bits.data() + kind * pairs.words;
-    for (std::size_t row = 0; row < other.of_row.size(); ++row)
-      if (fit(kind, other.of_row[row])) bits[row / word_bits] |= std::uint64_t{1} << (row % word_bits);
+    for (std::size_t of_other = 0; of_other < other.first.size(); ++of_other)
+      if (fit(kind, of_other)) bits[of_other / word_bits] |= std::uint64_t{1} << (of_other % word_bits);
   }
   return pairs;
 }
@@ -57,12 +62,15 @@ Fits::Fits(const Stage& stage, std::span<const Row> shared)
 void Fits::find_kinds(std::size_t slot) {
   std::map<std::vector<std::uint32_t>, std::uint32_t> known;
   std::vector<std::uint32_t> towards_others;
+  auto latest = known.end();
   auto& kinds = kinds_.emplace_back();
   for (Row row = 0; row < stage_->slots()[slot].rows; ++row) {
     towards_others.clear();
     for (std::size_t other = 0; other < slots_; ++other)
       if (!pairs(slot, other).bits.empty()) towards_others.push_back(pairs(slot, other).kind[row]);
-    kinds.push_back(known.try_emplace(towards_others, static_cast<std::uint32_t>(known.size())).first->second);
+    if (latest == known.end() || latest->first != towards_others)
+      latest = known.try_emplace(towards_others, static_cast<std::uint32_t>(known.size())).first;
+    kinds.push_back(latest->second);
   }
 }
 
@@ -99,7 +107,10 @@ bool Fits::keep_partners(std::span<const std::vector<Row>*> alive,
     const std::uint64_t* bits = partners.bits.data() + kind * partners.words;
     for (std::size_t w = 0; w < partners.words; ++w) reached[w] |= bits[w];
   }
-  const auto has_partner = [&](Row row) { return ((reached[row / word_bits] >> (row % word_bits)) & 1U) != 0; };
+  const std::vector<std::uint32_t>& kind_of = pairs(other, changed).kind;
+  const auto has_partner = [&](Row row) {
+    return ((reached[kind_of[row] / word_bits] >> (kind_of[row] % word_bits)) & 1U) != 0;
+  };
   const std::vector<Row>& rows = *alive[other];
   std::size_t kept = 0;
   for (const Row row : rows) kept += has_partner(row) ? 1 : 0;

@@ -34,10 +34,10 @@ class Fits {
     std::vector<std::uint32_t> of_row;
     std::vector<Row> first;  ///< of each kind
   };
-  /// The partners in slot b of every row of slot a, as bits; empty when every pair fits.
+  /// Which kinds of slot b fit those of slot a, as bits; empty when every pair fits.
   struct Pairs {
     std::size_t words = 0;            ///< of one kind
-    std::vector<std::uint64_t> bits;  ///< [kind][row of slot b]
+    std::vector<std::uint64_t> bits;  ///< [kind][kind of slot b towards slot a]
     std::size_t kinds = 0;
     std::vector<std::uint32_t> kind;  ///< of every row of slot a: those of one kind have the same partners
   };
