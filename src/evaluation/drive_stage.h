@@ -33,6 +33,9 @@ class DriveStage : public ElementStage<Derived> {
     if (reduction_.is(slot)) reduction_.read(rows, readings);
   }
 
+  /// Motors turn as fast as their voltage lets them.
+  [[nodiscard]] bool own_reads_shared(std::size_t slot) const { return slot == Derived::motor_slot; }
+
   /// Motors and reductions are looked up by their rows; of the other slots the derived stage says what it reads of a
   /// row by its number (`own_row_kind`).
   [[nodiscard]] std::optional<std::size_t> row_kind_of(std::size_t slot, solver::Row row) const {

@@ -153,6 +153,13 @@ class ElementStage : public solver::Stage {
       if (count.slot == slot) readings.push_back(range_of(rows, [&](solver::Row row) { return count.of_row[row]; }));
   }
 
+  /// Where the derived stage says so (`own_reads_shared`): tables, totals and piece counts are the same everywhere.
+  [[nodiscard]] bool reads_shared(std::size_t slot) const final {
+    const auto& derived = static_cast<const Derived&>(*this);
+    if constexpr (requires { derived.own_reads_shared(slot); }) return derived.own_reads_shared(slot);
+    return false;
+  }
+
   /// Of slots whose rows the derived stage says the kinds of (`row_kind_of`: all that it reads of a row by its number):
   /// the table's fields and the totals.
   [[nodiscard]] std::size_t graded_readings(std::size_t slot) const final {

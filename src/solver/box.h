@@ -105,16 +105,6 @@ inline bool all_offered(const Problem& problem, std::span<const Row> shared) {
   return true;
 }
 
-/// Every row of every slot that can be chosen, in each at least one, and the whole range of every variable.
-inline Region whole_region(const Stage& stage, std::span<const Row> shared) {
-  Region region;
-  for (std::size_t slot = 0; slot < stage.slots().size(); ++slot) {
-    region.rows.push_back(make_rows(stage, shared, slot, offered_rows(stage, shared, slot)));
-  }
-  for (const Variable& variable : stage.variables()) region.variables.emplace_back(variable.lower, variable.upper);
-  return region;
-}
-
 /// Thrown out of whatever asks questions when `Desk::interrupt` says so.
 struct OutOfTime {};
 

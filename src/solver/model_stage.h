@@ -100,6 +100,8 @@ class ModelStage final : public Stage {
   [[nodiscard]] std::size_t graded_readings(std::size_t slot) const override { return tables_[slot]->width; }
   [[nodiscard]] std::size_t row_kind(std::size_t, Row) const override { return 0; }
 
+  [[nodiscard]] bool reads_shared(std::size_t) const override { return false; }
+
   /// The hull of each column.
   void read(std::span<const Row>,
             std::size_t slot,

@@ -253,17 +253,21 @@ Direction prove_direction(const MonotonicityQuestion& question, std::size_t comp
   return Direction::equal_only;
 }
 
-Direction prove_reading_direction(const MonotonicityQuestion& question,
+Direction prove_reading_direction(std::span<const MonotonicityQuestion> questions,
                                   std::size_t slot,
                                   std::size_t reading,
                                   Desk& desk) {
   const Input input{Input::Kind::reading, reading, slot};
-  const Part whole{*question.region, {question.inherited.begin(), question.inherited.end()}, 1.0, std::nullopt};
-  // Copied: what is asked next is answered in the same place.
-  const Answer<Interval> slopes =
-      desk.slopes(*question.stage, question.shared, question.inherited, *question.region, input);
+  const auto holds = [&](const MonotonicityQuestion& question, Direction direction) {
+    const Part whole{*question.region, {question.inherited.begin(), question.inherited.end()}, 1.0, std::nullopt};
+    // Copied: what is asked next is answered in the same place.
+    const Answer<Interval> slopes =
+        desk.slopes(*question.stage, question.shared, question.inherited, *question.region, input);
+    return Claim(question, input, direction).doubt(slopes, whole, desk) == 0.0;
+  };
   for (const Direction direction : directions) {
-    if (Claim(question, input, direction).doubt(slopes, whole, desk) == 0.0) return direction;
+    if (std::all_of(questions.begin(), questions.end(), [&](const auto& each) { return holds(each, direction); }))
+      return direction;
   }
   return Direction::equal_only;
 }

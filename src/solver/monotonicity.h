@@ -60,9 +60,9 @@ struct MonotonicityQuestion {
 /// The direction of component `component` of the inherited state.
 Direction prove_direction(const MonotonicityQuestion& question, std::size_t component, Desk& desk);
 
-/// The direction of a graded reading (Stage::graded_readings) of a slot. The box is not divided: between the hulls of
-/// two halves of the rows there are readings that nothing would be said of.
-Direction prove_reading_direction(const MonotonicityQuestion& question,
+/// The direction of a graded reading (Stage::graded_readings) of a slot in all these boxes. They are not divided:
+/// between the hulls of two halves of the rows there are readings that nothing would be said of.
+Direction prove_reading_direction(std::span<const MonotonicityQuestion> questions,
                                   std::size_t slot,
                                   std::size_t reading,
                                   Desk& desk);

@@ -39,6 +39,7 @@ class RestrictedStage final : public Stage {
             std::size_t slot,
             std::span<const Row> rows,
             std::vector<Interval>& readings) const override;
+  [[nodiscard]] bool reads_shared(std::size_t slot) const override { return inner_.reads_shared(slot); }
   void evaluate(const Point& point, Answer<double>& answer) const override;
   void bound(const Box& box, Answer<Interval>& answer) const override;
   void slopes(const Box& box, Input input, Answer<Interval>& answer) const override;

@@ -174,7 +174,7 @@ RowProfile::Cut RowProfile::best_cut(const Region& region, std::uint64_t open, s
     const Ranges& ranges = notes != nullptr ? notes->ranges : here;
     for (std::size_t i = 0; i < features.of.size(); ++i) {
       const Number& number = features.of[i];
-      if (!number.of_score && (number.constraints & open) == 0) continue;
+      if (!matters(number, open)) continue;
       const double size = number.weight * (static_cast<double>(ranges.high[i]) - static_cast<double>(ranges.low[i]));
       if (size * worth[slot] > best_size) {
         best_size = size * worth[slot];
@@ -205,12 +205,13 @@ RowProfile::Split RowProfile::halves(const Rows& rows, const Cut& cut) const {
           make_rows(*stage_, shared_, cut.slot, std::move(right))};
 }
 
-RowProfile::Split RowProfile::split_slot(const Rows& rows, std::size_t slot) const {
+RowProfile::Split RowProfile::split_slot(const Rows& rows, std::size_t slot, std::uint64_t open) const {
   const Features& features = features_[slot];
   Ranges ranges;
   ranges.find(features.numbers, features.width, rows);
   Cut best{slot, 0, 0.0F, 0.0};
   for (std::size_t i = 0; i < features.of.size(); ++i) {
+    if (!matters(features.of[i], open)) continue;
     const double size =
         features.of[i].weight * (static_cast<double>(ranges.high[i]) - static_cast<double>(ranges.low[i]));
     if (size > best.size) best = {slot, i, 0.5F * ranges.low[i] + 0.5F * ranges.high[i], size};

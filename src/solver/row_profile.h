@@ -39,9 +39,9 @@ class RowProfile {
   /// Not to be called on a region with a single row in every slot. `open` are the constraints still undecided, `worth`
   /// weighs the slots.
   [[nodiscard]] Split split(const Region& region, std::uint64_t open, std::span<const double> worth) const;
-  /// Of at least two rows of one slot, by what they differ in most. Nothing is noted: the plan's profile may split the
-  /// same sets.
-  [[nodiscard]] Split split_slot(const Rows& rows, std::size_t slot) const;
+  /// Of at least two rows of one slot, by what they differ in most of what matters to scores and `open`. Nothing is
+  /// noted: the plan's profile may split the same sets.
+  [[nodiscard]] Split split_slot(const Rows& rows, std::size_t slot, std::uint64_t open = ~std::uint64_t{0}) const;
 
  private:
   /// A reading that rows differ in.
@@ -65,6 +65,9 @@ class RowProfile {
     float at = 0.0F;
     double size = 0.0;  ///< weighed; 0: no number differs
   };
+  [[nodiscard]] static bool matters(const Number& number, std::uint64_t open) {
+    return number.of_score || (number.constraints & open) != 0;
+  }
   void weigh(Features& features,
              const Rows& rows,
              std::span<const double> weight,

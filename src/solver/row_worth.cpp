@@ -38,9 +38,10 @@ std::vector<RowWorth> row_worths(const Problem& problem, const Options& options,
   if (combinations > most_shared_choices || combinations < 1.0) return result;
   const Criteria criteria = make_criteria(problem, options);
   Desk desk;
+  TableMemory tables;
   std::vector<Row> shared(problem.shared.size(), 0);
   for (bool more = true; more;) {
-    const std::vector<StagePlan> plans = make_plans(problem, shared, criteria, desk);
+    const std::vector<StagePlan> plans = make_plans(problem, shared, criteria, desk, tables);
     if (!plans.empty()) {
       RowWorth worth;
       worth.shared = shared;

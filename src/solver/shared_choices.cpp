@@ -8,16 +8,14 @@ namespace millwright::solver {
 namespace {
 
 /// Sum of the stages' least scores with nothing chosen; empty when some stage is certainly infeasible.
-std::vector<double> quick_bound(const Problem& problem,
-                                const Criteria& criteria,
-                                std::span<const Row> shared,
-                                Desk& desk) {
+std::vector<double> quick_bound(
+    const Problem& problem, const Criteria& criteria, std::span<const Row> shared, Desk& desk, TableMemory& tables) {
   if (!all_offered(problem, shared)) return {};
   std::vector<Interval> state(problem.first_state.begin(), problem.first_state.end());
   std::vector<double> total(criteria.size(), 0.0);
   std::vector<double> score(criteria.size());
   for (const Stage* stage : problem.stages) {
-    const auto& answer = desk.bound(*stage, shared, state, whole_region(*stage, shared));
+    const auto& answer = desk.bound(*stage, shared, state, tables.whole_region(*stage, shared));
     if (worst_lower(answer.utilisation) > 1.0) return {};
     criteria.least_scores(answer.resources, score);
     for (std::size_t k = 0; k < total.size(); ++k) total[k] = scalar::rounding::sum_down(total[k], score[k]);
@@ -36,14 +34,17 @@ bool next_combination(const Problem& problem, std::vector<Row>& shared) {
 
 }  // namespace
 
-std::vector<Combination> combinations_of(const Problem& problem, const Criteria& criteria, Desk& desk) {
+std::vector<Combination> combinations_of(const Problem& problem,
+                                         const Criteria& criteria,
+                                         Desk& desk,
+                                         TableMemory& tables) {
   std::vector<Combination> all;
   for (const Slot& slot : problem.shared) {
     if (slot.rows == 0) return all;
   }
   std::vector<Row> shared(problem.shared.size(), 0);
   do {
-    std::vector<double> score = quick_bound(problem, criteria, shared, desk);
+    std::vector<double> score = quick_bound(problem, criteria, shared, desk, tables);
     if (!score.empty()) all.push_back({shared, std::move(score)});
   } while (next_combination(problem, shared));
   std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.score[0] < b.score[0]; });

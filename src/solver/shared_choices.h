@@ -8,6 +8,7 @@
 
 #include "solver/box.h"
 #include "solver/criteria.h"
+#include "solver/table_memory.h"
 
 namespace millwright::solver {
 
@@ -18,7 +19,10 @@ struct Combination {
 };
 
 /// All combinations that are not infeasible at first sight, cheapest first.
-std::vector<Combination> combinations_of(const Problem& problem, const Criteria& criteria, Desk& desk);
+std::vector<Combination> combinations_of(const Problem& problem,
+                                         const Criteria& criteria,
+                                         Desk& desk,
+                                         TableMemory& tables);
 
 /// How many designs there are, continuous variables aside.
 double search_space(const Problem& problem);

@@ -55,8 +55,8 @@ class Partners {
 /// Removes rows that have no hope at any of the inherited states.
 class Shaving {
  public:
-  Shaving(StagePlan& plan, std::span<const Interval> inherited, Desk& desk)
-      : plan_(plan), inherited_(inherited), desk_(desk) {}
+  Shaving(StagePlan& plan, std::span<const Interval> inherited, Desk& desk, TableMemory& tables)
+      : plan_(plan), inherited_(inherited), desk_(desk), tables_(tables) {}
 
   /// False: nothing is left.
   bool run() {
@@ -110,33 +110,30 @@ class Shaving {
   /// which a sample has hope.
   std::vector<Row> sieved(std::size_t slot) {
     constexpr std::size_t few = 16, not_many = 512, sample = 16;
-    RowProfile profile(*plan_.stage, plan_.shared);
-    find_profile(plan_, inherited_, slot, profile, desk_);
-    Region region = plan_.region;
-    for (std::size_t other = 0; other < region.rows.size(); ++other)
-      if (other != slot) region.rows[other] = only(*plan_.stage, plan_.shared, other, region.rows[other]->front());
-    const std::vector<double> worth(region.rows.size(), 1.0);
-    const RowsAlive all = plan_.region.rows[slot]->alive();
-    std::vector<RowSet> open{std::make_shared<const Rows>(  // the plan's own set is for the plan's profile to split
-        plan_.region.rows[slot]->all(),
-        std::vector<Interval>(all.readings.begin(), all.readings.end()))};
+    const RowSet& all = plan_.region.rows[slot];
+    std::vector<RowSet> open = tables_.parts(*plan_.stage, plan_.shared, slot, all);
+    std::optional<RowProfile> profile;
+    std::vector<RowSet> settled;
     std::vector<Row> kept;
     Bounds bounds;
     while (!open.empty()) {
-      region.rows[slot] = std::move(open.back());
+      const RowSet part = std::move(open.back());
       open.pop_back();
-      const auto& answer = ask(slot, region.rows[slot]->alive());
-      if (hopeless(plan_, answer)) continue;
+      const auto& answer = ask(slot, part->alive());
+      const bool has_hope = !hopeless(plan_, answer);
       read_bounds(plan_, answer, bounds);
-      const std::size_t size = region.rows[slot]->size();
-      if (size <= few || (size <= not_many && sample_has_hope(slot, region.rows[slot]->all(), sample))) {
-        kept.insert(kept.end(), region.rows[slot]->begin(), region.rows[slot]->end());
+      const std::size_t size = part->size();
+      if (has_hope && size > few && (size > not_many || !sample_has_hope(slot, part->all(), sample))) {
+        if (!profile) find_profile(plan_, inherited_, slot, profile.emplace(*plan_.stage, plan_.shared), desk_);
+        RowProfile::Split split = profile->split_slot(*part, slot, bounds.open);
+        open.push_back(std::move(split.left));
+        open.push_back(std::move(split.right));
         continue;
       }
-      RowProfile::Split split = profile.split(region, bounds.open, worth);
-      open.push_back(std::move(split.left));
-      open.push_back(std::move(split.right));
+      if (has_hope) kept.insert(kept.end(), part->begin(), part->end());
+      settled.push_back(part);
     }
+    tables_.keep_parts(*plan_.stage, plan_.shared, slot, std::move(settled));
     std::sort(kept.begin(), kept.end());
     return kept;
   }
@@ -144,13 +141,14 @@ class Shaving {
   StagePlan& plan_;
   std::span<const Interval> inherited_;
   Desk& desk_;
+  TableMemory& tables_;
   std::vector<Interval> readings_;  ///< of the row asked about last
 };
 
 }  // namespace
 
-bool shave(StagePlan& plan, std::span<const Interval> inherited, Desk& desk) {
-  return Shaving(plan, inherited, desk).run();
+bool shave(StagePlan& plan, std::span<const Interval> inherited, Desk& desk, TableMemory& tables) {
+  return Shaving(plan, inherited, desk, tables).run();
 }
 
 }  // namespace millwright::solver

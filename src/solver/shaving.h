@@ -20,7 +20,7 @@ void find_profile(
 
 /// Removes rows that cannot be in a feasible design at any of the inherited states: of short tables all that `bound`
 /// shows to be so; of long ones nothing if none in a sample is, else all but a few among rows like them. False when a
-/// slot is empty.
-bool shave(StagePlan& plan, std::span<const Interval> inherited, Desk& desk);
+/// slot is empty. Parts of long tables are taken from `tables`, or kept there for other shared choices.
+bool shave(StagePlan& plan, std::span<const Interval> inherited, Desk& desk, TableMemory& tables);
 
 }  // namespace millwright::solver

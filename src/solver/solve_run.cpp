@@ -34,7 +34,7 @@ bool SolveRun::find_some_first() {
 Summary SolveRun::solve_first(Options options, Scope scope) {
   options.confirm = false;
   options.progress = nullptr;  // it would tell of other objectives
-  Summary found = SolveRun(problem_, options, scope).run();
+  Summary found = SolveRun(problem_, options, scope, tables_).run();
   control_.nodes += found.nodes;
   earlier_evaluations_ += found.evaluations;
   for (const Build& build : found.builds) incumbents_.offer({scores_of(build), build});

@@ -25,12 +25,17 @@ class SolveRun {
  public:
   /// `stage_by_stage`: only what frontier.h does, the rest is left open.
   enum class Scope { all, stage_by_stage };
-  SolveRun(const Problem& problem, const Options& options, Scope scope = Scope::all)
+  /// `tables`: what another run has found out about the same problem; null: nothing yet.
+  SolveRun(const Problem& problem,
+           const Options& options,
+           Scope scope = Scope::all,
+           std::shared_ptr<TableMemory> tables = nullptr)
       : problem_(problem),
         criteria_(make_criteria(problem, options)),
         control_(options),
         incumbents_(criteria_),
-        scope_(scope) {}
+        scope_(scope),
+        tables_(tables != nullptr ? std::move(tables) : std::make_shared<TableMemory>()) {}
 
   Summary run();
 
@@ -98,6 +103,7 @@ class SolveRun {
   SearchControl control_;
   Incumbents incumbents_;
   Scope scope_;
+  std::shared_ptr<TableMemory> tables_;
   std::uint64_t earlier_evaluations_ = 0;
   bool complete_ = true;
   bool beyond_scope_ = false;

@@ -31,7 +31,7 @@ double least(const Parts& parts, std::size_t from) {
 }  // namespace
 
 void SolveRun::search() {
-  std::vector<Combination> combinations = combinations_of(problem_, criteria_, control_.desk(0));
+  std::vector<Combination> combinations = combinations_of(problem_, criteria_, control_.desk(0), *tables_);
   std::vector<OpenSearch> open;
   // A single objective looks at every combination briefly first: what is found in one settles much of the others.
   for (std::size_t i = 0; i < combinations.size(); ++i) {
@@ -143,8 +143,10 @@ std::optional<SolveRun::OpenSearch> SolveRun::start(const Combination& combinati
   const std::uint64_t before = control_.evaluations();
   OpenSearch open{std::make_unique<std::vector<StagePlan>>(), nullptr, nullptr, combination.score};
   std::vector<StagePlan>& plans = *open.plans;
-  const bool prepared = control_.while_there_is_time(
-      [&] { plans = make_plans(problem_, combination.shared, criteria_, control_.desk(0)); });
+  const bool prepared = control_.while_there_is_time([&] {
+    plans =
+        make_plans(problem_, combination.shared, criteria_, control_.desk(0), *tables_, PlannedRows::best_of_very_long);
+  });
   if (!prepared) leave_open(combination.score[0]);
   if (plans.empty()) return std::nullopt;
   open.questions = control_.evaluations() - before;

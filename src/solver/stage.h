@@ -130,6 +130,9 @@ class Stage {
                     std::vector<Interval>& readings) const {
     readings.clear();
   }
+  /// Whether what `read` says of rows of a slot hangs on the shared choices: if not, long tables are read once for all
+  /// of them. Default: it may.
+  [[nodiscard]] virtual bool reads_shared(std::size_t /*slot*/) const { return true; }
 
   /// Intervals that contain the answers of every design in the box.
   virtual void bound(const Box& box, Answer<Interval>& answer) const = 0;

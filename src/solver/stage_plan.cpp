@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "solver/relaxation.h"
+#include "solver/row_dominance.h"
 #include "solver/shaving.h"
 
 namespace millwright::solver {
@@ -110,8 +111,8 @@ RowProfile profile_at(const StagePlan& plan, std::span<const Interval> inherited
 }
 
 /// Drops rows without hope at the best state that can arrive, and finds out what tells the others apart.
-bool shave_and_profile(StagePlan& plan, Desk& desk) {
-  if (!shave(plan, plan.best_inherited, desk)) return false;
+bool shave_and_profile(StagePlan& plan, Desk& desk, TableMemory& tables) {
+  if (!shave(plan, plan.best_inherited, desk, tables)) return false;
   plan.profile = profile_at(plan, plan.best_inherited, desk);
   return true;
 }
@@ -174,7 +175,7 @@ std::vector<Interval> bearable_part(const StagePlan& plan, std::vector<Interval>
 
 /// What later stages can bear, from the base to the tool; then the states that can still arrive, and the rows that can
 /// still be chosen. False when nothing is left.
-bool find_limits(std::vector<StagePlan>& plans, Desk& desk) {
+bool find_limits(std::vector<StagePlan>& plans, Desk& desk, TableMemory& tables) {
   std::vector<double> most(plans.empty() ? 0 : plans.front().inherited.size(), std::numeric_limits<double>::infinity());
   for (auto plan = plans.rbegin(); plan != plans.rend(); ++plan) {
     plan->most_after = most;
@@ -185,19 +186,22 @@ bool find_limits(std::vector<StagePlan>& plans, Desk& desk) {
     const bool changed = narrower(state, plan.inherited);
     plan.inherited = state;
     state = desk.bound(*plan.stage, plan.shared, plan.inherited, plan.region).handed_on;
-    if ((changed || limits(plan, state)) && !shave(plan, plan.inherited, desk)) return false;
+    if ((changed || limits(plan, state)) && !shave(plan, plan.inherited, desk, tables)) return false;
     state = bearable_part(plan, desk.bound(*plan.stage, plan.shared, plan.inherited, plan.region).handed_on);
   }
   return true;
 }
 
-/// From the base to the tool: directions, and which variables move what matters.
-void find_directions(std::vector<StagePlan>& plans, Desk& desk) {
+/// From the base to the tool: directions, and which variables move what matters. Of very long tables only the rows that
+/// no other one stands in for are kept, if so `planned`.
+void find_directions(std::vector<StagePlan>& plans, PlannedRows planned, Desk& desk) {
+  constexpr std::size_t very_long = 20000;  // shorter tables cost less than it takes to compare their rows
   std::vector<Direction> next(plans.empty() ? 0 : plans.front().inherited.size(), Direction::irrelevant);
   for (auto plan = plans.rbegin(); plan != plans.rend(); ++plan) {
     plan->after = next;
     plan->before.clear();
     plan->priced.clear();
+    if (planned == PlannedRows::best_of_very_long) leave_out_dominated_rows(*plan, desk, very_long);
     RowHalves halves(profile_at(*plan, plan->inherited, desk));
     const MonotonicityQuestion question{
         plan->stage, plan->shared, plan->criteria, &plan->region, plan->inherited, plan->after, &halves};
@@ -281,25 +285,27 @@ void look_again(const Problem& problem, std::vector<StagePlan>& plans, Desk& des
     plan.inherited = state;
     state = bearable_part(plan, desk.bound(*plan.stage, plan.shared, plan.inherited, plan.region).handed_on);
   }
-  find_directions(plans, desk);
+  find_directions(plans, PlannedRows::all, desk);
 }
 
 std::vector<StagePlan> make_plans(const Problem& problem,
                                   std::span<const Row> shared,
                                   const Criteria& criteria,
-                                  Desk& desk) {
+                                  Desk& desk,
+                                  TableMemory& tables,
+                                  PlannedRows planned) {
   std::vector<StagePlan> plans;
   if (!all_offered(problem, shared)) return plans;
-  for (const Stage* stage : problem.stages) plans.emplace_back(*stage, shared, criteria);
-  if (!find_states(problem, plans, desk) || !find_limits(plans, desk)) return {};
-  find_directions(plans, desk);
+  for (const Stage* stage : problem.stages) plans.emplace_back(*stage, shared, criteria, tables);
+  if (!find_states(problem, plans, desk) || !find_limits(plans, desk, tables)) return {};
+  find_directions(plans, planned, desk);
   std::vector<Interval> best(problem.first_state.begin(), problem.first_state.end());
   for (StagePlan& plan : plans) {
     // More may be better only as far as later stages can bear it.
     for (std::size_t c = 0; c < best.size(); ++c)
       best[c] = intersect(best[c], plan.inherited[c]).value_or(plan.inherited[c]);
     plan.best_inherited = best;
-    if (!shave_and_profile(plan, desk)) return {};
+    if (!shave_and_profile(plan, desk, tables)) return {};
     best = best_after(plan, desk);
     if (!find_least(plan, desk)) return {};
   }

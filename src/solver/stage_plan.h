@@ -25,6 +25,7 @@
 #include "solver/rest_vectors.h"
 #include "solver/row_profile.h"
 #include "solver/staircase.h"
+#include "solver/table_memory.h"
 
 namespace millwright::solver {
 
@@ -105,8 +106,12 @@ struct StagePlan {
   RestVectors vectors;               ///< the same by what is left of several allowances (rest_vectors.h)
   std::vector<OpenRegion> frontier;  ///< regions that cover all designs, ascending in the first score
 
-  StagePlan(const Stage& s, std::span<const Row> shared_rows, const Criteria& c)
-      : stage(&s), shared(shared_rows), criteria(&c), fits(s, shared_rows), region(whole_region(s, shared_rows)) {}
+  StagePlan(const Stage& s, std::span<const Row> shared_rows, const Criteria& c, TableMemory& tables)
+      : stage(&s),
+        shared(shared_rows),
+        criteria(&c),
+        fits(s, shared_rows),
+        region(tables.whole_region(s, shared_rows)) {}
 };
 
 inline double least_of(double value) { return value; }
@@ -142,10 +147,24 @@ void keep_within_region(StagePlan& plan);
 /// The states that can arrive and the directions once more, after rows have been left out of the regions.
 void look_again(const Problem& problem, std::vector<StagePlan>& plans, Desk& desk);
 
+/// Whether plans are made with every row that can be chosen, or, of very long tables, with those only that no other
+/// stands in for (row_dominance.h).
+enum class PlannedRows { all, best_of_very_long };
+
 /// The plans of all stages; empty when it is proved that some stage has no feasible design at all.
 std::vector<StagePlan> make_plans(const Problem& problem,
                                   std::span<const Row> shared,
                                   const Criteria& criteria,
-                                  Desk& desk);
+                                  Desk& desk,
+                                  TableMemory& tables,
+                                  PlannedRows planned = PlannedRows::all);
+/// The same where no other combination of shared choices will be asked about.
+inline std::vector<StagePlan> make_plans(const Problem& problem,
+                                         std::span<const Row> shared,
+                                         const Criteria& criteria,
+                                         Desk& desk) {
+  TableMemory tables;
+  return make_plans(problem, shared, criteria, desk, tables);
+}
 
 }  // namespace millwright::solver

@@ -7,6 +7,7 @@
 #include "sanitized.h"
 #include "solver/alternatives.h"
 #include "solver/enumeration.h"
+#include "solver/forwarding_stage.h"
 
 namespace alternatives_test {
 
@@ -176,27 +177,16 @@ TEST_CASE("Rows that another covers are looked at when their turn comes") {
 }
 
 /// Sets a flag after so many questions.
-class Stopping final : public Stage {
+class Stopping final : public zoo::ForwardingStage {
  public:
   Stopping(const Stage& inner, std::atomic<int>& left, std::atomic<bool>& stop)
-      : inner_(inner), left_(left), stop_(stop) {}
-  [[nodiscard]] const std::string& name() const override { return inner_.name(); }
-  [[nodiscard]] std::span<const Slot> slots() const override { return inner_.slots(); }
-  [[nodiscard]] std::span<const Variable> variables() const override { return inner_.variables(); }
-  [[nodiscard]] std::size_t constraints() const override { return inner_.constraints(); }
-  void evaluate(const Point& x, Answer<double>& out) const override { inner_.evaluate(x, out); }
+      : zoo::ForwardingStage(inner), left_(left), stop_(stop) {}
   void bound(const Box& box, Answer<Interval>& out) const override {
     if (--left_ < 0) stop_ = true;
-    inner_.bound(box, out);
-  }
-  void slopes(const Box& box, Input input, Answer<Interval>& out) const override { inner_.slopes(box, input, out); }
-  void gradient(const Point& x, Input input, Answer<double>& out) const override { inner_.gradient(x, input, out); }
-  [[nodiscard]] bool fits(std::span<const Row> shared, std::size_t a, Row i, std::size_t b, Row j) const override {
-    return inner_.fits(shared, a, i, b, j);
+    zoo::ForwardingStage::bound(box, out);
   }
 
  private:
-  const Stage& inner_;
   std::atomic<int>& left_;
   std::atomic<bool>& stop_;
 };

@@ -15,6 +15,7 @@
 #include "solver/row_profile.h"
 #include "solver/solver.h"
 #include "solver/split_worth.h"
+#include "solver/table_memory.h"
 
 namespace long_tables_test {
 
@@ -179,7 +180,7 @@ TEST_CASE("Rows are divided by what matters, however much they differ in what do
     out.resources.push_back(in.row(0, price));
     out.handed_on.push_back(in.state(0));
   });
-  const Region region = whole_region(stage, {});
+  const Region region = TableMemory().whole_region(stage, {});
   const std::vector<Interval> state{Interval(0.0)};
   Desk desk;
   RowProfile profile(stage, {});

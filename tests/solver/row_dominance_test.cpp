@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <optional>
 #include <random>
 #include <tuple>
 
 #include "catch.h"
+#include "solver/forwarding_stage.h"
 #include "solver/model_stage.h"
 #include "solver/solver.h"
 
@@ -41,6 +43,7 @@ struct Asked {
   double load = 1.0, least_ratio = 0.0, largest_ratio = 1e9;
   double band_from = 0.0, band_to = 0.0;  ///< of stiffness / mass
   bool heavier_motor_helps = false;       ///< the motor is the counterweight
+  double least_stiffness = -1.0;          ///< of a bearing, per mass carried; below 0: not asked
 };
 
 auto model_of(const Asked& asked) {
@@ -58,10 +61,17 @@ auto model_of(const Asked& asked) {
       const auto ratio = stiffness / carried;
       out.utilisation.push_back(smaller(ratio / asked.band_from, asked.band_to / ratio));
     }
+    if (asked.least_stiffness >= 0.0) out.utilisation.push_back(asked.least_stiffness * carried / stiffness);
     out.resources.push_back(in.row(0, 2) + in.row(1, 2));
     out.resources.push_back(in.row(0, 3) + mass);
     out.handed_on.push_back(carried + mass);
   };
+}
+
+auto stage_of(const std::string& name, const Catalogue& catalogue, const Asked& asked) {
+  const std::size_t constraints = 4U + (asked.heavier_motor_helps ? 1U : 0U) + (asked.band_to > 0.0 ? 1U : 0U) +
+                                  (asked.least_stiffness >= 0.0 ? 1U : 0U);
+  return model_stage(name, {&catalogue.bearings, &catalogue.motors}, {}, constraints, model_of(asked));
 }
 
 struct Total {
@@ -109,10 +119,89 @@ std::size_t left_out(const Problem& problem, const Options& options) {
   return before - rows();
 }
 
+struct Tally {
+  std::size_t dominated = 0, feasible = 0, infeasible = 0;
+};
+
+/// That optimum and front of two stages are those of all their combinations.
+template <class StageType>
+void check_answers(const StageType& tool, const StageType& base, Tally& tally) {
+  Problem problem;
+  problem.first_state = {1.0};
+  problem.stages = {&tool, &base};
+  problem.resources = {{"cost"}, {"mass"}};
+  const std::vector<Total> totals = all_totals(tool, base);
+  CAPTURE(totals.size());
+
+  Options options;
+  options.patience = 1;  // every problem counts as one that is not easy
+  options.ties = {1};
+  const Summary found = solve(problem, options);
+  tally.dominated += left_out(problem, options);
+  if (totals.empty()) {
+    REQUIRE(found.status == Status::infeasible);
+    ++tally.infeasible;
+    return;
+  }
+  ++tally.feasible;
+  const auto least = std::min_element(totals.begin(), totals.end(), [](const Total& a, const Total& b) {
+    return std::tuple(a.cost, a.mass, a.worst_utilisation) < std::tuple(b.cost, b.mass, b.worst_utilisation);
+  });
+  REQUIRE(found.status == Status::optimal);
+  REQUIRE(found.builds.front().resources[0] == least->cost);
+  REQUIRE(found.builds.front().resources[1] == least->mass);
+  REQUIRE(found.builds.front().worst_utilisation == Approx(least->worst_utilisation).epsilon(1e-12));
+
+  Options both;
+  both.objectives = {0, 1};
+  const Summary front = solve(problem, both);
+  REQUIRE(front.status == Status::optimal);
+  std::vector<std::pair<double, double>> points, expected;
+  for (const Build& build : front.builds) points.emplace_back(build.resources[0], build.resources[1]);
+  for (const Total& total : totals) {
+    const bool beaten = std::any_of(totals.begin(), totals.end(), [&](const Total& other) {
+      return other.cost <= total.cost && other.mass <= total.mass &&
+             (other.cost < total.cost || other.mass < total.mass);
+    });
+    if (!beaten) expected.emplace_back(total.cost, total.mass);
+  }
+  for (auto* list : {&points, &expected}) {
+    std::sort(list->begin(), list->end());
+    list->erase(std::unique(list->begin(), list->end()), list->end());
+  }
+  REQUIRE(points == expected);
+}
+
+/// Bearings of odd rows are of a second kind, of which one constraint more has to hold. Of both kinds together it can
+/// only be said that it may hold or not.
+class TwoKinds final : public zoo::ForwardingStage {
+ public:
+  TwoKinds(const Stage& first, const Stage& second) : zoo::ForwardingStage(first), kinds_{&first, &second} {}
+
+  [[nodiscard]] std::size_t row_kind(std::size_t slot, Row row) const override { return slot == 0 ? row % 2 : 0; }
+  void evaluate(const Point& point, Answer<double>& answer) const override {
+    kinds_[point.rows[0] % 2]->evaluate(point, answer);
+  }
+  void bound(const Box& box, Answer<Interval>& answer) const override {
+    kinds_[box.rows[0].front() % 2]->bound(box, answer);
+    if (is_mixed(box)) answer.utilisation.back() = {0.0, std::numeric_limits<double>::infinity()};
+  }
+  void slopes(const Box& box, Input input, Answer<Interval>& answer) const override {
+    kinds_[box.rows[0].front() % 2]->slopes(box, input, answer);
+    if (is_mixed(box)) answer.utilisation.back() = Interval::entire();
+  }
+
+ private:
+  static bool is_mixed(const Box& box) {
+    return std::ranges::any_of(box.rows[0], [&](Row row) { return row % 2 != box.rows[0].front() % 2; });
+  }
+  std::array<const Stage*, 2> kinds_;
+};
+
 }  // namespace
 
 TEST_CASE("Leaving out rows that others stand in for changes neither optimum nor front") {
-  std::size_t dominated = 0, feasible = 0, infeasible = 0;
+  Tally tally;
   for (unsigned seed = 1; seed <= 150; ++seed) {
     std::mt19937 rng(seed);
     const Catalogue catalogue = random_catalogue(rng, 12);
@@ -125,57 +214,33 @@ TEST_CASE("Leaving out rows that others stand in for changes neither optimum nor
       asked.band_to = 0.9;
     }
     asked.heavier_motor_helps = seed % 4 == 0;
-    const std::size_t constraints = 4U + (asked.heavier_motor_helps ? 1U : 0U) + (asked.band_to > 0.0 ? 1U : 0U);
-    const auto tool = model_stage("tool", {&catalogue.bearings, &catalogue.motors}, {}, constraints, model_of(asked));
-    const auto base = model_stage("base", {&catalogue.bearings, &catalogue.motors}, {}, constraints, model_of(asked));
-    Problem problem;
-    problem.first_state = {1.0};
-    problem.stages = {&tool, &base};
-    problem.resources = {{"cost"}, {"mass"}};
-    const std::vector<Total> totals = all_totals(tool, base);
-    CAPTURE(seed, totals.size());
-
-    Options options;
-    options.patience = 1;  // every problem counts as one that is not easy
-    options.ties = {1};
-    const Summary found = solve(problem, options);
-    dominated += left_out(problem, options);
-    if (totals.empty()) {
-      REQUIRE(found.status == Status::infeasible);
-      ++infeasible;
-      continue;
-    }
-    ++feasible;
-    const auto least = std::min_element(totals.begin(), totals.end(), [](const Total& a, const Total& b) {
-      return std::tuple(a.cost, a.mass, a.worst_utilisation) < std::tuple(b.cost, b.mass, b.worst_utilisation);
-    });
-    REQUIRE(found.status == Status::optimal);
-    REQUIRE(found.builds.front().resources[0] == least->cost);
-    REQUIRE(found.builds.front().resources[1] == least->mass);
-    REQUIRE(found.builds.front().worst_utilisation == Approx(least->worst_utilisation).epsilon(1e-12));
-
-    Options both;
-    both.objectives = {0, 1};
-    const Summary front = solve(problem, both);
-    REQUIRE(front.status == Status::optimal);
-    std::vector<std::pair<double, double>> points, expected;
-    for (const Build& build : front.builds) points.emplace_back(build.resources[0], build.resources[1]);
-    for (const Total& total : totals) {
-      const bool beaten = std::any_of(totals.begin(), totals.end(), [&](const Total& other) {
-        return other.cost <= total.cost && other.mass <= total.mass &&
-               (other.cost < total.cost || other.mass < total.mass);
-      });
-      if (!beaten) expected.emplace_back(total.cost, total.mass);
-    }
-    for (auto* list : {&points, &expected}) {
-      std::sort(list->begin(), list->end());
-      list->erase(std::unique(list->begin(), list->end()), list->end());
-    }
-    REQUIRE(points == expected);
+    const auto tool = stage_of("tool", catalogue, asked);
+    const auto base = stage_of("base", catalogue, asked);
+    CAPTURE(seed);
+    check_answers(tool, base, tally);
   }
-  CHECK(dominated > 500);
-  CHECK(feasible > 50);
-  CHECK(infeasible > 5);
+  CHECK(tally.dominated > 500);
+  CHECK(tally.feasible > 50);
+  CHECK(tally.infeasible > 5);
+}
+
+TEST_CASE("Rows of one kind stand in for each other where a constraint holds for one kind only") {
+  Tally tally;
+  for (unsigned seed = 1; seed <= 100; ++seed) {
+    std::mt19937 rng(seed);
+    const Catalogue catalogue = random_catalogue(rng, 12);
+    Asked asked;
+    asked.load = 0.5 + 0.25 * static_cast<double>(rng() % 4);
+    asked.least_stiffness = 0.0;
+    const auto tool = stage_of("tool", catalogue, asked), base = stage_of("base", catalogue, asked);
+    asked.least_stiffness = 0.2 * static_cast<double>(1U + rng() % 4);
+    const auto other_tool = stage_of("tool", catalogue, asked), other_base = stage_of("base", catalogue, asked);
+    CAPTURE(seed);
+    check_answers(TwoKinds(tool, other_tool), TwoKinds(base, other_base), tally);
+  }
+  CHECK(tally.dominated > 250);
+  CHECK(tally.feasible > 50);
+  CHECK(tally.infeasible > 1);
 }
 
 }  // namespace row_dominance_test

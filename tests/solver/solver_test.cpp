@@ -204,7 +204,8 @@ TEST_CASE("A machine with 1e38 combinations is solved to the proven optimum") {
 }
 
 RowHalves halves_at(const Stage& stage, const Criteria& criteria, std::span<const Interval> inherited, Desk& desk) {
-  const StagePlan plan(stage, {}, criteria);
+  TableMemory tables;
+  const StagePlan plan(stage, {}, criteria, tables);
   RowProfile profile(stage, {});
   for (std::size_t slot = 0; slot < stage.slots().size(); ++slot) find_profile(plan, inherited, slot, profile, desk);
   return RowHalves(std::move(profile));
@@ -215,7 +216,7 @@ TEST_CASE("Directions are proved where they hold and refused where they do not")
   zoo::Axis axis = zoo::random_axis(rng, {}, false);
   const auto direction = [&](std::size_t component) {
     const zoo::AxisStage stage(axis);
-    const Region region = whole_region(stage, {});
+    const Region region = TableMemory().whole_region(stage, {});
     const std::vector<Interval> inherited{Interval(0.1, 3.0), Interval(0.0, 100.0)};
     const std::vector<Direction> next(2, Direction::irrelevant);
     Options options;
@@ -265,7 +266,7 @@ TEST_CASE("No random design contradicts a proved direction, with structure that 
     if (seed % 3 == 1) axis.least_ratio = zoo::uniform(rng, 0.05, 1.0);
     if (seed % 3 == 2) axis.gravity = -zoo::uniform(rng, 0.2, 1.0);
     const zoo::AxisStage stage(axis);
-    const Region region = whole_region(stage, {});
+    const Region region = TableMemory().whole_region(stage, {});
     const std::vector<Interval> inherited{Interval(0.1, 3.0), Interval(0.0, 100.0)};
     const std::vector<Direction> next(2, Direction::irrelevant);
     Problem problem;

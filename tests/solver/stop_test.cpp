@@ -7,6 +7,7 @@
 #include "catch.h"
 #include "sanitized.h"
 #include "solver/enumeration.h"
+#include "solver/forwarding_stage.h"
 
 namespace stop_test {
 
@@ -25,43 +26,39 @@ struct Patience {
 
 /// A stage that spends patience with every question. The problem has one more shared choice, the last, whose second row
 /// costs far more at the first stage: a combination that nobody would take, but that may not hide what is still open.
-class CountedStage final : public Stage {
+class CountedStage final : public zoo::ForwardingStage {
  public:
   static constexpr double surcharge = 1e6;
 
   CountedStage(const Stage& stage, Patience& patience, bool charges)
-      : stage_(&stage), patience_(&patience), charges_(charges) {}
+      : zoo::ForwardingStage(stage), patience_(&patience), charges_(charges) {}
 
-  [[nodiscard]] const std::string& name() const override { return stage_->name(); }
-  [[nodiscard]] std::span<const Slot> slots() const override { return stage_->slots(); }
-  [[nodiscard]] std::span<const Variable> variables() const override { return stage_->variables(); }
-  [[nodiscard]] std::size_t constraints() const override { return stage_->constraints(); }
   void read(std::span<const Row> shared,
             std::size_t slot,
             std::span<const Row> rows,
             std::vector<Interval>& readings) const override {
-    stage_->read(own(shared), slot, rows, readings);
+    inner_.read(own(shared), slot, rows, readings);
   }
   void evaluate(const Point& point, Answer<double>& answer) const override {
     patience_->spend();
-    stage_->evaluate({own(point.shared), point.inherited, point.rows, point.variables}, answer);
+    inner_.evaluate({own(point.shared), point.inherited, point.rows, point.variables}, answer);
     answer.resources[0] += charge(point.shared);
   }
   void bound(const Box& box, Answer<Interval>& answer) const override {
     patience_->spend();
-    stage_->bound(own(box), answer);
+    inner_.bound(own(box), answer);
     answer.resources[0] += Interval(charge(box.shared));
   }
   void slopes(const Box& box, Input input, Answer<Interval>& answer) const override {
     patience_->spend();
-    stage_->slopes(own(box), input, answer);
+    inner_.slopes(own(box), input, answer);
   }
   void gradient(const Point& point, Input input, Answer<double>& answer) const override {
-    stage_->gradient({own(point.shared), point.inherited, point.rows, point.variables}, input, answer);
+    inner_.gradient({own(point.shared), point.inherited, point.rows, point.variables}, input, answer);
   }
   [[nodiscard]] bool fits(
       std::span<const Row> shared, std::size_t slot_a, Row row_a, std::size_t slot_b, Row row_b) const override {
-    return stage_->fits(own(shared), slot_a, row_a, slot_b, row_b);
+    return inner_.fits(own(shared), slot_a, row_a, slot_b, row_b);
   }
 
  private:
@@ -71,7 +68,6 @@ class CountedStage final : public Stage {
     return charges_ && shared.back() == 1 ? surcharge : 0.0;
   }
 
-  const Stage* stage_;
   Patience* patience_;
   bool charges_;
 };

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What has been found out about long tables and holds for other combinations of shared choices too: what a stage reads
+// of all rows, and the parts of alike rows that a table was cut into when rows without hope were looked for
+// (shaving.h). With another supply voltage a part is asked about once more; it need not be found once more.
+//
+// Belongs to one problem and to one thread.
+#pragma once
+
+#include <map>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "solver/box.h"
+
+namespace millwright::solver {
+
+class TableMemory {
+ public:
+  /// Every row of every slot that can be chosen, in each at least one, and the whole range of every variable. The row
+  /// sets are the caller's own (their notes belong to his profile).
+  Region whole_region(const Stage& stage, std::span<const Row> shared);
+
+  /// Sets that are together these rows of a slot: the parts that its table was cut into first, or all rows as one.
+  /// Their notes belong to nobody: RowProfile::split_slot may split them, not ::split.
+  std::vector<RowSet> parts(const Stage& stage, std::span<const Row> shared, std::size_t slot, const RowSet& rows);
+  /// Remembers parts if they are those of a larger set of rows than any before.
+  void keep_parts(const Stage& stage, std::span<const Row> shared, std::size_t slot, std::vector<RowSet> parts);
+
+ private:
+  struct Whole {
+    std::vector<Row> shared, rows;
+    std::vector<Interval> readings;
+  };
+  struct Table {
+    std::vector<Whole> wholes;
+    std::vector<RowSet> parts;
+    std::vector<Row> shared;  ///< with which the parts were read
+    std::size_t rows = 0;     ///< in all parts
+  };
+  std::map<std::pair<const Stage*, std::size_t>, Table> tables_;
+};
+
+}  // namespace millwright::solver
