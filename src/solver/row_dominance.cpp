@@ -185,13 +185,11 @@ void leave_out_dominated_rows(StagePlan& plan, Desk& desk, std::size_t least_row
   const std::vector<Region> parts = parts_by_kinds(plan);
   std::vector<RowSet> rows;  // all of a plan or none: it may be interrupted
   for (const std::size_t slot : asked) rows.push_back(others_of(plan, parts, slot, desk));
-  bool fewer = false;
   for (std::size_t i = 0; i < asked.size(); ++i) {
     if (rows[i] == nullptr) continue;
     plan.region.rows[asked[i]] = std::move(rows[i]);
-    fewer = true;
+    keep_within_region(plan, asked[i]);
   }
-  if (fewer) keep_within_region(plan);
 }
 
 void leave_out_dominated_rows(std::vector<StagePlan>& plans, Desk& desk) {

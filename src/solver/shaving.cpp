@@ -109,9 +109,11 @@ class Shaving {
   /// Of a long table sets of alike rows are asked about instead of rows, down to small ones, or to some hundred rows of
   /// which a sample has hope.
   std::vector<Row> sieved(std::size_t slot) {
-    constexpr std::size_t few = 16, not_many = 512, sample = 16;
+    constexpr std::size_t few = 16, not_many = 512, sample = 16, sample_again = 4;
     const RowSet& all = plan_.region.rows[slot];
     std::vector<RowSet> open = tables_.parts(*plan_.stage, plan_.shared, slot, all);
+    // The first so many of those open have been settled before, with other shared choices or fewer rows elsewhere.
+    std::size_t settled_before = open.size() > 1 ? open.size() : 0;
     std::optional<RowProfile> profile;
     std::vector<RowSet> settled;
     std::vector<Row> kept;
@@ -119,11 +121,14 @@ class Shaving {
     while (!open.empty()) {
       const RowSet part = std::move(open.back());
       open.pop_back();
+      const bool again = open.size() < settled_before;
+      if (again) settled_before = open.size();
       const auto& answer = ask(slot, part->alive());
       const bool has_hope = !hopeless(plan_, answer);
       read_bounds(plan_, answer, bounds);
       const std::size_t size = part->size();
-      if (has_hope && size > few && (size > not_many || !sample_has_hope(slot, part->all(), sample))) {
+      if (has_hope && size > few &&
+          (size > not_many || !sample_has_hope(slot, part->all(), again ? sample_again : sample))) {
         if (!profile) find_profile(plan_, inherited_, slot, profile.emplace(*plan_.stage, plan_.shared), desk_);
         RowProfile::Split split = profile->split_slot(*part, slot, bounds.open);
         open.push_back(std::move(split.left));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "solver/relaxation.h"
 #include "solver/row_dominance.h"
@@ -258,25 +259,28 @@ bool find_least(StagePlan& plan, Desk& desk) {
 
 }  // namespace
 
-void keep_within_region(StagePlan& plan) {
+void keep_within_region(StagePlan& plan, std::size_t slot) {
+  std::vector<bool> allowed(plan.stage->slots()[slot].rows, false);
+  for (const Row row : *plan.region.rows[slot]) allowed[row] = true;
+  std::map<RowSet, RowSet> left;  // by what there was: regions share most of their sets
   for (OpenRegion& open : plan.frontier) {
-    for (std::size_t slot = 0; slot < open.region.rows.size(); ++slot) {
-      const std::vector<Row>& allowed = plan.region.rows[slot]->all();
+    RowSet& own = open.region.rows[slot];
+    const auto [found, is_new] = left.try_emplace(own, own);
+    if (is_new) {
       std::vector<Row> rows;
-      std::set_intersection(open.region.rows[slot]->begin(),
-                            open.region.rows[slot]->end(),
-                            allowed.begin(),
-                            allowed.end(),
-                            std::back_inserter(rows));
-      if (rows.empty()) {
-        open.bounds.utilisation = std::numeric_limits<double>::infinity();
-        break;
-      }
-      if (rows.size() < open.region.rows[slot]->size())
-        open.region.rows[slot] = make_rows(*plan.stage, plan.shared, slot, std::move(rows));
+      std::copy_if(own->begin(), own->end(), std::back_inserter(rows), [&](Row row) { return allowed[row]; });
+      if (rows.empty())
+        found->second = nullptr;
+      else if (rows.size() < own->size())
+        found->second = make_rows(*plan.stage, plan.shared, slot, std::move(rows));
     }
+    own = found->second;
   }
-  std::erase_if(plan.frontier, [](const OpenRegion& open) { return std::isinf(open.bounds.utilisation); });
+  std::erase_if(plan.frontier, [&](const OpenRegion& open) { return open.region.rows[slot] == nullptr; });
+}
+
+void keep_within_region(StagePlan& plan) {
+  for (std::size_t slot = 0; slot < plan.region.rows.size(); ++slot) keep_within_region(plan, slot);
 }
 
 void look_again(const Problem& problem, std::vector<StagePlan>& plans, Desk& desk) {

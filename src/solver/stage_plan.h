@@ -141,7 +141,8 @@ bool cut_variables(
 /// Asks `bound`, then cuts the variables' intervals.
 bool assess(const StagePlan& plan, std::span<const Interval> inherited, Region& region, Bounds& bounds, Desk& desk);
 
-/// Leaves rows out of the plan's frontier that have been left out of its region.
+/// Leaves rows out of the plan's frontier that have been left out of its region, of one slot or of all.
+void keep_within_region(StagePlan& plan, std::size_t slot);
 void keep_within_region(StagePlan& plan);
 
 /// The states that can arrive and the directions once more, after rows have been left out of the regions.
