@@ -174,6 +174,17 @@ bool is_made_for(const MachineModel& model, const machine::Objective& objective)
   });
 }
 
+/// Whether this is the same for every build: a cycle of moves that take a stated time, or ramps that are given.
+bool is_the_same_for_all(const MachineModel& model, std::string_view objective) {
+  return objective == "cycle_time" && std::ranges::none_of(model.machine().axes, machine::cycle_time_hangs_on_ramp);
+}
+
+/// Whether an objective tells none of the builds of a front in three objectives apart: those of the front in the other
+/// two are those in all three.
+bool is_left_out(const MachineModel& model, const SearchOptions& options, std::string_view objective) {
+  return options.objectives.size() == 3 && is_the_same_for_all(model, objective);
+}
+
 }  // namespace
 
 solver::Options solver_options(const MachineModel& model, const SearchOptions& options) {
@@ -182,6 +193,7 @@ solver::Options solver_options(const MachineModel& model, const SearchOptions& o
   for (const std::string& name : options.objectives) {
     const machine::Objective objective = machine::objective_named(name);
     if (!is_made_for(model, objective)) throw std::invalid_argument("the model was made for other objectives: " + name);
+    if (is_left_out(model, options, name)) continue;
     const auto quantity = objective.single();
     if (quantity) {
       result.objectives.push_back(model.compared(*quantity));
@@ -210,8 +222,7 @@ Synthesis synthesise(const MachineModel& model, const SearchOptions& asked_for) 
   synthesis.empty_slots = model.empty_slots();
   if (!synthesis.empty_slots.empty()) return synthesis;
   const bool fastest = options.objectives == std::vector<std::string>{"cycle_time"};
-  const auto& axes = model.machine().axes;
-  synthesis.fixed_objective = fastest && std::none_of(axes.begin(), axes.end(), machine::cycle_time_hangs_on_ramp);
+  synthesis.fixed_objective = fastest && is_the_same_for_all(model, "cycle_time");
   solver::Summary summary;
   if (options.builds > 1) {
     solver::Alternatives best = solver::best_builds(
@@ -230,6 +241,8 @@ Synthesis synthesise(const MachineModel& model, const SearchOptions& asked_for) 
               : starts_blind(options) ? solve_with_start(model, options)
                                       : solver::solve(model.problem(), solver_options(model, options));
   }
+  for (const std::string& name : options.objectives)
+    if (is_left_out(model, options, name)) summary.method += "; every build has the same " + name;
   synthesis.status = summary.status;
   for (const solver::Build& build : summary.builds)
     synthesis.designs.push_back(model.design(build, options.worksheets));

@@ -226,6 +226,49 @@ TEST_CASE("A front of three objectives has the best of each") {
   }
 }
 
+// Every move takes the time it is stated to take: nothing is faster, and the front is that of cost and mass.
+TEST_CASE("A front in three objectives of which one is the same for all builds is that in the other two") {
+  for (unsigned seed = 0; seed < 3; ++seed) {
+    const TinyCatalogue tiny(random_prices(seed));
+    machine::Problem problem = table(3.0, 10.0, true);
+    double time = 0.3;  // s, the dwell
+    for (machine::Axis& axis : problem.axes) {
+      axis.keep_every_candidate = true;
+      for (machine::Move& move : axis.moves) {
+        if (move.speed) move.time = 6.0;
+        move.speed.reset();
+        time += *move.time;
+      }
+    }
+    const MachineModel model(problem, tiny.parts());
+    const Synthesis front = solved(model, {"mass", "cycle_time", "cost"});
+    CAPTURE(seed, front.method);
+    CHECK(front.status == solver::Status::optimal);
+    CHECK(front.method.find("every build has the same cycle_time") != std::string::npos);
+    const PricedExhaustive all(model, weights_of(model, "mass"));
+    std::vector<std::pair<double, double>> expected, found;
+    for (const auto& build : all.builds)
+      if (std::none_of(all.builds.begin(), all.builds.end(), [&](const auto& other) {
+            return other.cost <= build.cost && other.weighted <= build.weighted &&
+                   (other.cost < build.cost || other.weighted < build.weighted);
+          }))
+        expected.emplace_back(build.cost, build.weighted);
+    for (const evaluation::Design& d : front.designs) {
+      CHECK(d.satisfied());
+      CHECK(d.total(Quantity::cycle_time) == Approx(time).epsilon(1e-12));
+      found.emplace_back(d.cost, d.total(Quantity::mass));
+    }
+    REQUIRE(expected.size() > 1);
+    const auto same = [](const auto& a, const auto& b) {
+      return a.first == Approx(b.first).epsilon(1e-9) && a.second == Approx(b.second).epsilon(1e-9);
+    };
+    for (const auto& point : expected)
+      CHECK(std::any_of(found.begin(), found.end(), [&](const auto& other) { return same(point, other); }));
+    for (const auto& point : found)
+      CHECK(std::any_of(expected.begin(), expected.end(), [&](const auto& other) { return same(point, other); }));
+  }
+}
+
 // By hand. x: 200 mm at 50 mm/s with ramps of t, 4 s + t, dwell 1 s. z goes up and down: twice 2 s and twice a dwell of
 // 0.5 s, 5 s. The diagonal of 50 mm at 25 mm/s with ramps of 0.2 s takes 2.2 s, up and down 4.4 s, and 2 * 0.1 s of
 // dwell. The table turns 90 deg in 0.7 s. Sum 15.3 s + t, 0.1 s <= t.
