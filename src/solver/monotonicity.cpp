@@ -234,6 +234,7 @@ bool Claim::prove(Desk& desk) {
 const RowHalves::Halves& RowHalves::of(std::size_t slot, const RowSet& whole) {
   Halves& known = known_[{slot, whole.get()}];
   if (known.whole == nullptr) {
+    if (found_.insert(slot).second) find_(slot, profile_);
     RowProfile::Split split = profile_.split_slot(*whole, slot);
     known = {whole, std::move(split.left), std::move(split.right)};
   }

@@ -14,7 +14,9 @@
 // What cannot be proved within the node limit is compared by equality only: slower, never wrong.
 #pragma once
 
+#include <functional>
 #include <map>
+#include <set>
 #include <span>
 #include <utility>
 #include <vector>
@@ -31,7 +33,9 @@ enum class Direction { irrelevant, smaller_is_better, larger_is_better, equal_on
 /// same sets again and again, and reading a large one takes far longer than asking about it.
 class RowHalves {
  public:
-  explicit RowHalves(RowProfile profile) : profile_(std::move(profile)) {}
+  /// `find` finds out what tells the rows of a slot apart, when one is cut for the first time: most proofs need none.
+  RowHalves(RowProfile profile, std::function<void(std::size_t slot, RowProfile&)> find)
+      : profile_(std::move(profile)), find_(std::move(find)) {}
 
   struct Halves {
     RowSet whole;  ///< held, so that no other set comes to have its address
@@ -42,6 +46,8 @@ class RowHalves {
 
  private:
   RowProfile profile_;
+  std::function<void(std::size_t, RowProfile&)> find_;
+  std::set<std::size_t> found_;  ///< slots
   std::map<std::pair<std::size_t, const Rows*>, Halves> known_;
 };
 

@@ -203,7 +203,9 @@ void find_directions(std::vector<StagePlan>& plans, PlannedRows planned, Desk& d
     plan->before.clear();
     plan->priced.clear();
     if (planned == PlannedRows::best_of_very_long) leave_out_dominated_rows(*plan, desk, very_long);
-    RowHalves halves(profile_at(*plan, plan->inherited, desk));
+    RowHalves halves(RowProfile(*plan->stage, plan->shared), [&](std::size_t slot, RowProfile& profile) {
+      find_profile(*plan, plan->inherited, slot, profile, desk);
+    });
     const MonotonicityQuestion question{
         plan->stage, plan->shared, plan->criteria, &plan->region, plan->inherited, plan->after, &halves};
     for (std::size_t c = 0; c < next.size(); ++c) {

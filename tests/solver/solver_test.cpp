@@ -205,10 +205,10 @@ TEST_CASE("A machine with 1e38 combinations is solved to the proven optimum") {
 
 RowHalves halves_at(const Stage& stage, const Criteria& criteria, std::span<const Interval> inherited, Desk& desk) {
   TableMemory tables;
-  const StagePlan plan(stage, {}, criteria, tables);
-  RowProfile profile(stage, {});
-  for (std::size_t slot = 0; slot < stage.slots().size(); ++slot) find_profile(plan, inherited, slot, profile, desk);
-  return RowHalves(std::move(profile));
+  const auto plan = std::make_shared<const StagePlan>(stage, std::span<const Row>(), criteria, tables);
+  return {RowProfile(stage, {}), [plan, inherited, &desk](std::size_t slot, RowProfile& profile) {
+            find_profile(*plan, inherited, slot, profile, desk);
+          }};
 }
 
 TEST_CASE("Directions are proved where they hold and refused where they do not") {
