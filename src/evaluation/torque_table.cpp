@@ -92,12 +92,17 @@ Interval TorqueTable::hull(std::span<const solver::Row> rows, std::size_t voltag
 }
 
 void TorqueTable::read(std::span<const solver::Row> rows, std::size_t voltage, std::vector<Interval>& readings) const {
+  const std::size_t first = readings.size();
+  readings.resize(first + ranges());
+  const auto tell = [&](const float* bounds) {
+    for (std::size_t r = 0; r < ranges(); ++r) readings[first + r] = {bounds[r], -bounds[ranges() + r]};
+  };
+  if (rows.size() == 1) return tell(bounds_of(voltage, rows.front()));  // long tables are read row by row, too
   const auto numbers = static_cast<Eigen::Index>(2 * ranges());
   Eigen::ArrayXf least = Eigen::ArrayXf::Constant(numbers, std::numeric_limits<float>::infinity());
   visit_unlike(rows,
                [&](solver::Row row) { least = least.min(Eigen::ArrayXf::Map(bounds_of(voltage, row), numbers)); });
-  for (std::size_t r = 0; r < ranges(); ++r)
-    readings.emplace_back(least[static_cast<Eigen::Index>(r)], -least[static_cast<Eigen::Index>(ranges() + r)]);
+  tell(least.data());
 }
 
 }  // namespace millwright::evaluation

@@ -30,15 +30,16 @@ std::size_t in_fours(std::size_t numbers) { return (numbers + at_once - 1) / at_
 struct Ranges {
   std::vector<float> low, high;
 
-  void find(std::span<const float> numbers, std::size_t width, const Rows& rows) {
+  /// `of_row(row)`: where the numbers of a row lie side by side.
+  template <class OfRow>
+  void find(std::span<const Row> rows, std::size_t width, OfRow&& of_row) {
     low.resize(width);
     high.resize(width);
     for (std::size_t first = 0; first < width; first += at_once) {
-      const float* const column = numbers.data() + first;
-      Four least = Four::Map(column + rows.front() * width);
+      Four least = Four::Map(of_row(rows.front()) + first);
       Four most = least;
       for (const Row row : rows) {
-        const Four own = Four::Map(column + row * width);
+        const Four own = Four::Map(of_row(row) + first);
         least = least.min(own);
         most = most.max(own);
       }
@@ -138,18 +139,22 @@ void RowProfile::weigh(Features& features,
 
 void RowProfile::take_numbers(Features& features, std::size_t slot, const Rows& rows) const {
   features.width = in_fours(features.of.size());
-  features.numbers.resize((rows.all().back() + std::size_t{1}) * features.width);
+  features.place.resize(rows.all().back() + std::size_t{1});
+  features.numbers = std::make_shared_for_overwrite<float[]>(rows.size() * features.width);
+  float* out = features.numbers.get();
+  std::uint32_t place = 0;
   std::vector<Interval> readings;
   for (const Row& row : rows) {
     stage_->read(shared_, slot, std::span(&row, 1), readings);
     // Of a single row a stage may read less than of several (what it works out exactly when it is asked): then these
     // numbers say nothing.
     const bool alike = readings.size() == rows.alive().readings.size();
-    float* out = features.numbers.data() + row * features.width;
+    features.place[row] = place++;
     for (const Number& number : features.of) {
       const double value = alike ? middle(readings[number.reading]) : 1.0;
       *out++ = static_cast<float>(number.logarithmic ? nearly_log(value) : finite(value));
     }
+    out = std::fill_n(out, features.width - features.of.size(), 0.0F);
   }
 }
 
@@ -162,12 +167,13 @@ RowProfile::Cut RowProfile::best_cut(const Region& region, std::uint64_t open, s
     if (rows.size() < 2) continue;
     if (best.slot == region.rows.size()) best.slot = slot;  // in case nothing differs any more
     const Features& features = features_[slot];
+    const auto of_row = [&](Row row) { return features.of_row(row); };
     std::shared_ptr<const RowNotes> notes = rows.size() < worth_notes ? nullptr : rows.notes.load();
     if (rows.size() < worth_notes) {
-      here.find(features.numbers, features.width, rows);
+      here.find(rows.all(), features.width, of_row);
     } else if (notes == nullptr) {
       auto made = std::make_shared<RowNotes>();
-      made->ranges.find(features.numbers, features.width, rows);
+      made->ranges.find(rows.all(), features.width, of_row);
       notes = std::move(made);
       rows.notes.store(notes);
     }
@@ -185,10 +191,9 @@ RowProfile::Cut RowProfile::best_cut(const Region& region, std::uint64_t open, s
   return best;
 }
 
-RowProfile::Split RowProfile::halves(const Rows& rows, const Cut& cut) const {
+RowProfile::Halves RowProfile::halves(std::span<const Row> rows, const Cut& cut) const {
   const Features& features = features_[cut.slot];
-  const float* const number = features.numbers.data() + cut.number;
-  const auto goes_left = [&](Row row) { return cut.size > 0.0 && number[row * features.width] <= cut.at; };
+  const auto goes_left = [&](Row row) { return cut.size > 0.0 && features.of_row(row)[cut.number] <= cut.at; };
   std::vector<Row> left;
   std::vector<Row> right;
   const auto leftward = static_cast<std::size_t>(std::count_if(rows.begin(), rows.end(), goes_left));
@@ -200,15 +205,19 @@ RowProfile::Split RowProfile::halves(const Rows& rows, const Cut& cut) const {
     left.assign(rows.begin(), middle);
     right.assign(middle, rows.end());
   }
-  return {cut.slot,
-          make_rows(*stage_, shared_, cut.slot, std::move(left)),
-          make_rows(*stage_, shared_, cut.slot, std::move(right))};
+  return {std::move(left), std::move(right)};
 }
 
-RowProfile::Split RowProfile::split_slot(const Rows& rows, std::size_t slot, std::uint64_t open) const {
+RowProfile::Split RowProfile::read(std::size_t slot, Halves halves) const {
+  return {slot,
+          make_rows(*stage_, shared_, slot, std::move(halves.left)),
+          make_rows(*stage_, shared_, slot, std::move(halves.right))};
+}
+
+RowProfile::Halves RowProfile::cut_slot(std::span<const Row> rows, std::size_t slot, std::uint64_t open) const {
   const Features& features = features_[slot];
   Ranges ranges;
-  ranges.find(features.numbers, features.width, rows);
+  ranges.find(rows, features.width, [&](Row row) { return features.of_row(row); });
   Cut best{slot, 0, 0.0F, 0.0};
   for (std::size_t i = 0; i < features.of.size(); ++i) {
     if (!matters(features.of[i], open)) continue;
@@ -219,13 +228,17 @@ RowProfile::Split RowProfile::split_slot(const Rows& rows, std::size_t slot, std
   return halves(rows, best);
 }
 
+RowProfile::Split RowProfile::split_slot(const Rows& rows, std::size_t slot, std::uint64_t open) const {
+  return read(slot, cut_slot(rows.all(), slot, open));
+}
+
 RowProfile::Split RowProfile::split(const Region& region, std::uint64_t open, std::span<const double> worth) const {
   const Cut cut = best_cut(region, open, worth);
   const Rows& rows = *region.rows[cut.slot];
-  if (rows.size() < worth_notes || !(cut.size > 0.0)) return halves(rows, cut);
+  if (rows.size() < worth_notes || !(cut.size > 0.0)) return read(cut.slot, halves(rows.all(), cut));
   const std::shared_ptr<const RowNotes> notes = rows.notes.load();
   if (notes->left != nullptr && notes->number == cut.number) return {cut.slot, notes->left, notes->right};
-  Split split = halves(rows, cut);
+  Split split = read(cut.slot, halves(rows.all(), cut));
   rows.notes.store(std::make_shared<const RowNotes>(RowNotes{notes->ranges, cut.number, split.left, split.right}));
   return split;
 }

@@ -15,6 +15,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -43,6 +44,12 @@ class RowProfile {
   /// noted: the plan's profile may split the same sets.
   [[nodiscard]] Split split_slot(const Rows& rows, std::size_t slot, std::uint64_t open = ~std::uint64_t{0}) const;
 
+  struct Halves {
+    std::vector<Row> left, right;
+  };
+  /// The same, without reading the halves.
+  [[nodiscard]] Halves cut_slot(std::span<const Row> rows, std::size_t slot, std::uint64_t open) const;
+
  private:
   /// A reading that rows differ in.
   struct Number {
@@ -55,8 +62,10 @@ class RowProfile {
   /// The numbers of one slot's rows, row by row.
   struct Features {
     std::vector<Number> of;
-    std::size_t width = 0;       ///< of.size(), rounded up to what is compared at once
-    std::vector<float> numbers;  ///< [row * width + i]
+    std::size_t width = 0;             ///< of.size(), rounded up to what is compared at once
+    std::vector<std::uint32_t> place;  ///< [row]: among those that have numbers
+    std::shared_ptr<float[]> numbers;  ///< [place * width + i]
+    [[nodiscard]] const float* of_row(Row row) const { return numbers.get() + place[row] * width; }
   };
   /// Numbers to tell whether a region has to be split there.
   struct Cut {
@@ -75,7 +84,8 @@ class RowProfile {
              const Asked& asked) const;
   void take_numbers(Features& features, std::size_t slot, const Rows& rows) const;
   [[nodiscard]] Cut best_cut(const Region& region, std::uint64_t open, std::span<const double> worth) const;
-  [[nodiscard]] Split halves(const Rows& rows, const Cut& cut) const;
+  [[nodiscard]] Halves halves(std::span<const Row> rows, const Cut& cut) const;
+  [[nodiscard]] Split read(std::size_t slot, Halves halves) const;
 
   const Stage* stage_ = nullptr;
   std::span<const Row> shared_;

@@ -99,6 +99,12 @@ class Shaving {
     return kept;
   }
 
+  bool one_has_hope(std::size_t slot, const std::vector<Row>& rows, std::size_t sample) {
+    for (std::size_t i = 0; i < sample; ++i)
+      if (!hopeless_alone(slot, rows[i * rows.size() / sample])) return true;
+    return false;
+  }
+
   /// Rows of which none in a sample is without hope are left as they are.
   bool sample_has_hope(std::size_t slot, const std::vector<Row>& rows, std::size_t sample) {
     for (std::size_t i = 0; i < sample; ++i)
@@ -106,37 +112,63 @@ class Shaving {
     return true;
   }
 
+  /// Rows that are looked at together.
+  struct Part {
+    RowSet read = nullptr;        ///< with what is read of them; null: not read
+    std::vector<Row> rows;        ///< where they are not
+    std::uint64_t open = 0;       ///< constraints that were when a set was last asked about of which these are some
+    bool settled_before = false;  ///< with other shared choices, or with fewer rows in other slots
+    [[nodiscard]] const std::vector<Row>& all() const { return read != nullptr ? read->all() : rows; }
+  };
+
+  std::vector<Part> first_parts(std::size_t slot) {
+    std::vector<Part> parts;
+    for (RowSet& part : tables_.parts(*plan_.stage, plan_.shared, slot, plan_.region.rows[slot]))
+      parts.push_back({.read = std::move(part), .rows = {}, .settled_before = true});
+    if (parts.size() == 1) parts.front().settled_before = false;
+    return parts;
+  }
+
   /// Of a long table sets of alike rows are asked about instead of rows, down to small ones, or to some hundred rows of
-  /// which a sample has hope.
+  /// which a sample has hope. A large set of which a row has hope need not be read to know that it has: to read such
+  /// sets takes far longer than to ask about some of their rows.
   std::vector<Row> sieved(std::size_t slot) {
-    constexpr std::size_t few = 16, not_many = 512, sample = 16, sample_again = 4;
-    const RowSet& all = plan_.region.rows[slot];
-    std::vector<RowSet> open = tables_.parts(*plan_.stage, plan_.shared, slot, all);
-    // The first so many of those open have been settled before, with other shared choices or fewer rows elsewhere.
-    std::size_t settled_before = open.size() > 1 ? open.size() : 0;
+    constexpr std::size_t few = 16, not_many = 512, some = 4, sample = 16;
+    std::vector<Part> open = first_parts(slot);
     std::optional<RowProfile> profile;
     std::vector<RowSet> settled;
     std::vector<Row> kept;
     Bounds bounds;
+    const auto split = [&](const Part& part) {
+      if (!profile) find_profile(plan_, inherited_, slot, profile.emplace(*plan_.stage, plan_.shared), desk_);
+      RowProfile::Halves halves = profile->cut_slot(part.all(), slot, part.open);
+      open.push_back({.rows = std::move(halves.left), .open = part.open});
+      open.push_back({.rows = std::move(halves.right), .open = part.open});
+    };
     while (!open.empty()) {
-      const RowSet part = std::move(open.back());
+      Part part = std::move(open.back());
       open.pop_back();
-      const bool again = open.size() < settled_before;
-      if (again) settled_before = open.size();
-      const auto& answer = ask(slot, part->alive());
-      const bool has_hope = !hopeless(plan_, answer);
-      read_bounds(plan_, answer, bounds);
-      const std::size_t size = part->size();
-      if (has_hope && size > few &&
-          (size > not_many || !sample_has_hope(slot, part->all(), again ? sample_again : sample))) {
-        if (!profile) find_profile(plan_, inherited_, slot, profile.emplace(*plan_.stage, plan_.shared), desk_);
-        RowProfile::Split split = profile->split_slot(*part, slot, bounds.open);
-        open.push_back(std::move(split.left));
-        open.push_back(std::move(split.right));
+      const std::size_t size = part.all().size();
+      if (part.read == nullptr && size > not_many && one_has_hope(slot, part.rows, some)) {
+        split(part);
         continue;
       }
-      if (has_hope) kept.insert(kept.end(), part->begin(), part->end());
-      settled.push_back(part);
+      if (part.read == nullptr) part.read = make_rows(*plan_.stage, plan_.shared, slot, std::move(part.rows));
+      const auto& answer = ask(slot, part.read->alive());
+      if (hopeless(plan_, answer)) {
+        settled.push_back(std::move(part.read));
+        continue;
+      }
+      read_bounds(plan_, answer, bounds);
+      part.open = bounds.open;
+      const bool is_small =
+          size <= few || (size <= not_many && sample_has_hope(slot, part.all(), part.settled_before ? some : sample));
+      if (!is_small) {
+        split(part);
+        continue;
+      }
+      kept.insert(kept.end(), part.read->begin(), part.read->end());
+      settled.push_back(std::move(part.read));
     }
     tables_.keep_parts(*plan_.stage, plan_.shared, slot, std::move(settled));
     std::sort(kept.begin(), kept.end());
