@@ -54,7 +54,7 @@ struct Certificate {
 
 /// Seconds.
 struct Timing {
-  double read = 0.0;
+  double read = 0.0;  ///< files, and the tables of candidates that are made of them
   double solve = 0.0;
   double total = 0.0;
 };

@@ -243,4 +243,71 @@ TEST_CASE("Rows of one kind stand in for each other where a constraint holds for
   CHECK(tally.infeasible > 1);
 }
 
+TEST_CASE("Very long tables lose the rows that others stand in for before anything else is asked") {
+  constexpr std::size_t rows = 24000;
+  std::size_t infeasible = 0;
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    std::mt19937 rng(seed);
+    std::uniform_real_distribution<double> share(0.5, 1.5);
+    Catalogue catalogue;
+    for (std::size_t i = 0; i < rows; ++i)
+      for (const double usual : {1.0, 1.0, 3.0, 1.0}) catalogue.bearings.numbers.push_back(usual * share(rng));
+    for (std::size_t i = 0; i < 3; ++i)
+      for (const double usual : {2.5, 2.0, 3.0, 1.0}) catalogue.motors.numbers.push_back(usual * share(rng));
+    Asked asked;
+    asked.load = seed == 4 ? 5.0 : 0.22;
+    asked.least_stiffness = 0.1;
+    const auto plain = stage_of("tool", catalogue, asked);
+    asked.least_stiffness = 0.25;
+    const auto stiffer = stage_of("tool", catalogue, asked);
+    const TwoKinds tool(plain, stiffer);
+    CAPTURE(seed);
+
+    std::vector<std::pair<double, double>> totals;
+    Answer<double> answer;
+    const std::array<double, 1> state{1.0};
+    for (Row a = 0; a < rows; ++a)
+      for (Row b = 0; b < 3; ++b) {
+        const std::array<Row, 2> chosen{a, b};
+        tool.evaluate({{}, state, chosen, {}}, answer);
+        if (*std::max_element(answer.utilisation.begin(), answer.utilisation.end()) <= 1.0)
+          totals.emplace_back(answer.resources[0], answer.resources[1]);
+      }
+    std::sort(totals.begin(), totals.end());
+    std::vector<std::pair<double, double>> expected;
+    for (const auto& total : totals)
+      if (expected.empty() || total.second < expected.back().second) expected.push_back(total);
+
+    Problem problem;
+    problem.first_state = {1.0};
+    problem.stages = {&tool};
+    problem.resources = {{"cost"}, {"mass"}};
+    Options both;
+    both.objectives = {0, 1};
+    const Summary front = solve(problem, both), cheapest = solve(problem, {});
+    if (totals.empty()) {
+      REQUIRE(front.status == Status::infeasible);
+      REQUIRE(cheapest.status == Status::infeasible);
+      ++infeasible;
+      continue;
+    }
+    REQUIRE(cheapest.builds.front().resources[0] == totals.front().first);
+    std::vector<std::pair<double, double>> points;
+    for (const Build& build : front.builds) points.emplace_back(build.resources[0], build.resources[1]);
+    std::sort(points.begin(), points.end());
+    REQUIRE(points == expected);
+
+    const Criteria criteria = make_criteria(problem, both);
+    Desk desk;
+    TableMemory tables;
+    const auto planned = [&](PlannedRows which) {
+      return make_plans(problem, {}, criteria, desk, tables, which).front().region.rows[0]->size();
+    };
+    const std::size_t all = planned(PlannedRows::all);
+    REQUIRE(all > 20000);
+    REQUIRE(planned(PlannedRows::best_of_very_long) < all / 5);
+  }
+  CHECK(infeasible == 1);
+}
+
 }  // namespace row_dominance_test
