@@ -153,11 +153,12 @@ class ElementStage : public solver::Stage {
       if (count.slot == slot) readings.push_back(range_of(rows, [&](solver::Row row) { return count.of_row[row]; }));
   }
 
-  /// Where the derived stage says so (`own_reads_shared`): tables, totals and piece counts are the same everywhere.
+  /// As the derived stage says (`own_reads_shared`): tables, totals and piece counts are the same everywhere, what
+  /// `read_more` adds may not be.
   [[nodiscard]] bool reads_shared(std::size_t slot) const final {
     const auto& derived = static_cast<const Derived&>(*this);
     if constexpr (requires { derived.own_reads_shared(slot); }) return derived.own_reads_shared(slot);
-    return false;
+    return requires(std::vector<scalar::Interval> readings) { derived.read_more({}, slot, {}, readings); };
   }
 
   /// Of slots whose rows the derived stage says the kinds of (`row_kind_of`: all that it reads of a row by its number):

@@ -113,6 +113,10 @@ class Desk {
   /// Asked now and then between questions, if set: true throws OutOfTime. For what has no use for half an answer and is
   /// done by one thread: an exception must not leave another.
   std::function<bool()> interrupt;
+  /// For what takes long without a question.
+  void look_at_time() const {
+    if (interrupt && interrupt()) throw OutOfTime{};
+  }
   /// The answers of the latest question.
   Answer<Interval> interval;
   Answer<double> number;
@@ -181,7 +185,7 @@ class Desk {
 
   void count_question() {
     constexpr std::uint64_t now_and_then = 256;
-    if (++bounds % now_and_then == 0 && interrupt && interrupt()) throw OutOfTime{};
+    if (++bounds % now_and_then == 0) look_at_time();
   }
 
   std::vector<RowsAlive> spans_;

@@ -259,16 +259,18 @@ Direction prove_reading_direction(std::span<const MonotonicityQuestion> question
                                   std::size_t reading,
                                   Desk& desk) {
   const Input input{Input::Kind::reading, reading, slot};
-  const auto holds = [&](const MonotonicityQuestion& question, Direction direction) {
+  std::vector<Answer<Interval>> slopes;  // copied: what is asked next is answered in the same place
+  for (const MonotonicityQuestion& question : questions)
+    slopes.push_back(desk.slopes(*question.stage, question.shared, question.inherited, *question.region, input));
+  const auto holds = [&](std::size_t i, Direction direction) {
+    const MonotonicityQuestion& question = questions[i];
     const Part whole{*question.region, {question.inherited.begin(), question.inherited.end()}, 1.0, std::nullopt};
-    // Copied: what is asked next is answered in the same place.
-    const Answer<Interval> slopes =
-        desk.slopes(*question.stage, question.shared, question.inherited, *question.region, input);
-    return Claim(question, input, direction).doubt(slopes, whole, desk) == 0.0;
+    return Claim(question, input, direction).doubt(slopes[i], whole, desk) == 0.0;
   };
   for (const Direction direction : directions) {
-    if (std::all_of(questions.begin(), questions.end(), [&](const auto& each) { return holds(each, direction); }))
-      return direction;
+    std::size_t proved = 0;
+    while (proved < questions.size() && holds(proved, direction)) ++proved;
+    if (proved == questions.size()) return direction;
   }
   return Direction::equal_only;
 }

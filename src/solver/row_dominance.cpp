@@ -93,6 +93,7 @@ class DominatedRows {
     std::optional<Archive> best;
     std::span<const double> known;
     for (const std::uint32_t i : order) {
+      look_at_time();
       const auto alike = of_row(i).first(alike_);
       const auto graded = of_row(i).subspan(alike_);
       if (!best || !std::equal(alike.begin(), alike.end(), known.begin())) best.emplace(graded_coordinates_);
@@ -148,7 +149,16 @@ class DominatedRows {
     return differs;
   }
 
-  void read(const Row& row) { plan_.stage->read(plan_.shared, slot_, std::span(&row, 1), readings_); }
+  /// Now and then.
+  void look_at_time() {
+    constexpr std::size_t now_and_then = 1024;
+    if (++steps_ % now_and_then == 0) desk_.look_at_time();
+  }
+
+  void read(const Row& row) {
+    look_at_time();
+    plan_.stage->read(plan_.shared, slot_, std::span(&row, 1), readings_);
+  }
 
   Direction direction_of(std::size_t reading) {
     std::optional<Direction>& known = directions_[reading];
@@ -164,8 +174,9 @@ class DominatedRows {
   std::vector<MonotonicityQuestion> questions_;       ///< about the kind that is compared
   std::vector<std::optional<Direction>> directions_;  ///< [graded reading], of that kind
   std::vector<Interval> readings_;                    ///< of the row read last
-  std::size_t alike_ = 0, graded_coordinates_ = 0;    ///< of each row
-  std::vector<double> coordinates_;                   ///< [row][coordinate]
+  std::size_t steps_ = 0;
+  std::size_t alike_ = 0, graded_coordinates_ = 0;  ///< of each row
+  std::vector<double> coordinates_;                 ///< [row][coordinate]
 };
 
 /// The rows of a slot that are left; nothing where all are.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Rows that another row of their slot can always stand in for are left out once a problem turns out not to be easy. Row
-// a stands in for row b where
+// Rows that another row of their slot can always stand in for are left out once a problem turns out not to be easy, and
+// of very long tables before that. Row a stands in for row b where
 //   - they are of one kind and fit the same rows of other slots;
 //   - what is read of them is equal but for graded readings (Stage::graded_readings), and those of a are at least as
 //     good: better towards the side for which it is proved, over all designs and all states that can arrive, that every

@@ -114,18 +114,18 @@ class Shaving {
 
   /// Rows that are looked at together.
   struct Part {
-    RowSet read = nullptr;        ///< with what is read of them; null: not read
-    std::vector<Row> rows;        ///< where they are not
-    std::uint64_t open = 0;       ///< constraints that were when a set was last asked about of which these are some
-    bool settled_before = false;  ///< with other shared choices, or with fewer rows in other slots
+    RowSet read = nullptr;     ///< with what is read of them; null: not read
+    std::vector<Row> rows;     ///< where they are not
+    std::uint64_t open = 0;    ///< constraints that were when a set was last asked about of which these are some
+    bool from_memory = false;  ///< a part that was asked about with other shared choices, or other rows elsewhere
     [[nodiscard]] const std::vector<Row>& all() const { return read != nullptr ? read->all() : rows; }
   };
 
   std::vector<Part> first_parts(std::size_t slot) {
     std::vector<Part> parts;
-    for (RowSet& part : tables_.parts(*plan_.stage, plan_.shared, slot, plan_.region.rows[slot]))
-      parts.push_back({.read = std::move(part), .rows = {}, .settled_before = true});
-    if (parts.size() == 1) parts.front().settled_before = false;
+    for (RowSet& part : tables_.parts(*plan_.stage, plan_.shared, slot, *plan_.region.rows[slot]))
+      parts.push_back({.read = std::move(part), .rows = {}, .from_memory = true});
+    if (parts.empty()) parts.push_back({.read = plan_.region.rows[slot], .rows = {}});
     return parts;
   }
 
@@ -134,6 +134,7 @@ class Shaving {
   /// sets takes far longer than to ask about some of their rows.
   std::vector<Row> sieved(std::size_t slot) {
     constexpr std::size_t few = 16, not_many = 512, some = 4, sample = 16;
+    if (hopeless(plan_, ask(slot, plan_.region.rows[slot]->alive()))) return {};
     std::vector<Part> open = first_parts(slot);
     std::optional<RowProfile> profile;
     std::vector<RowSet> settled;
@@ -162,7 +163,7 @@ class Shaving {
       read_bounds(plan_, answer, bounds);
       part.open = bounds.open;
       const bool is_small =
-          size <= few || (size <= not_many && sample_has_hope(slot, part.all(), part.settled_before ? some : sample));
+          size <= few || (size <= not_many && sample_has_hope(slot, part.all(), part.from_memory ? some : sample));
       if (!is_small) {
         split(part);
         continue;

@@ -28,10 +28,10 @@ Region TableMemory::whole_region(const Stage& stage, std::span<const Row> shared
 std::vector<RowSet> TableMemory::parts(const Stage& stage,
                                        std::span<const Row> shared,
                                        std::size_t slot,
-                                       const RowSet& rows) {
+                                       const Rows& rows) {
   const Table& table = tables_[{&stage, slot}];
   std::vector<bool> missing(stage.slots()[slot].rows, false);
-  for (const Row row : *rows) missing[row] = true;
+  for (const Row row : rows) missing[row] = true;
   const bool as_read =
       !stage.reads_shared(slot) || std::equal(shared.begin(), shared.end(), table.shared.begin(), table.shared.end());
   std::vector<RowSet> result;
@@ -50,9 +50,9 @@ std::vector<RowSet> TableMemory::parts(const Stage& stage,
     else
       add(std::move(left));
   }
-  if (result.empty()) return {rows};
+  if (result.empty()) return {};
   std::vector<Row> others;
-  for (const Row row : *rows)
+  for (const Row row : rows)
     if (missing[row]) others.push_back(row);
   add(std::move(others));
   return result;

@@ -22,10 +22,11 @@ class TableMemory {
   /// sets are the caller's own (their notes belong to his profile).
   Region whole_region(const Stage& stage, std::span<const Row> shared);
 
-  /// Sets that are together these rows of a slot: the parts that its table was cut into first, or all rows as one.
-  /// Their notes belong to nobody: RowProfile::split_slot may split them, not ::split.
-  std::vector<RowSet> parts(const Stage& stage, std::span<const Row> shared, std::size_t slot, const RowSet& rows);
-  /// Remembers parts if they are those of a larger set of rows than any before.
+  /// Sets that are together these rows of a slot: the parts that its table was cut into before, and one of the rows
+  /// that are in none of them; empty where it was not. Nothing is noted of them (Rows::notes): RowProfile::cut_slot may
+  /// cut them, ::split may not.
+  std::vector<RowSet> parts(const Stage& stage, std::span<const Row> shared, std::size_t slot, const Rows& rows);
+  /// Remembers parts if no others are remembered that have more rows together.
   void keep_parts(const Stage& stage, std::span<const Row> shared, std::size_t slot, std::vector<RowSet> parts);
 
  private:
