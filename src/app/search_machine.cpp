@@ -64,7 +64,8 @@ report::MachineResult search_machine(const Options& options,
   result.status = status_of(synthesis.status);
   result.missing = missing_slots(synthesis.empty_slots);
   if (result.status == report::Status::infeasible && result.missing.empty() && !options.robust)
-    result.unmet = evaluation::unmet_checks(model);
+    result.unmet =
+        evaluation::unmet_checks(model, [&] { return how.stop->load() || watch.seconds() > how.time_limit_seconds; });
   result.lower_bound = synthesis.lower_bound;
   result.gap = synthesis.gap;
   result.builds_asked = options.builds;

@@ -2,15 +2,16 @@
 #include "evaluation/unmet_checks.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
 #include <optional>
 
 #include "evaluation/machine_stages.h"
+#include "solver/least_utilisations.h"
+#include "solver/table_memory.h"
 
 namespace millwright::evaluation {
 
 using scalar::Interval;
+using solver::LeastUtilisation;
 using solver::Row;
 
 namespace {
@@ -33,81 +34,33 @@ std::vector<machine::Declaration> searched(const StageEntry& entry, const machin
   return result;
 }
 
-/// Below which a utilisation does not come, and the row that comes nearest in the slot that says so.
-struct Least {
-  double utilisation = 0.0;
-  std::optional<std::size_t> slot;
-  Row row = 0;
-};
-
-/// All that one stage can be, with one supply voltage (and all shops) and every state that can reach it.
-class StageBounds {
- public:
-  StageBounds(const solver::Stage& stage, std::vector<Row> shared, const std::vector<Interval>& inherited)
-      : stage_(stage), shared_(std::move(shared)), inherited_(inherited) {
-    for (const solver::Slot& slot : stage.slots()) {
-      all_.emplace_back(slot.rows);
-      std::iota(all_.back().begin(), all_.back().end(), Row{0});
-    }
-    for (const std::vector<Row>& rows : all_) alive_.emplace_back(rows);
-    for (const solver::Variable& variable : stage.variables()) variables_.emplace_back(variable.lower, variable.upper);
-    stage.bound(box(), whole_);
-  }
-
-  [[nodiscard]] const std::vector<Interval>& handed_on() const { return whole_.handed_on; }
-
-  /// Below which no utilisation comes: of all rows together, or of every row of the slot that says most.
-  [[nodiscard]] std::vector<Least> least() {
-    std::vector<Least> result;
-    for (const Interval& u : whole_.utilisation) result.push_back({known(u.lower), std::nullopt, 0});
-    solver::Answer<Interval> answer;
-    for (std::size_t slot = 0; slot < all_.size(); ++slot) {
-      std::vector<Least> of_slot(result.size(), {scalar::rounding::infinity, slot, 0});
-      for (const Row& row : all_[slot]) {
-        alive_[slot] = std::span<const Row>(&row, 1);
-        stage_.bound(box(), answer);
-        for (std::size_t i = 0; i < of_slot.size(); ++i)
-          if (const double u = known(answer.utilisation[i].lower); u < of_slot[i].utilisation)
-            of_slot[i] = {u, slot, row};
-      }
-      alive_[slot] = all_[slot];
-      for (std::size_t i = 0; i < result.size(); ++i)
-        if (of_slot[i].utilisation > result[i].utilisation) result[i] = of_slot[i];
-    }
-    return result;
-  }
-
- private:
-  /// What is not a number proves nothing.
-  static double known(double lower) { return std::isnan(lower) ? 0.0 : lower; }
-  [[nodiscard]] solver::Box box() const { return {shared_, inherited_, alive_, variables_}; }
-
-  const solver::Stage& stage_;
-  std::vector<Row> shared_;
-  std::vector<Interval> inherited_;
-  std::vector<std::vector<Row>> all_;
-  std::vector<solver::RowsAlive> alive_;
-  std::vector<Interval> variables_;
-  solver::Answer<Interval> whole_;
-};
-
-/// The least utilisations of every stage with one supply voltage.
-std::vector<std::vector<Least>> least_with(const MachineModel& model, Row voltage) {
-  std::vector<Interval> state;
-  for (const double x : model.problem().first_state) state.emplace_back(x);
+/// Of every stage and every constraint with one supply voltage (and all shops), over every state that can arrive;
+/// nothing where some slot has no row to choose. Constraints that `worst` has at 1 or less need not be looked at.
+std::optional<std::vector<std::vector<LeastUtilisation>>> least_with(
+    const MachineModel& model,
+    Row voltage,
+    const std::vector<std::vector<LeastUtilisation>>& worst,
+    solver::TableMemory& tables,
+    solver::Desk& desk) {
   std::vector<Row> shared{voltage};
   for (std::size_t i = 1; i < model.problem().shared.size(); ++i) shared.push_back(model.problem().shared[i].rows - 1);
-  std::vector<std::vector<Least>> result;
-  for (const solver::Stage* stage : model.problem().stages) {
-    StageBounds bounds(*stage, shared, state);
-    result.push_back(bounds.least());
-    state = bounds.handed_on();
+  if (!solver::all_offered(model.problem(), shared)) return std::nullopt;
+  std::vector<Interval> state;
+  for (const double x : model.problem().first_state) state.emplace_back(x);
+  std::vector<std::vector<LeastUtilisation>> result;
+  for (std::size_t i = 0; i < model.problem().stages.size(); ++i) {
+    const solver::Stage& stage = *model.problem().stages[i];
+    std::vector<bool> asked(stage.constraints(), true);
+    for (std::size_t c = 0; !worst.empty() && c < asked.size(); ++c) asked[c] = worst[i][c].value > 1.0;
+    const solver::Region whole = tables.whole_region(stage, shared);
+    result.push_back(solver::least_utilisations(stage, shared, state, whole, asked, desk));
+    state = desk.bound(stage, shared, state, whole).handed_on;
   }
   return result;
 }
 
 /// The part of a slot that comes nearest; nothing of a slot without parts to choose from.
-void name_nearest(const MachineModel& model, std::size_t stage, const Least& least, UnmetCheck& check) {
+void name_nearest(const MachineModel& model, std::size_t stage, const LeastUtilisation& least, UnmetCheck& check) {
   if (!least.slot) return;
   const Candidate& candidate = model.candidate(stage, *least.slot, least.row);
   if (candidate.parts.empty()) return;
@@ -122,14 +75,18 @@ void name_nearest(const MachineModel& model, std::size_t stage, const Least& lea
 
 }  // namespace
 
-std::vector<UnmetCheck> unmet_checks(const MachineModel& model) {
-  std::vector<std::vector<Least>> least;
+std::vector<UnmetCheck> unmet_checks(const MachineModel& model, const std::function<bool()>& interrupt) try {
+  std::vector<std::vector<LeastUtilisation>> least;
+  solver::TableMemory tables;
+  solver::Desk desk;
+  desk.interrupt = interrupt;
   for (Row voltage = 0; voltage < model.machine().supply_voltages.size(); ++voltage) {
-    std::vector<std::vector<Least>> with = least_with(model, voltage);
-    if (least.empty()) least = with;
+    auto with = least_with(model, voltage, least, tables, desk);
+    if (!with) continue;
+    if (least.empty()) least = *with;
     for (std::size_t i = 0; i < least.size(); ++i)
       for (std::size_t k = 0; k < least[i].size(); ++k)
-        if (with[i][k].utilisation < least[i][k].utilisation) least[i][k] = with[i][k];
+        if ((*with)[i][k].value < least[i][k].value) least[i][k] = (*with)[i][k];
   }
   std::vector<UnmetCheck> result;
   for (std::size_t i = 0; i < least.size(); ++i) {
@@ -137,20 +94,22 @@ std::vector<UnmetCheck> unmet_checks(const MachineModel& model) {
     const std::vector<machine::Declaration> declarations = searched(entry, model.machine());
     // What is said of shops beside is no check.
     for (std::size_t k = 0; k < std::min(least[i].size(), declarations.size()); ++k)
-      if (least[i][k].utilisation > 1.0) {
+      if (least[i][k].value > 1.0) {
         result.push_back({entry.axis,
                           entry.element,
                           std::string(declarations[k].id),
                           std::string(declarations[k].title),
                           std::string(declarations[k].requirement),
                           std::string(declarations[k].source),
-                          least[i][k].utilisation,
+                          least[i][k].value,
                           {},
                           {}});
         name_nearest(model, i, least[i][k], result.back());
       }
   }
   return result;
+} catch (const solver::OutOfTime&) {
+  return {};
 }
 
 }  // namespace millwright::evaluation

@@ -4,6 +4,7 @@
 // all that can be chosen, slot by slot; checks that only fail together are not found here.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct UnmetCheck {
   std::string slot, nearest;  ///< the slot that says most, and its part that comes nearest; empty where none alone does
 };
 
-std::vector<UnmetCheck> unmet_checks(const MachineModel& model);
+/// None when `interrupt`, asked now and then, says so.
+std::vector<UnmetCheck> unmet_checks(const MachineModel& model, const std::function<bool()>& interrupt = {});
 
 }  // namespace millwright::evaluation

@@ -104,17 +104,12 @@ bool cut_variables(
 
 namespace {
 
-/// What tells rows apart at these states.
-RowProfile profile_at(const StagePlan& plan, std::span<const Interval> inherited, Desk& desk) {
-  RowProfile profile(*plan.stage, plan.shared);
-  for (std::size_t slot = 0; slot < plan.region.rows.size(); ++slot) find_profile(plan, inherited, slot, profile, desk);
-  return profile;
-}
-
 /// Drops rows without hope at the best state that can arrive, and finds out what tells the others apart.
 bool shave_and_profile(StagePlan& plan, Desk& desk, TableMemory& tables) {
   if (!shave(plan, plan.best_inherited, desk, tables)) return false;
-  plan.profile = profile_at(plan, plan.best_inherited, desk);
+  plan.profile = RowProfile(*plan.stage, plan.shared);
+  for (std::size_t slot = 0; slot < plan.region.rows.size(); ++slot)
+    find_profile(plan, plan.best_inherited, slot, plan.profile, desk);
   return true;
 }
 
