@@ -216,6 +216,8 @@ struct Dual {
   static B quotient(const B& slope, const B& divisor) {
     if constexpr (std::is_same_v<B, double>) {
       return slope == 0.0 ? 0.0 : slope / divisor;
+    } else if constexpr (std::is_same_v<B, Interval>) {
+      return slope.is_point() && slope.lower == 0.0 ? slope : slope / divisor;
     } else {
       return slope / divisor;
     }

@@ -155,6 +155,21 @@ TEST_CASE("a variable that is not involved keeps slope 0 at a pole") {
   CHECK(pow(D(0.0), D::variable(2.0, 1)).slope[1] == 0.0);
 }
 
+TEST_CASE("a variable that is not involved keeps slope 0 over a box with a pole in it") {
+  using D = Dual<Interval, 2>;
+  for (const Interval& box : {Interval(0, 1), Interval(-1, 0), Interval(-1, 2), Interval(0, rounding::infinity)}) {
+    CAPTURE(box.lower, box.upper);
+    const D x = D::variable(box, 0);
+    const D other = D::variable(Interval(1, 2), 1);
+    CHECK(same((1.0 / x).slope[1], Interval(0)));
+    CHECK(same((D(Interval(3, 4)) / x).slope[1], Interval(0)));
+    CHECK_FALSE((other / x).slope[0].is_bounded());
+    CHECK(same(sqrt(absolute(x)).slope[1], Interval(0)));
+    CHECK(same(log(x).slope[1], Interval(0)));
+    CHECK(same(pow(x, -1.0).slope[1], Interval(0)));
+  }
+}
+
 TEST_CASE("intervals at poles and outside domains never give NaN") {
   const Interval boxes[] = {Interval(0),
                             Interval(1),
