@@ -72,6 +72,7 @@ int run_search(const Options& options) {
                   evaluation::GivenSlots{},
                   evaluation::ModelOptions{.fixed = input->steering.fixed,
                                            .every_candidate = options.builds > 1,
+                                           .builds = options.builds,
                                            .objectives = objectives_of(options, *input)});
     for (const evaluation::BomProblem& problem : model->problems())
       diagnostics.error(problem.where, problem.message, problem.hint);

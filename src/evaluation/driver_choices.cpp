@@ -81,10 +81,8 @@ DriverChoices::Choice DriverChoices::choice_at(double current) const {
   for (const Driver& driver : drivers_)
     if (possible(driver, current)) choice.kept.push_back(&driver);
   if (axis_.keep_every_candidate) return choice;
-  if (!axis_.keep_covered_candidates) {
-    drop_covered(choice.kept, current);
-    return choice;
-  }
+  drop_covered(choice.kept, axis_.keep_covered_candidates ? axis_.most_covering : 1, current);
+  if (!axis_.keep_covered_candidates) return choice;
   for (const Driver* driver : choice.kept) {
     choice.covered_by.emplace_back();
     for (std::size_t k = 0; k < choice.kept.size(); ++k)
@@ -93,17 +91,22 @@ DriverChoices::Choice DriverChoices::choice_at(double current) const {
   return choice;
 }
 
-/// One that covers another comes before it in the order taken, and what covers the one covers the other: a driver has
-/// to be compared with those kept so far only.
-void DriverChoices::drop_covered(std::vector<const Driver*>& drivers, double current) const {
+/// Drops what so many others cover. One that covers another comes before it in the order taken, and what covers the one
+/// covers the other. So of those that cover a driver the first so many are kept themselves: it has to be compared with
+/// those kept so far only.
+void DriverChoices::drop_covered(std::vector<const Driver*>& drivers, std::size_t most, double current) const {
+  if (most > drivers.size()) return;
   const auto key = [&](const Driver* d) {
     return std::tuple(axis_.cost_counts ? 0.0 : d->mass, d->price, d->preference * d->price, d->mass, d->row);
   };
   std::sort(drivers.begin(), drivers.end(), [&](const Driver* a, const Driver* b) { return key(a) < key(b); });
   std::vector<const Driver*> kept;
-  for (const Driver* driver : drivers)
-    if (std::none_of(kept.begin(), kept.end(), [&](const Driver* a) { return covers(*a, *driver, current); }))
-      kept.push_back(driver);
+  for (const Driver* driver : drivers) {
+    std::size_t covering = 0;
+    for (auto a = kept.begin(); a != kept.end() && covering < most; ++a)
+      if (covers(**a, *driver, current)) ++covering;
+    if (covering < most) kept.push_back(driver);
+  }
   std::sort(kept.begin(), kept.end(), [](const Driver* a, const Driver* b) { return a->row < b->row; });
   drivers = std::move(kept);
 }

@@ -2,9 +2,9 @@
 //
 // The drivers of the catalogue that are worth keeping for motors of an axis. Drivers that give a motor the same current
 // differ only in price, mass and the voltages they bear: those that are dearer or heavier than another that bears at
-// least the same voltages are left out, or marked as covered by it. Where nothing that is asked reads the total mass
-// (Axis::mass_counts), the cheaper one is the better one, and the mass decides only between equals; and the other way
-// round.
+// least the same voltages are left out, or marked as covered by it (and left out where as many cover it as builds are
+// asked for). Where nothing that is asked reads the total mass (Axis::mass_counts), the cheaper one is the better one,
+// and the mass decides only between equals; and the other way round.
 #pragma once
 
 #include <map>
@@ -45,7 +45,7 @@ class DriverChoices {
   [[nodiscard]] bool covers(const Driver& a, const Driver& b, double current) const;
   [[nodiscard]] bool possible(const Driver& driver, double current) const;
   [[nodiscard]] Choice choice_at(double current) const;
-  void drop_covered(std::vector<const Driver*>& drivers, double current) const;
+  void drop_covered(std::vector<const Driver*>& drivers, std::size_t most, double current) const;
 
   const machine::Axis& axis_;
   const std::vector<double>& voltages_;

@@ -109,8 +109,9 @@ void note_drivers(const catalogue::Catalogue& catalogue,
                               (has_tolerances(drivers) || has_tolerances(catalogue.table(catalogue::Family::steppers)));
   for (machine::Axis& axis : problem.axes) {
     axis.keep_every_candidate = axis.keep_every_candidate || counts_drivers || drivers_differ;
-    axis.keep_covered_candidates =
-        axis.keep_covered_candidates || options.every_candidate || is_fixed(options.fixed, axis.name, "driver");
+    const bool keeps_all = axis.keep_covered_candidates || is_fixed(options.fixed, axis.name, "driver");
+    if (!keeps_all) axis.most_covering = options.builds;
+    axis.keep_covered_candidates = keeps_all || options.every_candidate;
   }
 }
 
@@ -267,6 +268,7 @@ void MachineModel::add_scenarios(const machine::Problem& given, const GivenSlots
   for (std::size_t i = 0; i < problem.axes.size(); ++i) {
     problem.axes[i].keep_every_candidate = problem_.axes[i].keep_every_candidate;
     problem.axes[i].keep_covered_candidates = problem_.axes[i].keep_covered_candidates;
+    problem.axes[i].most_covering = problem_.axes[i].most_covering;
     problem.axes[i].motor.currents = problem_.axes[i].motor.currents;
   }
   problem.supply_voltages = problem_.supply_voltages;

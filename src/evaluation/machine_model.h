@@ -5,6 +5,7 @@
 // tool gives way; the supply voltage is a choice shared by all.
 #pragma once
 
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -84,6 +85,8 @@ struct ModelOptions {
   /// outlive the model.
   std::vector<std::shared_ptr<const catalogue::Catalogue>> scenarios = {};
   bool every_candidate = false;  ///< also candidates that another one covers: no best build has one, the next best may
+  /// How many builds are asked for: what as many others cover is in none of them, and is left out even so.
+  std::size_t builds = std::numeric_limits<std::size_t>::max();
   /// What builds of it are compared by (SearchOptions::objectives): drivers with which none is best by that are left
   /// out, if not every candidate is asked for. Empty: by anything.
   std::vector<std::string> objectives = {};

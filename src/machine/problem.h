@@ -241,6 +241,8 @@ struct Axis {
   Requirements require;
   bool keep_every_candidate = false;     ///< whatever is given is judged: also what can never be compliant
   bool keep_covered_candidates = false;  ///< also candidates that another one beats in every respect
+  /// Of those only such as fewer than so many others beat.
+  std::size_t most_covering = std::numeric_limits<std::size_t>::max();
   /// Whether what is asked reads the total cost, and the total mass; it decides between equals even where it does not.
   bool cost_counts = true, mass_counts = true;
   SourceSpan where;

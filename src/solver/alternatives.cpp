@@ -182,7 +182,9 @@ class AlternativeSearch {
   /// Lower bounds for every row, from those of the problem without covered rows: these are worth no less than the rows
   /// that cover them.
   void find_worths(const RestrictedProblem& whole, const Restriction& restriction) {
-    worth_ = row_worths(whole.problem(), options_, evaluations_);
+    Options options = options_;
+    options.time_limit_seconds -= seconds();
+    worth_ = row_worths(whole.problem(), options, evaluations_);
     worth_known_ = !worth_.empty();
     for (RowWorth& worth : worth_) {
       for (std::size_t i = 0; i < worth.shared.size(); ++i) worth.shared[i] = restriction.shared[i][worth.shared[i]];

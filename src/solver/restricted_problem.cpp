@@ -94,8 +94,9 @@ struct RestrictedStage::InnerBox {
         alive.push_back(box.rows[i]);
         continue;
       }
-      rows[i] = stage.inner_rows_of(i, box.rows[i]);
-      alive.emplace_back(rows[i], box.rows[i].readings);
+      const std::vector<Row>& allowed = stage.restriction_.allowed[i];
+      if (box.rows[i].size() < allowed.size()) rows[i] = stage.inner_rows_of(i, box.rows[i]);
+      alive.emplace_back(rows[i].empty() ? allowed : rows[i], box.rows[i].readings);
     }
     std::size_t next = 0;
     for (const auto& held : stage.restriction_.held)

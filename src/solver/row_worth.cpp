@@ -2,6 +2,7 @@
 #include "solver/row_worth.h"
 
 #include <algorithm>
+#include <chrono>
 
 #include "solver/stage_plan.h"
 
@@ -31,13 +32,18 @@ std::vector<std::vector<double>> own_worths(const StagePlan& plan, Desk& desk) {
 
 }  // namespace
 
-std::vector<RowWorth> row_worths(const Problem& problem, const Options& options, std::uint64_t& evaluations) {
+std::vector<RowWorth> row_worths(const Problem& problem, const Options& options, std::uint64_t& evaluations) try {
   double combinations = 1.0;
   for (const Slot& slot : problem.shared) combinations *= static_cast<double>(slot.rows);
   std::vector<RowWorth> result;
   if (combinations > most_shared_choices || combinations < 1.0) return result;
   const Criteria criteria = make_criteria(problem, options);
+  const auto start = std::chrono::steady_clock::now();
   Desk desk;
+  desk.interrupt = [&] {
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+    return spent.count() > options.time_limit_seconds || (options.stop != nullptr && options.stop->load());
+  };
   TableMemory tables;
   std::vector<Row> shared(problem.shared.size(), 0);
   for (bool more = true; more;) {
@@ -65,6 +71,8 @@ std::vector<RowWorth> row_worths(const Problem& problem, const Options& options,
   }
   evaluations += desk.bounds + desk.evaluations;
   return result;
+} catch (const OutOfTime&) {
+  return {};
 }
 
 }  // namespace millwright::solver

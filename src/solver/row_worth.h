@@ -17,7 +17,7 @@ struct RowWorth {
 };
 
 /// Lower bounds of the options' single objective, for every combination of shared choices that may be feasible. Empty
-/// when there are too many combinations to be worth it.
+/// when there are too many combinations to be worth it, and when time is up (the options' limit, from now on, or stop).
 std::vector<RowWorth> row_worths(const Problem& problem, const Options& options, std::uint64_t& evaluations);
 
 }  // namespace millwright::solver

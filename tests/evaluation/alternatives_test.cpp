@@ -133,6 +133,7 @@ TEST_CASE("The cheapest and the lightest builds of small machines are the first 
     for (const std::string objective : {"cost", "mass"}) {
       const auto what = objective == "cost" ? &BuildValue::cost : &BuildValue::mass;
       const auto other = objective == "cost" ? &BuildValue::mass : &BuildValue::cost;
+      const auto value = objective == "cost" ? &Design::cost : &Design::mass;
       std::sort(all.builds.begin(), all.builds.end(), [&](const BuildValue& a, const BuildValue& b) {
         return std::abs(a.*what - b.*what) > 1e-9 ? a.*what < b.*what : a.*other < b.*other;
       });
@@ -140,6 +141,15 @@ TEST_CASE("The cheapest and the lightest builds of small machines are the first 
       REQUIRE(found.status == solver::Status::optimal);
       REQUIRE(found.designs.size() == count);
       REQUIRE(found.proved == count);
+      // Left out even so: what as many cover as builds are asked for.
+      for (const std::size_t few : {std::size_t{2}, std::size_t{3}, count}) {
+        const MachineModel some(
+            problem, tiny.parts(), {}, ModelOptions{.fixed = {}, .every_candidate = true, .builds = few});
+        const Synthesis first = best(some, few, objective);
+        REQUIRE(first.designs.size() == few);
+        for (std::size_t i = 0; i < few; ++i)
+          CHECK(first.designs[i].*value == Approx(all.builds[i].*what).epsilon(1e-9));
+      }
       std::set<std::string> distinct;
       for (std::size_t i = 0; i < count; ++i) {
         const Design& design = found.designs[i];

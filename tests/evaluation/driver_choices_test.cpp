@@ -4,6 +4,7 @@
 #include "evaluation/driver_choices.h"
 
 #include <algorithm>
+#include <map>
 #include <random>
 #include <set>
 
@@ -107,6 +108,49 @@ TEST_CASE("At every voltage and current the cheapest, the lightest and what is b
       }
   }
   CHECK(3 * fewer < 2 * all);
+}
+
+TEST_CASE("Of covered drivers those stay that fewer cover than builds are asked for, with all that cover them") {
+  std::mt19937 rng(5);
+  std::size_t dropped = 0, covered = 0;
+  for (int n = 0; n < 100; ++n) {
+    std::vector<Figures> drivers;
+    for (std::size_t i = 0; i < 14; ++i)
+      drivers.push_back({rng() % 3 == 0 ? 2.0 : 4.0,
+                         rng() % 3 == 0 ? 30.0 : 50.0,
+                         10.0 + static_cast<double>(rng() % 4),
+                         0.1 + 0.01 * static_cast<double>(rng() % 4)});
+    const TemporaryFolder folder;
+    const catalogue::Catalogue parts = of_drivers(drivers, folder);
+    machine::Axis axis = problem().axes.front();
+    axis.require.set(machine::Requirement::driver_voltage_factor, 1.0);
+    axis.keep_covered_candidates = true;
+    const std::vector<double> voltages{24.0, 36.0};
+    const evaluation::PriceBook prices(problem(), parts);
+    const auto covering = [&] {  // [driver]: those that cover it
+      DriverChoices choices(parts.table(catalogue::Family::drivers), axis, voltages, prices);
+      const DriverChoices::Choice& choice = choices.at(4.0);
+      std::map<int, std::set<int>> of;
+      for (std::size_t i = 0; i < choice.kept.size(); ++i) {
+        std::set<int>& by = of[choice.kept[i]->row];
+        for (const std::size_t k : choice.covered_by.at(i)) by.insert(choice.kept[k]->row);
+      }
+      return of;
+    };
+    const std::map<int, std::set<int>> all = covering();
+    REQUIRE(all.size() == drivers.size());
+    for (const std::size_t most : {std::size_t{1}, std::size_t{2}, std::size_t{3}, std::size_t{6}, std::size_t{14}}) {
+      CAPTURE(n, most);
+      axis.most_covering = most;
+      std::map<int, std::set<int>> expected = all;
+      std::erase_if(expected, [&](const auto& driver) { return driver.second.size() >= most; });
+      CHECK(covering() == expected);
+      dropped += all.size() - expected.size();
+      for (const auto& driver : expected) covered += driver.second.empty() ? 0 : 1;
+    }
+  }
+  CHECK(dropped > 1000);
+  CHECK(covered > 1000);
 }
 
 TEST_CASE("Cheaper by a rounding is not cheaper: the mass decides") {
