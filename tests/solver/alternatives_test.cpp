@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The best, second best, ... builds of random stacks against all their builds (enumeration.h), sorted.
+#include <algorithm>
+#include <atomic>
+#include <memory>
 #include <set>
 
 #include "catch.h"
@@ -8,6 +11,7 @@
 #include "solver/alternatives.h"
 #include "solver/enumeration.h"
 #include "solver/forwarding_stage.h"
+#include "solver/row_worth.h"
 
 namespace alternatives_test {
 
@@ -227,6 +231,63 @@ TEST_CASE("Stopped early, what is called proved is, and the rest are builds") {
   }
   CHECK(some > 2);
   CHECK(none > 2);
+}
+
+/// Counts questions, and says stop at one of them.
+class Counted final : public ForwardingStage {
+ public:
+  struct Count {
+    std::uint64_t asked = 0, stop_at = 0;
+    std::atomic<bool> stop = false;
+  };
+  Counted(const Stage& stage, Count& count) : ForwardingStage(stage), count_(&count) {}
+  void bound(const Box& box, Answer<Interval>& answer) const override {
+    if (++count_->asked == count_->stop_at) count_->stop = true;
+    inner_.bound(box, answer);
+  }
+
+ private:
+  Count* count_;
+};
+
+TEST_CASE("With a certain row no build is worth less than is said, and nothing is said when time is up") {
+  constexpr std::uint64_t asked_between = 256;
+  constexpr unsigned seeds = 30;
+  unsigned builds = 0, stopped = 0;
+  for (unsigned seed = 1; seed <= seeds; ++seed) {
+    const Stack stack = random_stack(seed);
+    Counted::Count count;
+    std::vector<std::unique_ptr<Counted>> stages;
+    Problem problem = stack.problem;
+    for (const Stage*& stage : problem.stages) {
+      stages.push_back(std::make_unique<Counted>(*stage, count));
+      stage = stages.back().get();
+    }
+    Options options = by_cost();
+    options.stop = &count.stop;
+    std::uint64_t evaluations = 0;
+    CAPTURE(seed);
+    const std::vector<RowWorth> worths = row_worths(problem, options, evaluations);
+    for (const Build& build : best_builds(stack.problem, by_cost(), 6, {}).builds) {
+      const auto worth =
+          std::find_if(worths.begin(), worths.end(), [&](const RowWorth& each) { return each.shared == build.shared; });
+      REQUIRE(worth != worths.end());
+      const double most = build.resources[0] * (1.0 + 1e-9);
+      REQUIRE(worth->least <= most);
+      for (std::size_t i = 0; i < build.stages.size(); ++i)
+        for (std::size_t slot = 0; slot < build.stages[i].rows.size(); ++slot)
+          REQUIRE(worth->rows[i][slot][build.stages[i].rows[slot]] <= most);
+      ++builds;
+    }
+    if (count.asked < 4 * asked_between) continue;
+    count.stop_at = 1 + count.asked / 3;
+    count.asked = 0;
+    REQUIRE(row_worths(problem, options, evaluations).empty());
+    REQUIRE(count.asked <= count.stop_at + asked_between);
+    ++stopped;
+  }
+  CHECK(builds > seeds);
+  CHECK(stopped > 2);
 }
 
 TEST_CASE("The best builds need one objective") {
