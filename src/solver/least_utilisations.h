@@ -21,9 +21,9 @@ struct LeastUtilisation {
 
 /// For every constraint, over the rows and intervals of `whole` and all states in `inherited`. What is above 1 is the
 /// largest, over the slots, of the least bound among the rows of each (and of the bound over all of them); what is not
-/// says only that no single slot makes the constraint fail. Constraints that are not `asked` about stay at 0 if single
-/// rows would have to be looked at. Long tables are cut into sets of alike rows, of which most are never looked at row
-/// by row.
+/// says only that no single slot makes the constraint fail. Of constraints that are not `asked` about the bound over
+/// all designs is all that is said. Long tables are cut into sets of alike rows, of which most are never looked at row
+/// by row. Throws OutOfTime when `desk.interrupt` says so.
 std::vector<LeastUtilisation> least_utilisations(const Stage& stage,
                                                  std::span<const Row> shared,
                                                  std::span<const Interval> inherited,
