@@ -99,7 +99,7 @@ void note_drivers(const catalogue::Catalogue& catalogue,
                   const PriceBook& prices,
                   const ModelOptions& options,
                   machine::Problem& problem) {
-  note_what_counts(options.every_candidate ? std::vector<std::string>{} : options.objectives, problem);
+  note_what_counts(options.objectives, problem);
   const catalogue::Table& drivers = catalogue.table(catalogue::Family::drivers);
   bool counts_drivers = false;
   for (int row = 0; row < drivers.rows(); ++row) counts_drivers = counts_drivers || prices.is_counted(drivers, row);
@@ -273,7 +273,7 @@ void MachineModel::add_scenarios(const machine::Problem& given, const GivenSlots
   }
   problem.supply_voltages = problem_.supply_voltages;
   ModelOptions same;
-  if (!options_.every_candidate) same.objectives = options_.objectives;
+  same.objectives = options_.objectives;
   std::vector<const solver::Problem*> versions{&solver_problem_};
   for (const auto& scenario : options_.scenarios) {
     scenarios_.push_back(std::make_unique<MachineModel>(problem, *scenario, given_slots, same));

@@ -87,8 +87,8 @@ struct ModelOptions {
   bool every_candidate = false;  ///< also candidates that another one covers: no best build has one, the next best may
   /// How many builds are asked for: what as many others cover is in none of them, and is left out even so.
   std::size_t builds = std::numeric_limits<std::size_t>::max();
-  /// What builds of it are compared by (SearchOptions::objectives): drivers with which none is best by that are left
-  /// out, if not every candidate is asked for. Empty: by anything.
+  /// What builds of it are compared by (SearchOptions::objectives): a driver that is worse by that is left out, or
+  /// covered, whatever else speaks for it. Empty: by anything.
   std::vector<std::string> objectives = {};
 };
 
@@ -119,7 +119,8 @@ class MachineModel {
   [[nodiscard]] const ModelOptions& options() const { return options_; }
   /// The candidate of a row of problem().
   [[nodiscard]] const Candidate& candidate(std::size_t stage, std::size_t slot, solver::Row row) const;
-  /// Rows of problem() that are never worse than this one (solver/alternatives.h); known with `every_candidate`.
+  /// Rows of problem() that are never worse than this one by the objectives (solver/alternatives.h); known with
+  /// `every_candidate`.
   [[nodiscard]] std::vector<solver::Row> covering_rows(std::size_t stage, std::size_t slot, solver::Row row) const;
   /// Makes the set of suppliers of a build, in rows of problem(), those that its parts are bought from.
   void set_suppliers(solver::Build& build) const;

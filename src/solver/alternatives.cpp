@@ -184,7 +184,7 @@ class AlternativeSearch {
   void find_worths(const RestrictedProblem& whole, const Restriction& restriction) {
     Options options = options_;
     options.time_limit_seconds -= seconds();
-    worth_ = row_worths(whole.problem(), options, evaluations_);
+    worth_ = row_worths(whole.problem(), options, ceiling(), evaluations_);
     worth_known_ = !worth_.empty();
     for (RowWorth& worth : worth_) {
       for (std::size_t i = 0; i < worth.shared.size(); ++i) worth.shared[i] = restriction.shared[i][worth.shared[i]];
@@ -236,8 +236,8 @@ class AlternativeSearch {
     if (summary.builds.empty()) return true;
     part.best = std::move(summary.builds.front());
     part.lower = key_of(part.best->resources);
-    if (whole && count_ > 1) find_worths(restricted, *restriction);
     if (neighbours_asked_ < count_) look_around(*part.best);
+    if (whole && count_ > 1) find_worths(restricted, *restriction);
     push(std::move(part));
     return true;
   }

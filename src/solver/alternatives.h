@@ -26,8 +26,8 @@
 
 namespace millwright::solver {
 
-/// The rows of this slot that are at least as good as `row` in every respect, whatever else is chosen: feasible
-/// wherever it is, with no larger resource. Must be transitive, and never go both ways. While one of them may be chosen
+/// The rows of this slot that are at least as good as `row`, whatever else is chosen: feasible wherever it is, and no
+/// worse in the objective, then the ties. Must be transitive, and never go both ways. While one of them may be chosen
 /// `row` is not looked at.
 using CoveringRows = std::function<std::vector<Row>(std::size_t stage, std::size_t slot, Row row)>;
 

@@ -96,7 +96,8 @@ struct RestrictedStage::InnerBox {
       }
       const std::vector<Row>& allowed = stage.restriction_.allowed[i];
       if (box.rows[i].size() < allowed.size()) rows[i] = stage.inner_rows_of(i, box.rows[i]);
-      alive.emplace_back(rows[i].empty() ? allowed : rows[i], box.rows[i].readings);
+      alive.push_back(box.rows[i]);
+      alive.back().rows = rows[i].empty() ? allowed : rows[i];
     }
     std::size_t next = 0;
     for (const auto& held : stage.restriction_.held)

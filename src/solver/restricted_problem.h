@@ -40,6 +40,10 @@ class RestrictedStage final : public Stage {
             std::span<const Row> rows,
             std::vector<Interval>& readings) const override;
   [[nodiscard]] bool reads_shared(std::size_t slot) const override { return inner_.reads_shared(slot); }
+  [[nodiscard]] std::size_t graded_readings(std::size_t slot) const override { return inner_.graded_readings(slot); }
+  [[nodiscard]] std::size_t row_kind(std::size_t slot, Row row) const override {
+    return inner_.row_kind(slot, restriction_.allowed[slot][row]);
+  }
   void evaluate(const Point& point, Answer<double>& answer) const override;
   void bound(const Box& box, Answer<Interval>& answer) const override;
   void slopes(const Box& box, Input input, Answer<Interval>& answer) const override;

@@ -12,27 +12,66 @@ namespace {
 
 constexpr double most_shared_choices = 32.0;
 
-/// What the stage of this plan adds at least with each of its rows.
-std::vector<std::vector<double>> own_worths(const StagePlan& plan, Desk& desk) {
-  std::vector<std::vector<double>> worths;
-  const auto slots = plan.stage->slots();
-  Bounds bounds;
-  for (std::size_t slot = 0; slot < slots.size(); ++slot) {
-    worths.emplace_back(slots[slot].rows, infinity);
+/// What the stage of a plan adds at least with each row of a slot. What is above `most` may be more.
+class OwnWorths {
+ public:
+  OwnWorths(const StagePlan& plan, std::size_t slot, double most, Desk& desk)
+      : plan_(plan), slot_(slot), most_(most), desk_(desk), worths_(plan.stage->slots()[slot].rows, infinity) {
+    std::vector<std::vector<Row>> kinds;
     for (const Row row : *plan.region.rows[slot]) {
-      Region trial = plan.region;
-      trial.rows[slot] = only(*plan.stage, plan.shared, slot, row);
-      if (!plan.fits.filter(trial, slot)) continue;
-      read_bounds(plan, desk.bound(*plan.stage, plan.shared, plan.best_inherited, trial), bounds);
-      if (bounds.utilisation <= 1.0) worths[slot][row] = std::max(bounds.score[0], plan.least[0]);
+      const std::size_t kind = plan.fits.kinds(slot)[row];
+      if (kinds.size() <= kind) kinds.resize(kind + 1);
+      kinds[kind].push_back(row);
+    }
+    for (std::vector<Row>& rows : kinds)
+      if (!rows.empty()) ask_of_kind(std::move(rows));
+  }
+
+  std::vector<double> take() && { return std::move(worths_); }
+
+ private:
+  /// Rows that have the same partners: what does not fit one of them fits none.
+  void ask_of_kind(std::vector<Row> rows) {
+    Region region = plan_.region;
+    region.rows[slot_] = make_rows(*plan_.stage, plan_.shared, slot_, std::move(rows));
+    if (!plan_.fits.filter(region, slot_)) return;
+    std::vector<RowSet> open{region.rows[slot_]};
+    while (!open.empty()) {
+      const RowSet set = std::move(open.back());
+      open.pop_back();
+      const double least = worth_of(region, *set);
+      if (set->size() > 1 && least <= most_) {
+        RowProfile::Split halves = plan_.profile.split_slot(*set, slot_);
+        open.push_back(std::move(halves.left));
+        open.push_back(std::move(halves.right));
+        continue;
+      }
+      for (const Row row : *set) worths_[row] = least;
     }
   }
-  return worths;
-}
+
+  /// Of all designs of the region with these rows.
+  double worth_of(const Region& region, const Rows& rows) {
+    read_bounds(plan_,
+                desk_.bound_with(*plan_.stage, plan_.shared, plan_.best_inherited, region, slot_, rows.alive()),
+                bounds_);
+    return bounds_.utilisation > 1.0 ? infinity : std::max(bounds_.score[0], plan_.least[0]);
+  }
+
+  const StagePlan& plan_;
+  std::size_t slot_;
+  double most_;
+  Desk& desk_;
+  std::vector<double> worths_;  ///< [row]
+  Bounds bounds_;
+};
 
 }  // namespace
 
-std::vector<RowWorth> row_worths(const Problem& problem, const Options& options, std::uint64_t& evaluations) try {
+std::vector<RowWorth> row_worths(const Problem& problem,
+                                 const Options& options,
+                                 double most,
+                                 std::uint64_t& evaluations) try {
   double combinations = 1.0;
   for (const Slot& slot : problem.shared) combinations *= static_cast<double>(slot.rows);
   std::vector<RowWorth> result;
@@ -51,15 +90,15 @@ std::vector<RowWorth> row_worths(const Problem& problem, const Options& options,
     if (!plans.empty()) {
       RowWorth worth;
       worth.shared = shared;
-      for (const StagePlan& plan : plans) {
-        worth.least += plan.least[0];
-        worth.rows.push_back(own_worths(plan, desk));
-      }
+      for (const StagePlan& plan : plans) worth.least += plan.least[0];
       for (std::size_t i = 0; i < plans.size(); ++i) {
         double others = 0.0;
         for (std::size_t k = 0; k < plans.size(); ++k) others += k == i ? 0.0 : plans[k].least[0];
-        for (std::vector<double>& slot : worth.rows[i])
-          for (double& row : slot) row += others;
+        std::vector<std::vector<double>>& slots = worth.rows.emplace_back();
+        for (std::size_t slot = 0; slot < plans[i].stage->slots().size(); ++slot) {
+          slots.push_back(OwnWorths(plans[i], slot, most - others, desk).take());
+          for (double& row : slots.back()) row += others;
+        }
       }
       result.push_back(std::move(worth));
     }

@@ -16,8 +16,13 @@ struct RowWorth {
   std::vector<std::vector<std::vector<double>>> rows;  ///< [stage][slot][row]; +infinity: in no feasible build
 };
 
-/// Lower bounds of the options' single objective, for every combination of shared choices that may be feasible. Empty
-/// when there are too many combinations to be worth it, and when time is up (the options' limit, from now on, or stop).
-std::vector<RowWorth> row_worths(const Problem& problem, const Options& options, std::uint64_t& evaluations);
+/// Lower bounds of the options' single objective, for every combination of shared choices that may be feasible. Long
+/// tables are cut into sets of alike rows as long as the bound over a set is not above `most`: what is dearer is only
+/// known to be so. Empty when there are too many combinations to be worth it, and when time is up (the options' limit,
+/// from now on, or stop).
+std::vector<RowWorth> row_worths(const Problem& problem,
+                                 const Options& options,
+                                 double most,
+                                 std::uint64_t& evaluations);
 
 }  // namespace millwright::solver

@@ -115,8 +115,21 @@ double worst_utilisation(const Design& design) {
   return worst;
 }
 
+/// How many rows others cover.
+std::size_t covered_rows(const MachineModel& model) {
+  std::size_t rows = 0;
+  for (std::size_t stage = 0; stage < model.problem().stages.size(); ++stage) {
+    const auto slots = model.problem().stages[stage]->slots();
+    for (std::size_t slot = 0; slot < slots.size(); ++slot)
+      for (solver::Row row = 0; row < slots[slot].rows; ++row)
+        rows += model.covering_rows(stage, slot, row).empty() ? 0 : 1;
+  }
+  return rows;
+}
+
 TEST_CASE("The cheapest and the lightest builds of small machines are the first of all their builds") {
   unsigned covered = 0;
+  std::size_t covered_by_any = 0, covered_by_asked = 0;
   for (unsigned seed = 1; seed <= (sanitized ? 3U : 8U); ++seed) {
     const TinyCatalogue tiny(prices(seed));
     const bool currents = seed % 3 == 0;
@@ -134,6 +147,7 @@ TEST_CASE("The cheapest and the lightest builds of small machines are the first 
       const auto what = objective == "cost" ? &BuildValue::cost : &BuildValue::mass;
       const auto other = objective == "cost" ? &BuildValue::mass : &BuildValue::cost;
       const auto value = objective == "cost" ? &Design::cost : &Design::mass;
+      const auto other_value = objective == "cost" ? &Design::mass : &Design::cost;
       std::sort(all.builds.begin(), all.builds.end(), [&](const BuildValue& a, const BuildValue& b) {
         return std::abs(a.*what - b.*what) > 1e-9 ? a.*what < b.*what : a.*other < b.*other;
       });
@@ -143,12 +157,20 @@ TEST_CASE("The cheapest and the lightest builds of small machines are the first 
       REQUIRE(found.proved == count);
       // Left out even so: what as many cover as builds are asked for.
       for (const std::size_t few : {std::size_t{2}, std::size_t{3}, count}) {
-        const MachineModel some(
-            problem, tiny.parts(), {}, ModelOptions{.fixed = {}, .every_candidate = true, .builds = few});
-        const Synthesis first = best(some, few, objective);
-        REQUIRE(first.designs.size() == few);
-        for (std::size_t i = 0; i < few; ++i)
-          CHECK(first.designs[i].*value == Approx(all.builds[i].*what).epsilon(1e-9));
+        for (const std::vector<std::string>& asked : {std::vector<std::string>{}, {objective}}) {
+          const MachineModel some(
+              problem,
+              tiny.parts(),
+              {},
+              ModelOptions{.fixed = {}, .every_candidate = true, .builds = few, .objectives = asked});
+          const Synthesis first = best(some, few, objective);
+          REQUIRE(first.designs.size() == few);
+          for (std::size_t i = 0; i < few; ++i) {
+            CHECK(first.designs[i].*value == Approx(all.builds[i].*what).epsilon(1e-9));
+            CHECK(first.designs[i].*other_value == Approx(all.builds[i].*other).epsilon(1e-9));
+          }
+          (asked.empty() ? covered_by_any : covered_by_asked) += covered_rows(some);
+        }
       }
       std::set<std::string> distinct;
       for (std::size_t i = 0; i < count; ++i) {
@@ -173,6 +195,7 @@ TEST_CASE("The cheapest and the lightest builds of small machines are the first 
     covered += candidates(model) > candidates(usual) ? 1 : 0;
   }
   CHECK(covered > (sanitized ? 0U : 1U));  // there was something that is left out otherwise
+  CHECK(covered_by_asked > covered_by_any);
 }
 
 TEST_CASE("When there are fewer builds than asked for, all of them are found") {

@@ -188,10 +188,11 @@ TEST_CASE("A model made for some objectives refuses others, and gives the answer
   CHECK_THROWS_AS(evaluation::solver_options(cheapest, options), std::invalid_argument);
   options.objectives = {"cost"};
   CHECK_THROWS_AS(evaluation::solver_options(lightest, options), std::invalid_argument);
-  // Every candidate is every candidate.
+  // Every candidate is every one that may be among the best by what is asked.
   const evaluation::MachineModel all(problem(), tiny.parts(), {}, {.every_candidate = true, .objectives = {"cost"}});
-  options.objectives = {"mass"};
   CHECK_NOTHROW(evaluation::solver_options(all, options));
+  options.objectives = {"mass"};
+  CHECK_THROWS_AS(evaluation::solver_options(all, options), std::invalid_argument);
   // A limit is read whatever the objective.
   machine::Problem limited = problem();
   limited.mass_limit = 100.0;

@@ -253,7 +253,8 @@ class Counted final : public ForwardingStage {
 TEST_CASE("With a certain row no build is worth less than is said, and nothing is said when time is up") {
   constexpr std::uint64_t asked_between = 256;
   constexpr unsigned seeds = 30;
-  unsigned builds = 0, stopped = 0;
+  unsigned builds = 0, stopped = 0, fewer = 0;
+  std::size_t dearer = 0, together = 0;
   for (unsigned seed = 1; seed <= seeds; ++seed) {
     const Stack stack = random_stack(seed);
     Counted::Count count;
@@ -267,7 +268,8 @@ TEST_CASE("With a certain row no build is worth less than is said, and nothing i
     options.stop = &count.stop;
     std::uint64_t evaluations = 0;
     CAPTURE(seed);
-    const std::vector<RowWorth> worths = row_worths(problem, options, evaluations);
+    const std::vector<RowWorth> worths = row_worths(problem, options, infinity, evaluations);
+    const std::uint64_t asked = count.asked;
     for (const Build& build : best_builds(stack.problem, by_cost(), 6, {}).builds) {
       const auto worth =
           std::find_if(worths.begin(), worths.end(), [&](const RowWorth& each) { return each.shared == build.shared; });
@@ -278,16 +280,36 @@ TEST_CASE("With a certain row no build is worth less than is said, and nothing i
         for (std::size_t slot = 0; slot < build.stages[i].rows.size(); ++slot)
           REQUIRE(worth->rows[i][slot][build.stages[i].rows[slot]] <= most);
       ++builds;
+      // Known to this worth: rows up to it as before, of dearer ones only that they are dearer.
+      count.asked = 0;
+      const std::vector<RowWorth> up_to = row_worths(problem, options, build.resources[0], evaluations);
+      REQUIRE(up_to.size() == worths.size());
+      for (std::size_t n = 0; n < worths.size(); ++n)
+        for (std::size_t i = 0; i < worths[n].rows.size(); ++i)
+          for (std::size_t slot = 0; slot < worths[n].rows[i].size(); ++slot)
+            for (std::size_t row = 0; row < worths[n].rows[i][slot].size(); ++row) {
+              const double before = worths[n].rows[i][slot][row], now = up_to[n].rows[i][slot][row];
+              REQUIRE(now <= before);
+              const bool is_dear = now > build.resources[0] * (1.0 + 1e-12);
+              REQUIRE((is_dear || now == before));
+              dearer += is_dear ? 1 : 0;
+              together += now < before ? 1 : 0;
+            }
+      fewer += count.asked < asked ? 1 : 0;
     }
-    if (count.asked < 4 * asked_between) continue;
-    count.stop_at = 1 + count.asked / 3;
+    if (asked < 4 * asked_between) continue;
+    count.stop_at = 1 + asked / 3;
     count.asked = 0;
-    REQUIRE(row_worths(problem, options, evaluations).empty());
+    REQUIRE(row_worths(problem, options, infinity, evaluations).empty());
     REQUIRE(count.asked <= count.stop_at + asked_between);
     ++stopped;
   }
   CHECK(builds > seeds);
   CHECK(stopped > 2);
+  INFO(dearer << " " << together << " " << fewer);
+  CHECK(dearer > 1000);
+  CHECK(together > 100);
+  CHECK(fewer > builds / 2);
 }
 
 TEST_CASE("The best builds need one objective") {

@@ -13,6 +13,7 @@
 #include "catch.h"
 #include "solver/forwarding_stage.h"
 #include "solver/model_stage.h"
+#include "solver/restricted_problem.h"
 #include "solver/solver.h"
 
 namespace row_dominance_test {
@@ -224,21 +225,46 @@ TEST_CASE("Leaving out rows that others stand in for changes neither optimum nor
   CHECK(tally.infeasible > 5);
 }
 
+/// Two kinds of bearings in both stages; `check` is told the two.
+template <class Check>
+void with_two_kinds(unsigned seed, std::mt19937& rng, const Check& check) {
+  const Catalogue catalogue = random_catalogue(rng, 12);
+  Asked asked;
+  asked.load = 0.5 + 0.25 * static_cast<double>(rng() % 4);
+  asked.least_stiffness = 0.0;
+  const auto tool = stage_of("tool", catalogue, asked), base = stage_of("base", catalogue, asked);
+  asked.least_stiffness = 0.2 * static_cast<double>(1U + rng() % 4);
+  const auto other_tool = stage_of("tool", catalogue, asked), other_base = stage_of("base", catalogue, asked);
+  CAPTURE(seed);
+  check(TwoKinds(tool, other_tool), TwoKinds(base, other_base));
+}
+
 TEST_CASE("Rows of one kind stand in for each other where a constraint holds for one kind only") {
   Tally tally;
   for (unsigned seed = 1; seed <= 100; ++seed) {
     std::mt19937 rng(seed);
-    const Catalogue catalogue = random_catalogue(rng, 12);
-    Asked asked;
-    asked.load = 0.5 + 0.25 * static_cast<double>(rng() % 4);
-    asked.least_stiffness = 0.0;
-    const auto tool = stage_of("tool", catalogue, asked), base = stage_of("base", catalogue, asked);
-    asked.least_stiffness = 0.2 * static_cast<double>(1U + rng() % 4);
-    const auto other_tool = stage_of("tool", catalogue, asked), other_base = stage_of("base", catalogue, asked);
-    CAPTURE(seed);
-    check_answers(TwoKinds(tool, other_tool), TwoKinds(base, other_base), tally);
+    with_two_kinds(seed, rng, [&](const TwoKinds& tool, const TwoKinds& base) { check_answers(tool, base, tally); });
   }
   CHECK(tally.dominated > 250);
+  CHECK(tally.feasible > 50);
+  CHECK(tally.infeasible > 1);
+}
+
+TEST_CASE("Of a restricted problem those rows stand in for others that are left") {
+  Tally tally;
+  for (unsigned seed = 1; seed <= 100; ++seed) {
+    std::mt19937 rng(seed);
+    with_two_kinds(seed, rng, [&](const TwoKinds& tool, const TwoKinds& base) {
+      StageRestriction left;
+      for (std::size_t slot = 0; slot < 2; ++slot) {
+        left.allowed.emplace_back();
+        for (Row row = 0; row < 12; ++row)
+          if (rng() % 4 != 0) left.allowed.back().push_back(row);
+      }
+      check_answers(RestrictedStage(tool, left, {}), RestrictedStage(base, left, {}), tally);
+    });
+  }
+  CHECK(tally.dominated > 150);
   CHECK(tally.feasible > 50);
   CHECK(tally.infeasible > 1);
 }
