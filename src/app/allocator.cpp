@@ -9,9 +9,13 @@
 //
 // The allocator takes its first memory before any constructor of ours runs, even those of the libraries; what stands in
 // .preinit_array comes before. Nothing here may ask for memory.
+//
+// Its own operator new is written in C: where there is no more memory it cannot throw, and aborts without a word.
 #include <fcntl.h>
 #include <mimalloc.h>
 #include <unistd.h>
+
+#include <new>
 
 namespace millwright::app {
 namespace {
@@ -43,3 +47,21 @@ void want_large_pages() {
 
 }  // namespace
 }  // namespace millwright::app
+
+namespace {
+
+void* taken(void* memory) {
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) { return taken(mi_malloc(size)); }
+void* operator new[](std::size_t size) { return taken(mi_malloc(size)); }
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  return taken(mi_malloc_aligned(size, static_cast<std::size_t>(alignment)));
+}
+void* operator new[](std::size_t size, std::align_val_t alignment) {
+  return taken(mi_malloc_aligned(size, static_cast<std::size_t>(alignment)));
+}

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <memory>
 
+#include "app/empty_names.h"
 #include "app/help.h"
 #include "app/help_formatter.h"
 #include "app/import_options.h"
@@ -71,8 +72,6 @@ void add_catalogue_option(CLI::App& verb, Options& options) {
                   options.catalogues,
                   "DIR",
                   "parts of your own on top of the shipped ones, what is in stock, who sells what (repeatable)");
-  const auto not_empty = [](const std::string& name) { return std::string(name.empty() ? "the name is empty" : ""); };
-  verb.get_option("--catalogue")->check(not_empty);
 }
 
 void add_lock_options(CLI::App& verb, Options& options) {
@@ -159,6 +158,7 @@ class CommandLine {
     add_compare();
     add_other_verbs();
     add_catalogue_verbs();
+    refuse_empty_names(app_);
   }
 
   CLI::App& app() { return app_; }

@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solver/crew.h"
 
+#include <system_error>
+
 namespace millwright::solver {
 
 Crew::Crew(unsigned threads) {
-  for (unsigned thread = 1; thread < threads; ++thread) helpers_.emplace_back([this, thread] { help(thread); });
+  try {
+    for (unsigned thread = 1; thread < threads; ++thread) helpers_.emplace_back([this, thread] { help(thread); });
+  } catch (const std::system_error&) {
+    // The system has no more threads: fewer do the same.
+  }
 }
 
 Crew::~Crew() {

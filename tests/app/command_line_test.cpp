@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/program.h"
 #include "catch.h"
+#include "sanitized.h"
 
 namespace millwright::app::command_line_test {
 namespace {
@@ -24,6 +25,14 @@ TEST_CASE("Every mistake on the command line is exit code 2 with a hint, and pri
       {{"solve", "m.toml", "--minimise", "cost + 25*mas"}, "command line:1:22: error: there is no quantity 'mas'"},
       {{"solve", "m.toml", "--minimise", "cost + 25*mas"}, "hint: did you mean 'mass'?"},
       {{"solve", "m.toml", "--minimise", ""}, "the name of a quantity is expected here"},
+      {{"solve", "m.toml", "--json", ""}, "--json: the name is empty"},
+      {{"solve", "m.toml", "--bom", ""}, "--bom: the name is empty"},
+      {{"solve", "m.toml", "--order", ""}, "--order: the name is empty"},
+      {{"solve", "m.toml", "--locked", ""}, "--locked: the name is empty"},
+      {{"check", "m.toml", "b.csv", "--write-lock", ""}, "--write-lock: the name is empty"},
+      {{"check", "m.toml", "b.csv", "--hold-origin", ""}, "--hold-origin: the name is empty"},
+      {{"calc", "power_screw.raising_torque", "--unit", ""}, "--unit: the name is empty"},
+      {{"catalogue", "diff", "a", "--family", ""}, "--family: the name is empty"},
       {{"solve", "m.toml", "--minimise", "position_error"}, "--minimise: position_error: axis 'x' has no error budget"},
       {{"pareto", "m.toml", "--minimise", "cost,cost + mass"}, "a front is of plain quantities"},
       {{"pareto", "m.toml", "--minimise", "cost,cost"}, "a front has two or three different objectives"},
@@ -92,6 +101,15 @@ TEST_CASE("The version is that of the project") {
   const Workshop shop;
   const std::string version = shop.run({"--version"}).out.substr(11);
   CHECK(text.find("project(millwright VERSION " + version.substr(0, version.size() - 1) + " ") != std::string::npos);
+}
+
+TEST_CASE("A search that the memory is too small for says so") {
+  if (sanitized) return;  // these take all address space there is
+  const Workshop shop;
+  const Outcome outcome = shop.run({"pareto", MILLWRIGHT_SOURCE_DIR "/problems/router.toml"}, rlim_t{100} << 20U);
+  CHECK(outcome.exit_code == 70);
+  CHECK(outcome.says("millwright: error: not enough memory\n"));
+  CHECK(outcome.out.empty());
 }
 
 }  // namespace

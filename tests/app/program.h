@@ -4,9 +4,11 @@
 
 #include <fcntl.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -63,7 +65,10 @@ class Workshop {
     return static_cast<std::size_t>(std::distance(begin(files), end(files)));
   }
 
-  Outcome run(const std::vector<std::string>& arguments) const {
+  Outcome run(const std::vector<std::string>& arguments) const { return run(arguments, RLIM_INFINITY); }
+
+  /// With so many bytes of address space.
+  Outcome run(const std::vector<std::string>& arguments, rlim_t memory) const {
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     const std::string out = (folder_ / "out").string();
@@ -77,7 +82,12 @@ class Workshop {
     for (std::string& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);
     pid_t child = 0;
+    rlimit usual{};
+    getrlimit(RLIMIT_AS, &usual);
+    const rlimit less{std::min(memory, usual.rlim_cur), usual.rlim_max};
+    setrlimit(RLIMIT_AS, &less);  // the child inherits it
     const int failed = posix_spawn(&child, MILLWRIGHT_PROGRAM, &actions, nullptr, argv.data(), environ);
+    setrlimit(RLIMIT_AS, &usual);
     posix_spawn_file_actions_destroy(&actions);
     if (failed != 0) throw std::runtime_error("the program does not start");
     int status = 0;
