@@ -11,6 +11,7 @@
 #include "evaluation/machine_stages.h"
 #include "evaluation/outside_validity.h"
 #include "evaluation/traced_elements.h"
+#include "machine/axis_motion.h"
 #include "scalar/unit.h"
 
 namespace millwright::evaluation {
@@ -218,6 +219,16 @@ void mark_estimated_torque(const DriveStage& stage,
       check.note = "torque at speed is an estimate from the winding: no published curve at this voltage and current";
 }
 
+void mark_open_ramps(const machine::Problem& problem, Design& design) {
+  if (!machine::leaves_ramp_open(problem)) return;
+  for (Check& check : design.checks)
+    if (check.id == "C-PSU-POWER")
+      check.note =
+          "for every ramp that the problem allows, whichever is chosen: each drive at the speed of its longest with "
+          "the "
+          "acceleration of its shortest; a narrower acceleration_time may do with less";
+}
+
 /// The element of a stage; what its formulas leave of their ranges goes into the ledger. A screw's readings come from a
 /// table that was filled long before: here they are made once more.
 template <class Stage>
@@ -332,6 +343,7 @@ Design MachineModel::design(const solver::Build& found, bool with_worksheet) con
         entry.stage);
     state = answer.handed_on;
   }
+  mark_open_ramps(problem_, design);
   bill.finish();
   outside.write(design);
   design.worksheet = worksheet;

@@ -68,4 +68,13 @@ std::vector<SupplyDemand> supply_demands(const MotionData& data) {
   return demands;
 }
 
+bool leaves_ramp_open(const Problem& problem) {
+  return std::any_of(problem.axes.begin(), problem.axes.end(), [](const Axis& axis) {
+    return axis.acceleration_time.lower < axis.acceleration_time.upper &&
+           std::any_of(axis.moves.begin(), axis.moves.end(), [](const Move& move) {
+             return !move.profile && !move.acceleration_time;
+           });
+  });
+}
+
 }  // namespace millwright::machine

@@ -70,6 +70,9 @@ struct SupplyDemand {
 };
 std::vector<SupplyDemand> supply_demands(const MotionData& data);
 
+/// Whether some move takes a ramp that is chosen from a range: then the supply is ready for more than it needs.
+bool leaves_ramp_open(const Problem& problem);
+
 /// "moves[0] up, accelerate": names of the phases in the order of `phases`.
 std::vector<std::string> phase_names(const MotionData& data);
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <set>
 #include <span>
 
 #include "report/alternatives.h"
@@ -109,6 +110,17 @@ std::string ways_out_text(const MachineResult& result) {
 /// The first build, whatever became of those after it.
 bool best_is_proved(const MachineResult& result) { return result.status == Status::optimal || result.proved > 0; }
 
+/// What has to be known about checks that fail.
+std::string failure_notes(const Design& design, const Style& style) {
+  std::set<std::string> notes;
+  for (const Check& check : design.checks)
+    if (check.verdict == Verdict::violated && check.kind != machine::ConstraintKind::soft && !check.note.empty())
+      notes.insert(check.id + ": " + check.note);
+  std::string out;
+  for (const std::string& note : notes) out += "  " + wrapped(note, style.width - 2, 4) + "\n";
+  return out;
+}
+
 std::string failures_text(const MachineResult& result, const Design& design, const Style& style) {
   const bool wide = style.width >= wide_checks;
   TextTable table({{""},
@@ -131,7 +143,8 @@ std::string failures_text(const MachineResult& result, const Design& design, con
                                check->unit == "1" ? "" : check->unit),
                    utilisation_text(*check),
                    wide ? worst_text(*check) : ""});
-  return table.empty() ? std::string() : style.bad("Failed checks") + "\n" + table.str(2, style) + "\n";
+  if (table.empty()) return {};
+  return style.bad("Failed checks") + "\n" + table.str(2, style) + failure_notes(design, style) + "\n";
 }
 
 /// The build of a front that is best in one of its objectives.
@@ -249,6 +262,10 @@ std::string certificate_text(const MachineResult& result, const Style& style, co
     if (preferred) line(fill("certificate.preferred", divisor));
   }
   if (design != nullptr && !design->all_fewest_bars) line(t("certificate.bars"));
+  if (result.sized_for_every_ramp)
+    line(t.said(
+        "The supply is sized for every ramp that is allowed, whichever is chosen: a narrower range may do with a "
+        "smaller one."));
   line(fill("certificate.combinations", scalar::format_number(certificate.combinations, 3)));
   if (!certificate.method.empty()) line(t.clauses(certificate.method));
   if (design != nullptr) line(t("certificate.again"));

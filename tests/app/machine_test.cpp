@@ -333,6 +333,31 @@ TEST_CASE("solve answers with a page, and with everything if that is asked for")
   CHECK(close > 0);
 }
 
+TEST_CASE("That the supply is sized for every ramp of a range is said wherever something is proved") {
+  const Workshop shop;
+  const std::string lifter = MILLWRIGHT_SOURCE_DIR "/problems/lifter.toml";
+  const std::string bill = MILLWRIGHT_SOURCE_DIR "/problems/lifter-bom.csv";
+  const char* line = "The supply is sized for every ramp that is allowed, whichever is chosen:";
+  const std::vector<std::string> one_ramp{"--set", "axis.z.acceleration_time='0.25 s'"};
+  const auto run = [&](std::vector<std::string> words, bool fixed) {
+    if (fixed) words.insert(words.end(), one_ramp.begin(), one_ramp.end());
+    return shop.run(words);
+  };
+  for (const bool fixed : {false, true}) {
+    CAPTURE(fixed);
+    CHECK(run({"solve", lifter, "--json", "r.json"}, fixed).prints(line) == !fixed);
+    for (const Json& check : Json::parse(shop.read("r.json")).at("checks"))
+      if (check.at("id") == "C-PSU-POWER") CHECK(check.contains("note") == !fixed);
+    CHECK(run({"pareto", lifter}, fixed).prints(line) == !fixed);
+    const Outcome nothing = run({"solve", lifter, "--limit", "cost=10"}, fixed);
+    CHECK(nothing.exit_code == 1);
+    CHECK(nothing.prints(line) == !fixed);
+    const Outcome failing = run({"check", lifter, bill}, fixed);
+    CHECK(failing.exit_code == 1);
+    CHECK(failing.prints("  C-PSU-POWER: for every ramp that the problem allows") == !fixed);
+  }
+}
+
 TEST_CASE("An empty problem says where to begin") {
   const Workshop shop;
   for (const char* text : {"", "# nothing yet\n"}) {
