@@ -207,6 +207,8 @@ const std::vector<Saying>& sayings() {
        "stages with dominance in proved directions only, every shared choice tried",
        "cabang-dan-batas terbaik-dahulu dengan batas selang yang dibulatkan ke luar atas himpunan baris dan kotak, "
        "label antartahap dengan dominasi hanya pada arah yang terbukti, setiap pilihan bersama dicoba"},
+      {"as the end of a front, of the objective and of what is limited",
+       "sebagai ujung garis depan, dari tujuan dan dari yang dibatasi"},
       {"stage by stage, with the designs of a stage found once for all labels",
        "tahap demi tahap, dengan rancangan tiap tahap dicari sekali untuk semua label"},
       {"allowances that stages share at prices (Lagrangian bounds)",

@@ -47,7 +47,7 @@ Frontier::Frontier(const Problem& problem,
   leaf_tolerance_ = 0.9 * tolerance / static_cast<double>(std::max<std::size_t>(priced, 1));
 }
 
-bool Frontier::run(bool shared_allowances, double least_total) {
+bool Frontier::run(bool shared_allowances, double least_total, const std::function<bool()>& otherwise) {
   least_total_ = least_total;
   find_rest();
   if (!pass({.compared = Compared::objectives, .patience = quick_patience()}) && control_.time_is_up()) return false;
@@ -67,7 +67,8 @@ bool Frontier::run(bool shared_allowances, double least_total) {
     if (!control_.while_there_is_time([&] { settled_ = !find_vectors(); })) return false;
     if (settled_) return true;
   }
-  return criteria_.objectives == 1 ? find_least() : pass({}) && !undecided_;
+  if (criteria_.objectives > 1) return pass({}) && !undecided_;
+  return (incumbents_.builds().empty() && otherwise()) || find_least();
 }
 
 /// What all stages from each one on add at least.

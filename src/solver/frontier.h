@@ -35,6 +35,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <map>
 #include <memory>
@@ -64,8 +65,9 @@ class Frontier {
   /// True when the incumbents are the front, but for builds that are equal in a single objective and may win the tie
   /// (`equals_left`). False: time limit, or something undecided (then `undecided()`).
   /// `shared_allowances`: prices for them have been of use elsewhere in the problem. `least_total`: of the first score,
-  /// as far as it is known.
-  bool run(bool shared_allowances, double least_total);
+  /// as far as it is known. `otherwise`: asked before what takes long with a single objective, if no build is known
+  /// yet; true: the incumbents are now the answer, or there is none.
+  bool run(bool shared_allowances, double least_total, const std::function<bool()>& otherwise);
   /// Whether `decide_equals` has something to do.
   [[nodiscard]] bool equals_left() const { return least_known_; }
   /// Of builds that are equal in the objective the best, after a `run` on these plans that left equals; better in the

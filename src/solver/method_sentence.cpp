@@ -9,6 +9,7 @@ std::string sentence_of(const MethodsUsed& used) {
       "with dominance in proved directions only, every shared choice tried";
   if (used.stagewise) text += "; stage by stage, with the designs of a stage found once for all labels";
   if (used.allowances) text += "; allowances that stages share at prices (Lagrangian bounds)";
+  if (used.by_front) text += "; as the end of a front, of the objective and of what is limited";
   if (used.priced && used.front) {
     text +=
         "; where continuous variables move the objectives the front is covered to its tolerance: what beats it by more "

@@ -12,6 +12,7 @@ struct MethodsUsed {
   bool front = false;       ///< there are several
   bool stagewise = false;   ///< frontier.h
   bool allowances = false;  ///< rest_plane.h
+  bool by_front = false;    ///< of a single objective and a resource that is limited (SolveRun::settle_by_front)
 };
 
 std::string sentence_of(const MethodsUsed& used);

@@ -110,7 +110,7 @@ Summary SolveRun::summary() {
   out.status = !closed ? Status::limit : out.builds.empty() ? Status::infeasible : Status::optimal;
   out.seconds = control_.seconds();
   if (priced_ && criteria_.objectives > 1) out.front_tolerance = front_tolerance();
-  out.method = sentence_of({priced_, criteria_.objectives > 1, stagewise_, allowances_priced_});
+  out.method = sentence_of({priced_, criteria_.objectives > 1, stagewise_, allowances_priced_, settled_by_front_});
   if (priced_ && control_.options().confirm && criteria_.objectives == 1 && !out.builds.empty()) {
     out.confirmations = confirm(problem_, criteria_, out.builds.front(), priced_stages_);
     out.method += confirmation_sentence(out.confirmations);

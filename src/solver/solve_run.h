@@ -71,6 +71,7 @@ class SolveRun {
   enum class Settled { no, but_for_equals, yes };
   Settled stage_by_stage(std::vector<StagePlan>& plans, double lower_bound);
   void decide_equals();
+  bool settle_by_front();
   void look_for_builds(const OpenSearch& open);
   void finish(OpenSearch& open);
   [[nodiscard]] std::vector<double> what_matters() const;
@@ -110,6 +111,7 @@ class SolveRun {
   bool priced_ = false;
   bool stagewise_ = false;          ///< frontier.h was used
   bool allowances_priced_ = false;  ///< by it
+  bool settled_by_front_ = false;   ///< every combination
   std::vector<bool> priced_stages_;
   std::vector<OpenSearch> equals_left_;  ///< nothing is better, but something as good may win the tie
   double open_bound_ = infinity;

@@ -238,6 +238,7 @@ bool SolveRun::settle(OpenSearch& open, Effort effort) {
 }
 
 void SolveRun::finish(OpenSearch& open) {
+  if (settled_by_front_) return;
   if (criteria_.objectives == 1) {
     const Settled settled = stage_by_stage(*open.plans, open.score[0]);
     if (settled == Settled::but_for_equals) {
@@ -261,13 +262,28 @@ void SolveRun::finish(OpenSearch& open) {
   if (!result.complete) leave_open(std::max(open.score[0], result.lower_bound));
 }
 
+/// Of a single objective, where no build is known yet that keeps the limit of one more resource: the front of both, of
+/// all combinations at once, finds out far sooner what is of use than a search without any build. Its first build is
+/// the best, and of equals the one with the least of the resource: so that has to be the first tie.
+bool SolveRun::settle_by_front() {
+  const Options& asked = control_.options();
+  if (!asked.weights.empty() || asked.ties.empty() || control_.time_is_up()) return false;
+  if (!std::isfinite(problem_.resources[asked.ties.front()].limit)) return false;
+  Options options = asked;
+  options.objectives.push_back(options.ties.front());
+  options.ties.erase(options.ties.begin());
+  options.time_limit_seconds -= control_.seconds();
+  settled_by_front_ = solve_first(std::move(options), Scope::stage_by_stage).status != Status::limit;
+  return settled_by_front_;
+}
+
 /// One or two objectives by frontier.h; `no` when that method does not apply or leaves something undecided.
 SolveRun::Settled SolveRun::stage_by_stage(std::vector<StagePlan>& plans, double lower_bound) {
   if (criteria_.objectives > 2 || !control_.options().stagewise) return Settled::no;
   Frontier frontier(problem_, criteria_, plans, incumbents_, control_);
   if (!frontier.applicable()) return Settled::no;
   stagewise_ = true;
-  const bool settled = frontier.run(allowances_priced_, lower_bound);
+  const bool settled = frontier.run(allowances_priced_, lower_bound, [this] { return settle_by_front(); });
   allowances_priced_ = allowances_priced_ || frontier.used_prices();
   if (settled) return frontier.equals_left() ? Settled::but_for_equals : Settled::yes;
   if (frontier.undecided() && !control_.time_is_up()) return Settled::no;

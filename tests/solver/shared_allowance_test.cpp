@@ -3,6 +3,9 @@
 // Allowances that bind, which all stages share: a compliance that must stay below a limit at the tool and a power that
 // a supply of one of several sizes gives, while what is chosen first is a load for what comes later. Staircases and
 // planes of what is left (rest_plane.h) against every chain, the solver against every build.
+#include <algorithm>
+#include <functional>
+#include <iterator>
 #include <memory>
 #include <random>
 
@@ -348,6 +351,54 @@ TEST_CASE("Where allowances bind, optima and front equal those of all builds") {
   CHECK(points > 4 * machines);
   CHECK(infeasible < machines);
   CHECK(louder_equals > machines / 4);
+}
+
+TEST_CASE("Where a limit leaves no build in sight, the best is that of all builds within it") {
+  std::size_t by_front = 0, otherwise = 0, ties = 0, nothing = 0;
+  for (unsigned seed = 0; seed < static_cast<unsigned>(machines); seed += 4) {
+    const Machine machine(seed, 0, rising_of(seed));
+    const std::vector<Total> totals = totals_of(machine.problem);
+    const std::vector<Total> front = front_of(totals);
+    for (std::size_t i = 0; i < front.size(); i += 1 + front.size() / 3)
+      for (std::size_t score = 0; score < 2; ++score)
+        for (const double share : {1.0 + 1e-9, 1.0 - 1e-6}) {
+          INFO("seed " << seed << ", point " << i << ", score " << score << ", share " << share);
+          const auto value = [&](const Total& total) { return score == 0 ? total.cost : total.mass; };
+          const auto other = [&](const Total& total) { return score == 0 ? total.mass : total.cost; };
+          Problem problem = machine.problem;
+          const double limit = share * other(front[i]);
+          problem.resources[1 - score].limit = limit;
+          Options options;
+          options.objectives = {score};
+          options.ties = {1 - score, 2};
+          options.patience = options.stage_patience = 0;
+          options.look_first = false;
+          std::vector<Total> within;
+          std::ranges::copy_if(totals, std::back_inserter(within), [&](const Total& t) { return other(t) <= limit; });
+          const Summary summary = solve(problem, options);
+          const bool used = summary.method.find("as the end of a front") != std::string::npos;
+          (used ? by_front : otherwise) += 1;
+          REQUIRE(summary.status == (within.empty() ? Status::infeasible : Status::optimal));
+          if (within.empty()) {
+            ++nothing;
+            continue;
+          }
+          const auto keep_least = [&](const auto& of) {
+            const double least = std::invoke(of, std::ranges::min(within, {}, of));
+            ties += std::erase_if(within, [&](const Total& t) { return std::invoke(of, t) > least * (1.0 + 1e-12); });
+            return least;
+          };
+          const std::vector<double>& found = summary.builds.front().resources;
+          CHECK(found[score] == Approx(keep_least(value)).epsilon(1e-9));
+          CHECK(found[1 - score] == Approx(keep_least(other)).epsilon(1e-9));
+          CHECK(found[2] == Approx(keep_least(&Total::noise)).epsilon(1e-9));
+        }
+  }
+  INFO(by_front << " " << otherwise << " " << ties << " " << nothing);
+  CHECK(by_front > machines / 4);
+  CHECK(otherwise > 0);
+  CHECK(nothing > machines / 20);
+  CHECK(ties > machines / 10);
 }
 
 TEST_CASE("A front of many parts is complete where allowances bind, cut in sections or not") {
