@@ -15,6 +15,7 @@ Summary SolveRun::run() {
   if (problem_.stages.empty()) throw std::invalid_argument("Problem::stages is empty");
   if (!has_empty_slot(problem_) && find_some_first()) search();
   better_among_equals();
+  leave_out_noise();
   return summary();
 }
 
@@ -91,6 +92,32 @@ void SolveRun::better_among_equals() {
   const Neighbours neighbours(problem_);
   neighbours.improve_equals(criteria_, best, [this] { return control_.time_is_up(); });
   best.build.worst_utilisation = neighbours.worst_utilisation(best.build);
+}
+
+/// Continuous variables are found within the gap only, so that of two builds the one may be lighter by that noise, for
+/// money. Of a front those are left out that another one beats by more than the gap, and does not fall short of by
+/// more.
+void SolveRun::leave_out_noise() {
+  if (!priced_ || criteria_.objectives < 2) return;
+  const double gap = control_.options().gap;
+  std::vector<RankedBuild>& builds = incumbents_.builds();
+  std::vector<bool> left_out(builds.size(), false);
+  const auto stands_in_for = [&](const RankedBuild& a, const RankedBuild& b) {
+    bool beats = false;
+    for (std::size_t k = 0; k < criteria_.objectives; ++k) {
+      const double room = gap * std::fabs(b.score[k]);
+      if (a.score[k] > b.score[k] + room) return false;
+      beats = beats || a.score[k] < b.score[k] - room;
+    }
+    return beats;
+  };
+  for (std::size_t i = 0; i < builds.size(); ++i)
+    for (std::size_t j = 0; j < builds.size() && !left_out[i]; ++j)
+      left_out[i] = !left_out[j] && stands_in_for(builds[j], builds[i]);
+  std::vector<RankedBuild> left;
+  for (std::size_t i = 0; i < builds.size(); ++i)
+    if (!left_out[i]) left.push_back(std::move(builds[i]));
+  builds = std::move(left);
 }
 
 Summary SolveRun::summary() {

@@ -358,6 +358,22 @@ TEST_CASE("That the supply is sized for every ramp of a range is said wherever s
   }
 }
 
+TEST_CASE("No build of a front is dearer for a mass that is smaller only as far as free dimensions are found") {
+  constexpr double gap = 1e-6;
+  const Workshop shop;
+  // Its shaft has a free diameter, whatever driver and supply are chosen.
+  const Outcome outcome =
+      shop.run({"pareto", MILLWRIGHT_SOURCE_DIR "/problems/torch-table.toml", "--quiet", "--json", "f.json"});
+  REQUIRE(outcome.exit_code == 0);
+  const Json front = Json::parse(shop.read("f.json")).at("front");
+  CHECK(front.size() > 100);
+  for (std::size_t i = 0; i + 1 < front.size(); ++i) {
+    const Json &before = front[i].at("totals"), &after = front[i + 1].at("totals");
+    CAPTURE(i, before.dump(), after.dump());
+    CHECK(after.at("mass").at("value").get<double>() < (1.0 - gap) * before.at("mass").at("value").get<double>());
+  }
+}
+
 TEST_CASE("An empty problem says where to begin") {
   const Workshop shop;
   for (const char* text : {"", "# nothing yet\n"}) {
