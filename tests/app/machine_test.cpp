@@ -346,7 +346,8 @@ TEST_CASE("That the supply is sized for every ramp of a range is said wherever s
   for (const bool fixed : {false, true}) {
     CAPTURE(fixed);
     CHECK(run({"solve", lifter, "--json", "r.json"}, fixed).prints(line) == !fixed);
-    for (const Json& check : Json::parse(shop.read("r.json")).at("checks"))
+    const Json result = Json::parse(shop.read("r.json"));
+    for (const Json& check : result.at("checks"))
       if (check.at("id") == "C-PSU-POWER") CHECK(check.contains("note") == !fixed);
     CHECK(run({"pareto", lifter}, fixed).prints(line) == !fixed);
     const Outcome nothing = run({"solve", lifter, "--limit", "cost=10"}, fixed);

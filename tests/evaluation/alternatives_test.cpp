@@ -195,7 +195,7 @@ TEST_CASE("The cheapest and the lightest builds of small machines are the first 
     covered += candidates(model) > candidates(usual) ? 1 : 0;
   }
   CHECK(covered > (sanitized ? 0U : 1U));  // there was something that is left out otherwise
-  CHECK(covered_by_asked > covered_by_any);
+  CHECK(covered_by_asked >= covered_by_any + (sanitized ? 0U : 1U));
 }
 
 TEST_CASE("When there are fewer builds than asked for, all of them are found") {
