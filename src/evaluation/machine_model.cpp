@@ -272,8 +272,7 @@ void MachineModel::add_scenarios(const machine::Problem& given, const GivenSlots
     problem.axes[i].motor.currents = problem_.axes[i].motor.currents;
   }
   problem.supply_voltages = problem_.supply_voltages;
-  ModelOptions same;
-  same.objectives = options_.objectives;
+  const ModelOptions same{.objectives = options_.objectives};
   std::vector<const solver::Problem*> versions{&solver_problem_};
   for (const auto& scenario : options_.scenarios) {
     scenarios_.push_back(std::make_unique<MachineModel>(problem, *scenario, given_slots, same));

@@ -112,6 +112,7 @@ class SolveRun {
   bool priced_ = false;
   bool stagewise_ = false;          ///< frontier.h was used
   bool allowances_priced_ = false;  ///< by it
+  bool front_tried_ = false;        ///< by settle_by_front
   bool settled_by_front_ = false;   ///< every combination
   std::vector<bool> priced_stages_;
   std::vector<OpenSearch> equals_left_;  ///< nothing is better, but something as good may win the tie

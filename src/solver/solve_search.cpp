@@ -264,16 +264,20 @@ void SolveRun::finish(OpenSearch& open) {
 
 /// Of a single objective, where no build is known yet that keeps the limit of one more resource: the front of both, of
 /// all combinations at once, finds out far sooner what is of use than a search without any build. Its first build is
-/// the best, and of equals the one with the least of the resource: so that has to be the first tie.
+/// the best, and of equals the one with the least of the resource: so that has to be the first tie. Only once: what a
+/// front leaves open for one combination it would leave open for the next. And only a front that is exact, not one that
+/// is covered to its tolerance.
 bool SolveRun::settle_by_front() {
   const Options& asked = control_.options();
-  if (!asked.weights.empty() || asked.ties.empty() || control_.time_is_up()) return false;
+  if (front_tried_ || !asked.weights.empty() || asked.ties.empty() || control_.time_is_up()) return false;
   if (!std::isfinite(problem_.resources[asked.ties.front()].limit)) return false;
   Options options = asked;
   options.objectives.push_back(options.ties.front());
   options.ties.erase(options.ties.begin());
   options.time_limit_seconds -= control_.seconds();
-  settled_by_front_ = solve_first(std::move(options), Scope::stage_by_stage).status != Status::limit;
+  front_tried_ = true;
+  const Summary front = solve_first(std::move(options), Scope::stage_by_stage);
+  settled_by_front_ = front.status != Status::limit && front.front_tolerance == 0.0;
   return settled_by_front_;
 }
 
