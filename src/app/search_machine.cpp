@@ -72,7 +72,6 @@ report::MachineResult search_machine(const Options& options,
   result.builds_asked = options.builds;
   result.proved = synthesis.proved;
   result.fixed_objective = synthesis.fixed_objective;
-  result.sized_for_every_ramp = machine::leaves_ramp_open(input.problem);
   result.certificate = {
       synthesis.combinations, synthesis.nodes, synthesis.evaluations, synthesis.method, synthesis.front_tolerance};
   set_designs(result, input.problem, std::move(synthesis.designs));

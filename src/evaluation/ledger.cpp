@@ -219,16 +219,6 @@ void mark_estimated_torque(const DriveStage& stage,
       check.note = "torque at speed is an estimate from the winding: no published curve at this voltage and current";
 }
 
-/// Says on the check what the supply's demand is taken of (machine::supply_demands): not of the chosen ramps.
-void mark_open_ramps(const machine::Problem& problem, Design& design) {
-  if (!machine::leaves_ramp_open(problem)) return;
-  for (Check& check : design.checks)
-    if (check.id == "C-PSU-POWER")
-      check.note =
-          "for every ramp that the problem allows, whichever is chosen: each drive at the speed of its longest "
-          "with the acceleration of its shortest; a narrower acceleration_time may do with less";
-}
-
 /// The element of a stage; what its formulas leave of their ranges goes into the ledger. A screw's readings come from a
 /// table that was filled long before: here they are made once more.
 template <class Stage>
@@ -343,7 +333,6 @@ Design MachineModel::design(const solver::Build& found, bool with_worksheet) con
         entry.stage);
     state = answer.handed_on;
   }
-  mark_open_ramps(problem_, design);
   bill.finish();
   outside.write(design);
   design.worksheet = worksheet;

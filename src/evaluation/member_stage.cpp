@@ -24,8 +24,7 @@ MemberStage::MemberStage(const machine::Axis& axis,
             .riding_mass = member.rides ? 0.0 : machine::riding_mass_allowance(axis)},
       place_(place) {
   name_ = axis.name + "." + member.name;
-  for (const machine::SupplyDemand& demand : machine::supply_demands(motion_of(axis)))
-    data_.acceleration = std::max(data_.acceleration, demand.acceleration);
+  data_.acceleration = machine::largest_acceleration(motion_of(axis));
   take_material(catalogue.table(Family::materials), prices);
   if (!member.sections.empty()) {
     take_sections(catalogue, prices);

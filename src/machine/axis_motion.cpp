@@ -49,32 +49,20 @@ std::vector<std::string> phase_names(const MotionData& data) {
   return names;
 }
 
-std::vector<SupplyDemand> supply_demands(const MotionData& data) {
-  std::vector<SupplyDemand> demands;
+double largest_acceleration(const MotionData& data) {
+  double largest = 0.0;
   for (const Move& move : data.moves) {
     if (move.profile) {
-      for (const std::size_t i : move.profile->hardest) {
-        const ProfilePhase& phase = move.profile->phases[i];
-        demands.push_back({phase.speed, std::max(phase.acceleration, 0.0), phase.force});
-      }
+      for (const std::size_t i : move.profile->hardest)
+        largest = std::max(largest, move.profile->phases[i].acceleration);
       continue;
     }
-    const double shortest = move.acceleration_time.value_or(data.acceleration_time.lower);
-    const double longest = move.acceleration_time.value_or(data.acceleration_time.upper);
-    // A ramp longer than half the time of the move is refused by C-SYS-TIME anyway.
-    const double speed = move.speed ? *move.speed : move.distance / (*move.time - std::min(longest, 0.5 * *move.time));
-    demands.push_back({speed, peak_acceleration(speed, shortest, move), move.force});
+    const double ramp = move.acceleration_time.value_or(data.acceleration_time.lower);
+    // A ramp longer than half the time of the move is refused by C-SYS-TIME.
+    const double speed = move.speed ? *move.speed : move.distance / (*move.time - std::min(ramp, 0.5 * *move.time));
+    largest = std::max(largest, peak_acceleration(speed, ramp, move));
   }
-  return demands;
-}
-
-bool leaves_ramp_open(const Problem& problem) {
-  return std::any_of(problem.axes.begin(), problem.axes.end(), [](const Axis& axis) {
-    return axis.acceleration_time.lower < axis.acceleration_time.upper &&
-           std::any_of(axis.moves.begin(), axis.moves.end(), [](const Move& move) {
-             return !move.profile && !move.acceleration_time;
-           });
-  });
+  return largest;
 }
 
 }  // namespace millwright::machine

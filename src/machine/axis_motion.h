@@ -14,6 +14,7 @@
 // A measured profile is its phases (measured_profile.h), run once as it was recorded.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -61,17 +62,8 @@ inline constexpr MotionDimensions motion_dimensions(bool rotary) {
   return {dimension::length, dimension::speed, dimension::acceleration, dimension::force};
 }
 
-/// What the supply must be ready for in one move, whichever ramp of the range is chosen: the speed of the longest ramp
-/// and the acceleration that the shortest ramp gives it. The power a drive asks for then does not hang on the ramp.
-struct SupplyDemand {
-  double speed = 0.0;         ///< m/s
-  double acceleration = 0.0;  ///< m/s^2
-  double force = 0.0;         ///< N, of the process
-};
-std::vector<SupplyDemand> supply_demands(const MotionData& data);
-
-/// Whether some move takes a ramp that is chosen from a range: then the supply is ready for more than it needs.
-bool leaves_ramp_open(const Problem& problem);
+/// The largest acceleration at which moves may be driven [m/s^2]: that of the shortest ramp which the axis may take.
+double largest_acceleration(const MotionData& data);
 
 /// "moves[0] up, accelerate": names of the phases in the order of `phases`.
 std::vector<std::string> phase_names(const MotionData& data);
@@ -83,9 +75,19 @@ struct MirroredPhases {
   std::size_t accelerate = 0, cruise = 0, brake = 0;
 };
 
+/// What the drive takes most for in one move: the end of its ramp, at the full speed and the peak acceleration. Of a
+/// measured profile the hardest of its phases.
+template <class T>
+struct PowerDemand {
+  T speed{};         ///< m/s
+  T acceleration{};  ///< m/s^2, not negative
+  T force{};         ///< N, of the process
+};
+
 template <class T>
 struct Cycle {
   std::vector<Phase<T>> phases;
+  std::vector<PowerDemand<T>> demands;
   std::vector<MirroredPhases> mirrored;
   T peak_speed{};      ///< m/s, over all moves
   T total_time{};      ///< s, moves and dwells
@@ -177,6 +179,7 @@ class CycleBuilder {
     const std::vector<RampPart<T>> parts = ramp_parts(speed, ramp, move.jerk ? &jerk : nullptr);
     cycle_.peak_speed = larger(cycle_.peak_speed, speed);
     cycle_.process_force = larger(cycle_.process_force, absolute(force));
+    cycle_.demands.push_back({speed, parts.front().acceleration, force});
     for (int direction = 0; direction < (gravity_ ? 2 : 1); ++direction) {
       const T weight = direction == 0 ? cycle_.gravity_force : -cycle_.gravity_force;
       const std::size_t first = cycle_.phases.size();
@@ -207,6 +210,12 @@ class CycleBuilder {
           si<T>(phase.force, of_.force),
           {si<T>(phase.speed, of_.speed), si<T>(phase.mean_speed, of_.speed), si<T>(phase.duration, dimension::time)},
           true);
+    }
+    for (const std::size_t i : profile.hardest) {
+      const ProfilePhase& phase = profile.phases[i];
+      cycle_.demands.push_back({si<T>(phase.speed, of_.speed),
+                                si<T>(std::max(phase.acceleration, 0.0), of_.acceleration),
+                                si<T>(phase.force, of_.force)});
     }
     cycle_.peak_speed = larger(cycle_.peak_speed, si<T>(profile.peak_speed, of_.speed));
     cycle_.process_force = larger(cycle_.process_force, si<T>(profile.largest_force, of_.force));
@@ -260,6 +269,7 @@ Cycle<T> duty_cycle(const MotionData& data, const T& mass, const T& acceleration
   cycle.peak_speed = si<T>(0.0, of.speed);
   cycle.time_ratio = T(0.0);
   make_room(phase_count(data), cycle.phases, cycle.mirrored);
+  make_room(data.moves.size(), cycle.demands);
   detail::CycleBuilder<T> builder(data, mass, cycle);
   for (const Move& move : data.moves) {
     if (move.profile)

@@ -144,13 +144,11 @@ template <class T>
 T GearedDrive<T>::supply_power(const T& weight) const {
   using namespace scalar;
   std::vector<T> powers;
-  for (const SupplyDemand& demand : supply_demands(data->motion)) {
-    const T acceleration = in_unit<T>(demand.acceleration, dimensions().acceleration);
-    const T force =
-        travelling_mass * acceleration + weight + cycle.friction_force + in_unit<T>(demand.force, dimensions().force);
+  for (const PowerDemand<T>& demand : cycle.demands) {
+    const T& acceleration = demand.acceleration;
+    const T force = travelling_mass * acceleration + weight + cycle.friction_force + demand.force;
     const T driving = driving_torque(*this, force) + rotating_inertia * reduction.at_motor(acceleration / radius);
-    powers.push_back(
-        drive_power(motor, driving, reduction.at_motor(in_unit<T>(demand.speed, dimensions().speed) / radius)));
+    powers.push_back(drive_power(motor, driving, reduction.at_motor(demand.speed / radius)));
   }
   return largest(powers);
 }

@@ -125,13 +125,11 @@ void ScrewDrive<T>::derive_power() {
   using namespace scalar;
   namespace st = mechanics::stepper;
   std::vector<T> powers;
-  for (const SupplyDemand& demand : supply_demands(data->motion)) {
-    const T acceleration = in_unit<T>(demand.acceleration, dimension::acceleration);
-    const T weight = larger(cycle.gravity_force, in_unit<T>(0.0, dimension::force));
-    const T force =
-        moved_mass * acceleration + weight + cycle.friction_force + in_unit<T>(demand.force, dimension::force);
-    const T omega = reduction.at_motor(
-        mechanics::power_screw::angular_speed(in_unit<T>(demand.speed, dimension::speed), screw.lead));
+  const T weight = larger(cycle.gravity_force, in_unit<T>(0.0, dimension::force));
+  for (const PowerDemand<T>& demand : cycle.demands) {
+    const T& acceleration = demand.acceleration;
+    const T force = moved_mass * acceleration + weight + cycle.friction_force + demand.force;
+    const T omega = reduction.at_motor(mechanics::power_screw::angular_speed(demand.speed, screw.lead));
     const T torque = reduction.driving(mechanics::ball_screw::drive_torque(force, screw.lead, screw.efficiency) +
                                        screw.drag_torque) +
                      rotating_inertia * reduction.at_motor(acceleration * 2.0 * pi<T>() / screw.lead);

@@ -262,10 +262,6 @@ std::string certificate_text(const MachineResult& result, const Style& style, co
     if (preferred) line(fill("certificate.preferred", divisor));
   }
   if (design != nullptr && !design->all_fewest_bars) line(t("certificate.bars"));
-  if (result.sized_for_every_ramp)
-    line(
-        t.said("The supply is sized for every ramp that is allowed, whichever is chosen: a narrower range may do with "
-               "a smaller one."));
   line(fill("certificate.combinations", scalar::format_number(certificate.combinations, 3)));
   if (!certificate.method.empty()) line(t.clauses(certificate.method));
   if (design != nullptr) line(t("certificate.again"));

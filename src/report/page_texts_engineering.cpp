@@ -46,15 +46,6 @@ const std::vector<Saying>& sayings() {
       {"twist of screw and coupling", "puntiran ulir dan kopling"},
       {"torque at speed is an estimate from the winding: no published curve at this voltage and current",
        "torsi pada putaran adalah perkiraan dari lilitan: tidak ada kurva terbitan pada tegangan dan arus ini"},
-      {"The supply is sized for every ramp that is allowed, whichever is chosen: a narrower range may do with "
-       "a smaller one.",
-       "Catu daya cukup untuk setiap waktu percepatan yang diizinkan, mana pun yang dipilih: rentang yang lebih sempit "
-       "mungkin cukup dengan yang lebih kecil."},
-      {"for every ramp that the problem allows, whichever is chosen: each drive at the speed of its longest with the "
-       "acceleration of its shortest; a narrower acceleration_time may do with less",
-       "untuk setiap waktu percepatan yang diizinkan, mana pun yang dipilih: tiap penggerak pada kecepatan dari yang "
-       "terpanjang dengan percepatan dari yang terpendek; rentang acceleration_time yang lebih sempit "
-       "mungkin perlu lebih kecil"},
       {"enforced, and a figure of a part is missing", "diwajibkan, dan satu data komponen tidak ada"},
       {"Ball screw life", "Umur sekrup bola"},
       {"Ball screw static safety", "Keamanan statis sekrup bola"},

@@ -80,7 +80,6 @@ struct MachineResult {
   /// The objective of the best build with the figures as they stand, at real prices; NaN if nothing is compliant.
   double robust_without = 0.0;
   bool fixed_objective = false;               ///< the same for every build, which is then the cheapest
-  bool sized_for_every_ramp = false;          ///< a ramp is chosen from a range, and the supply would do for all of it
   std::vector<RequirementLine> requirements;  ///< of the first design
   std::vector<MissingSlot> missing;
   std::vector<evaluation::UnmetCheck> unmet;  ///< why nothing is compliant, where single checks say so

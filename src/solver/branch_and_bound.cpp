@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "solver/easing.h"
 #include "solver/rest_curve.h"
 #include "solver/variable_halves.h"
 
@@ -282,7 +283,10 @@ void BranchAndBound::finish(Label label) {
   RankedBuild ranked;
   ranked.score = label.score;
   ranked.build = build_of(label);
-  if (label.feasible) incumbents_.offer(std::move(ranked));
+  if (label.feasible) {
+    ease(problem_, criteria_, plans_, ranked.build, control_.desk(0));
+    incumbents_.offer(std::move(ranked));
+  }
   // What the points stand for may be better than they are: it may keep a limit that they do not, or be more than the
   // tolerance better where several stages gave up a part of it.
   if (label.exact) return;

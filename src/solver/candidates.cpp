@@ -6,6 +6,7 @@
 
 #include "solver/best_first.h"
 #include "solver/candidate_groups.h"
+#include "solver/least_state.h"
 #include "solver/region_order.h"
 #include "solver/relaxation.h"
 
@@ -213,6 +214,7 @@ class CandidateSearch {
 
   /// A single design. What is not proved for all groups at once is asked for fewer of them.
   void settle(const Node& node) {
+    if (plan_.moved_state) return for_each_group(node.groups, [&](std::size_t group) { settle_least(node, group); });
     std::vector<double> variables(node.region.variables.size());
     if (std::has_single_bit(node.groups))
       settle_alone(node, static_cast<std::size_t>(std::countr_zero(node.groups)));
@@ -229,7 +231,24 @@ class CandidateSearch {
       take(node, group, variables, universal);
   }
 
-  void take(const Node& node, std::size_t group, const std::vector<double>& variables, bool universal) {
+  /// A single design of which one best point counts (least_state.h).
+  void settle_least(const Node& node, std::size_t group) {
+    constexpr std::size_t most_boxes = 60;
+    const std::vector<Interval>& states = groups_.question(group).states;
+    LeastState found = find_least_state(plan_, states, node.region, {}, most_boxes, desk_);
+    if (found.infeasible()) return;
+    const bool universal = found.universal();
+    if (!universal)
+      for (const Interval& side : node.region.variables) found.variables.push_back(middle(side));
+    take(node, group, found.variables, universal, &found);
+  }
+
+  /// `least`: where one best point counts.
+  void take(const Node& node,
+            std::size_t group,
+            const std::vector<double>& variables,
+            bool universal,
+            const LeastState* least = nullptr) {
     CandidateSet& set = sets_[group];
     Candidate candidate;
     candidate.variables = variables;
@@ -243,6 +262,7 @@ class CandidateSearch {
     candidate.least = answer.handed_on;
     candidate.most = answer.handed_on;
     take_range(node.region, group, candidate);
+    if (least != nullptr) take_least(*least, group, candidate);
     candidate.key.resize(comparison_.dimensions());
     comparison_.best_key(candidate.score, candidate.least, candidate.most, candidate.key.data());
     if (known_[group].dominates(candidate.key)) return;
@@ -270,6 +290,17 @@ class CandidateSearch {
       candidate.score[k] = score[k].lower;
       candidate.most_score[k] = score[k].upper;
     }
+  }
+  /// Of the component that variables move.
+  void take_least(const LeastState& found, std::size_t group, Candidate& candidate) {
+    const std::size_t h = *plan_.moved_state;
+    const auto& to_reference = groups_.view(GroupSet{1} << group).of(group).to_reference[h];
+    if (plan_.after[h] == Direction::larger_is_better)
+      candidate.most[h] = -found.least + to_reference.second;
+    else
+      candidate.least[h] = found.least + to_reference.first;
+    const double slack = 1e-12 * std::fabs(candidate.most[h]);
+    candidate.is_least = candidate.universal && candidate.least[h] >= candidate.most[h] - slack;
   }
   [[nodiscard]] std::vector<double> worst_key(const Candidate& candidate) const {
     std::vector<double> key(comparison_.dimensions());

@@ -10,6 +10,8 @@
 //     all of H: it is feasible for every label. A region is dropped when a universal design is at least as good in
 //     every coordinate of the comparison. Regions are taken in ascending order of a sum of all coordinates, so what
 //     dominates is always found before what it dominates;
+//   - where variables move one component handed on and nothing else, of a design the least of it counts: bounds of that
+//     over all of H, and the values of the variables that are best at its worst (least_state.h);
 //   - a design that is neither infeasible nor universal is kept: whether it is feasible is decided label by label.
 // Nothing about feasibility is assumed between one state and another; the wider H, the more designs are not universal.
 //
@@ -60,6 +62,7 @@ struct Candidate {
   std::vector<double> most;        ///< the same at most; no more where the form is exact
   std::vector<double> key;         ///< of score and state: the best
   bool universal = false;
+  bool is_least = true;  ///< at no state in H other variables hand on less of what they move (least_state.h)
 };
 
 struct CandidateSet {

@@ -5,6 +5,7 @@
 
 #include "solver/cover.h"
 #include "solver/leaf_point.h"
+#include "solver/least_state.h"
 #include "solver/relaxation.h"
 #include "solver/variable_box.h"
 
@@ -125,6 +126,26 @@ LeafAnswer solve_feasibility(const LeafQuestion& question, Desk& desk) {
   return answer;
 }
 
+/// Of an exact label the one best point, where one counts; nothing where it does not or is not found.
+std::optional<LeafAnswer> solve_least(const LeafQuestion& question, Desk& desk) {
+  const auto is_whole = [](const OpenBox& box) { return box.sides.empty(); };
+  const bool anywhere = question.among.empty() || std::ranges::any_of(question.among, is_whole);
+  if (!question.plan->moved_state || !question.label->exact || !anywhere) return std::nullopt;
+  LeafAnswer answer;
+  std::vector<double> variables;
+  const LeastPoint found =
+      find_least_point(*question.plan, question.label->state, *question.region, question.start, variables, desk);
+  if (found == LeastPoint::infeasible) return answer;
+  StagePoint point;
+  if (found == LeastPoint::found && LeafDesign(question, desk).take(variables, point)) {
+    if (bearable(*question.plan, point.state)) answer.points.push_back(std::move(point));
+    return answer;
+  }
+  if (question.tolerance > 0.0) return std::nullopt;
+  answer.undecided = true;  // nothing could cover it
+  return answer;
+}
+
 }  // namespace
 
 void LeafAnswer::leave_undecided(std::span<const double> score) {
@@ -134,7 +155,9 @@ void LeafAnswer::leave_undecided(std::span<const double> score) {
 }
 
 LeafAnswer solve_leaf(const LeafQuestion& question, Desk& desk) {
-  return question.plan->any_priced ? cover(question, desk) : solve_feasibility(question, desk);
+  if (!question.plan->any_priced) return solve_feasibility(question, desk);
+  if (std::optional<LeafAnswer> one = solve_least(question, desk)) return std::move(*one);
+  return cover(question, desk);
 }
 
 }  // namespace millwright::solver

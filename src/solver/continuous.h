@@ -6,7 +6,9 @@
 //    proof that there is none. Points are tried first (the middle, ends), then boxes are bisected, most promising
 //    first; a box is closed when `bound` proves a violation in it. Of the feasible points one with small worst
 //    utilisation is taken (a local search: a choice between equals, nothing is claimed about it).
-// 2. Variables that move scores or state (the diameter of a shaft): branch and bound on the box until every design in
+// 2. Variables that move one component handed on and nothing else (a ramp that decides how many watts a drive takes):
+//    one best point (least_state.h). What that leaves undecided is covered like the rest:
+// 3. Variables that move scores or state (the diameter of a shaft): branch and bound on the box until every design in
 //    it is proved infeasible, hopeless, or covered: a known feasible point is, in every score and every state component
 //    with a direction, at most `tolerance` (relative) worse than the box can be; where that is refined later, also by
 //    what an inexact label leaves open itself. What a point covers becomes the enclosure of its label. Points come from
@@ -35,12 +37,14 @@ struct LeafQuestion {
   double tolerance = 1e-6;         ///< for variables that move scores or state
   bool relieve = true;             ///< move variables that only decide feasibility to a small worst utilisation
   /// Whether designs of this stage with at least these scores (own share), this state and utilisation are of no use.
-  std::function<bool(const Worth&)> hopeless;
+  std::function<bool(const Worth&)> hopeless = {};
   std::function<bool()> stop = {};      ///< asked now and then; what is left then counts as undecided
   std::span<const OpenBox> among = {};  ///< of variables that move scores or state: nothing else is looked at, if any
   /// What is left open a search with a finer tolerance decides: it is told in which boxes that is, and what an inexact
   /// label stands for is handed on where its point breaks a constraint.
   bool refined_later = false;
+  /// Tried first, where one best point is looked for (least_state.h); none: nothing is known.
+  std::span<const double> start = {};
 };
 
 /// A point of a stage, feasible but for those of `refined_later`, and what it stands for.

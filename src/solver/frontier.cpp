@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/easing.h"
 #include "solver/frontier_sums.h"
 #include "solver/leaf_point.h"
 #include "solver/least_front.h"
@@ -21,7 +22,7 @@ double with_slack(double bound) { return std::isfinite(bound) ? bound + 1e-11 * 
 
 /// Whether each label has one design there, or a cover of its own.
 bool is_alone(const StagePlan& plan) {
-  return plan.stage->slots().empty() && (plan.any_priced || plan.stage->variables().empty());
+  return plan.stage->slots().empty() && (is_covered(plan) || plan.stage->variables().empty());
 }
 
 /// The largest value that does not count as equal.
@@ -37,10 +38,10 @@ Frontier::Frontier(const Problem& problem,
     : problem_(problem), criteria_(criteria), plans_(plans), incumbents_(incumbents), control_(control) {
   std::size_t priced = 0;
   for (const StagePlan& plan : plans_) {
-    if (plan.any_priced && criteria_.objectives == 1) applicable_ = false;  // its covers are coarser than a gap
+    if (is_covered(plan) && criteria_.objectives == 1) applicable_ = false;  // its covers are coarser than a gap
     forms_.push_back(find_state_form(plan, control_.desk(0)));
-    applicable_ = applicable_ && (is_alone(plan) || (forms_.back().additive && !plan.any_priced));
-    priced += plan.any_priced ? 1 : 0;
+    applicable_ = applicable_ && (is_alone(plan) || (forms_.back().additive && !is_covered(plan)));
+    priced += is_covered(plan) ? 1 : 0;
   }
   // The stages' shares add up; a little is left for rounding.
   const double tolerance = std::max(control_.options().front_tolerance, control_.options().gap);
@@ -124,9 +125,9 @@ bool Frontier::pass(const Pass& pass) {
     const int digits = haste_ ? haste_->digits : exact_digits;
     const Comparison comparison(criteria_, plans_[stage].after, pass.compared, digits);
     const bool label_by_label = is_alone(plans_[stage]) && (forms_[stage].scores_vary() || !forms_[stage].additive);
-    const bool advanced = plans_[stage].any_priced ? advance_priced(stage, comparison)
-                          : label_by_label         ? advance_each(stage, comparison)
-                                                   : advance(stage, comparison);
+    const bool advanced = is_covered(plans_[stage]) ? advance_priced(stage, comparison)
+                          : label_by_label          ? advance_each(stage, comparison)
+                                                    : advance(stage, comparison);
     if (!advanced) return false;
     if (haste_) keep_best(stage);
   }
@@ -282,7 +283,13 @@ const LeafAnswer& Frontier::leaf(std::size_t stage, Chunk& chunk, const Combinat
   const Region region =
       region_of(*plan.stage, plan.shared, chunk.set.candidates[combination.candidate].rows, plan.region.variables);
   const Label& label = labels_[stage][chunk.labels[combination.label]];
-  place->second = solve_leaf({&plan, &label, &region, 0.0, false, {}}, control_.desk(0));
+  place->second = solve_leaf({.plan = &plan,
+                              .label = &label,
+                              .region = &region,
+                              .tolerance = 0.0,
+                              .relieve = false,
+                              .start = chunk.set.candidates[combination.candidate].variables},
+                             control_.desk(0));
   undecided_ = undecided_ || place->second.undecided;
   return place->second;
 }
@@ -291,7 +298,7 @@ const LeafAnswer& Frontier::leaf(std::size_t stage, Chunk& chunk, const Combinat
 bool Frontier::arrive(std::size_t stage, Chunk& chunk, const Combination& combination) {
   const Candidate& candidate = chunk.set.candidates[combination.candidate];
   std::vector<double> variables = candidate.variables;
-  if (!candidate.universal) {
+  if (!candidate.universal || !candidate.is_least) {
     const LeafAnswer& answer = leaf(stage, chunk, combination);
     if (answer.points.empty()) return false;
     variables = answer.points.front().variables;
@@ -355,6 +362,7 @@ Build Frontier::build_of(const Label& last) {
     label = &before;
   }
   take_stock(build);
+  ease(problem_, criteria_, plans_, build, control_.desk(0));
   return build;
 }
 
@@ -370,7 +378,7 @@ void Frontier::relieve(std::size_t stage, const Label& before, StageChoice& choi
   const Region region = region_of(*plan.stage, plan.shared, choice.rows, plan.region.variables);
   const LeafQuestion question{&plan, &before, &region, 0.0, true, {}};
   LeafDesign design(question, control_.desk(0));
-  design.relieve(choice.variables, region.variables);
+  if (!plan.moved_state) design.relieve(choice.variables, region.variables);  // else see easing.h
   utilisation = std::max(utilisation, design.worst_at(choice.variables));
 }
 

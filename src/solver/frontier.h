@@ -20,6 +20,10 @@
 // such stages every design is matched within the tolerance by a build of the front or by one that a later stage refuses
 // for being heavier by no more than the tolerance; without them the front is exact.
 //
+// A stage whose variables move one component handed on and nothing else (a ramp that decides how many watts a drive
+// takes) is done like one whose variables decide feasibility only: a design hands on the least that some feasible
+// variables allow (least_state.h), known within bounds over a chunk and found exactly at a label's own state.
+//
 // Of a single objective the least comes first, without comparing what decides between equals; builds as good as the
 // best are looked at when the least of all combinations of shared choices is known (decide_equals).
 //
@@ -29,8 +33,8 @@
 // Where stages share allowances that bind, prices for those and for mixes of the two objectives come first
 // (rest_plane.h), and what is too much at once is done in sections of the front (frontier_sections.cpp).
 //
-// What it cannot do is left to branch_and_bound.h: variables of that kind together with slots, states that do not
-// simply add up (state_form.h), designs whose feasibility stays undecided.
+// What it cannot do is left to branch_and_bound.h: other variables that move scores or states together with slots,
+// states that do not simply add up (state_form.h), designs whose feasibility stays undecided.
 #pragma once
 
 #include <cmath>

@@ -32,7 +32,8 @@ class LeafDesign {
   std::optional<std::vector<double>> small_worth(std::span<const Interval> box,
                                                  std::span<const double> start,
                                                  bool with_ipopt);
-  /// Moves the variables that only decide feasibility to a smaller worst utilisation.
+  /// Moves the variables that only decide feasibility, or move one component handed on and nothing else, to a smaller
+  /// worst utilisation.
   void relieve(std::vector<double>& variables, std::span<const Interval> box);
   /// The point as an answer of the leaf; false when it is not feasible.
   bool take(std::span<const double> variables, StagePoint& out);

@@ -8,7 +8,7 @@ namespace millwright::solver {
 LeafPrecision first_precision(const std::vector<StagePlan>& plans, double tolerance, std::size_t objectives) {
   constexpr double coarse = 0.01;
   const bool needs_many = std::any_of(plans.begin(), plans.end(), [](const StagePlan& plan) {
-    return plan.any_priced && std::count(plan.after.begin(), plan.after.end(), Direction::equal_only) > 0;
+    return is_covered(plan) && std::count(plan.after.begin(), plan.after.end(), Direction::equal_only) > 0;
   });
   if (needs_many && objectives == 1) return {std::max(coarse, tolerance), 0, true, {}};
   return {tolerance, 0, false, {}};

@@ -275,16 +275,15 @@ Direction prove_reading_direction(std::span<const MonotonicityQuestion> question
   return Direction::equal_only;
 }
 
-bool moves_feasibility_only(const MonotonicityQuestion& question, std::size_t variable, Desk& desk) {
+Moved what_moves(const MonotonicityQuestion& question, std::size_t variable, Desk& desk) {
   const Input input{Input::Kind::variable, variable};
   const auto& slopes = desk.slopes(*question.stage, question.shared, question.inherited, *question.region, input);
-  for (std::size_t r = 0; r < slopes.resources.size(); ++r) {
-    if (question.criteria->reads(r) && !is_zero(slopes.resources[r])) return false;
-  }
-  for (std::size_t s = 0; s < slopes.handed_on.size(); ++s) {
-    if (question.next[s] != Direction::irrelevant && !is_zero(slopes.handed_on[s])) return false;
-  }
-  return true;
+  Moved moved;
+  for (std::size_t r = 0; r < slopes.resources.size(); ++r)
+    moved.scores = moved.scores || (question.criteria->reads(r) && !is_zero(slopes.resources[r]));
+  for (std::size_t s = 0; s < slopes.handed_on.size(); ++s)
+    if (question.next[s] != Direction::irrelevant && !is_zero(slopes.handed_on[s])) moved.states.push_back(s);
+  return moved;
 }
 
 }  // namespace millwright::solver

@@ -73,8 +73,12 @@ Direction prove_reading_direction(std::span<const MonotonicityQuestion> question
                                   std::size_t reading,
                                   Desk& desk);
 
-/// Whether variable `variable` moves no scored resource and no handed-on component that matters (it decides feasibility
-/// only).
-bool moves_feasibility_only(const MonotonicityQuestion& question, std::size_t variable, Desk& desk);
+/// What a variable moves beside feasibility.
+struct Moved {
+  bool scores = false;              ///< a resource that is scored
+  std::vector<std::size_t> states;  ///< handed-on components that matter
+  [[nodiscard]] bool nothing() const { return !scores && states.empty(); }
+};
+Moved what_moves(const MonotonicityQuestion& question, std::size_t variable, Desk& desk);
 
 }  // namespace millwright::solver

@@ -152,8 +152,8 @@ std::optional<SolveRun::OpenSearch> SolveRun::start(const Combination& combinati
   open.questions = control_.evaluations() - before;
   priced_stages_.resize(plans.size());
   for (std::size_t i = 0; i < plans.size(); ++i) {
-    priced_ = priced_ || plans[i].any_priced;
-    priced_stages_[i] = priced_stages_[i] || plans[i].any_priced;
+    priced_ = priced_ || is_covered(plans[i]);
+    priced_stages_[i] = priced_stages_[i] || is_covered(plans[i]);
   }
   beyond_scope_ =
       scope_ == Scope::stage_by_stage && !Frontier(problem_, criteria_, plans, incumbents_, control_).applicable();
@@ -217,7 +217,7 @@ bool SolveRun::settle_briefly(OpenSearch& open, std::uint64_t share, const Curve
 void SolveRun::look_for_builds(const OpenSearch& open) {
   constexpr double good = 0.01, coarse = 1e-4;
   constexpr std::size_t labels = 30, nodes = 30000;
-  const bool wanted = control_.options().look_first && std::ranges::any_of(*open.plans, &StagePlan::any_priced);
+  const bool wanted = control_.options().look_first && std::ranges::any_of(*open.plans, is_covered);
   if (!wanted || incumbents_.best() <= open.score[0] + good * std::fabs(open.score[0])) return;
   LeafPrecision precision = precision_for(*open.plans);
   precision.tolerance = std::max(precision.tolerance, coarse);

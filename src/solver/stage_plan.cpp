@@ -188,6 +188,25 @@ bool find_limits(std::vector<StagePlan>& plans, Desk& desk, TableMemory& tables)
   return true;
 }
 
+/// Which variables move what matters.
+void find_priced(StagePlan& plan, const MonotonicityQuestion& question, Desk& desk) {
+  bool scores = false;
+  std::vector<std::size_t> states;
+  plan.priced.clear();
+  plan.any_priced = false;
+  for (std::size_t v = 0; v < plan.region.variables.size(); ++v) {
+    const bool fixed = plan.region.variables[v].lower == plan.region.variables[v].upper;
+    const Moved moved = fixed ? Moved{} : what_moves(question, v, desk);
+    plan.priced.push_back(!moved.nothing());
+    plan.any_priced = plan.any_priced || plan.priced.back();
+    scores = scores || moved.scores;
+    states.insert(states.end(), moved.states.begin(), moved.states.end());
+  }
+  const bool one = !states.empty() && std::all_of(states.begin(), states.end(), [&](auto s) { return s == states[0]; });
+  plan.moved_state.reset();
+  if (!scores && one && plan.after[states[0]] != Direction::equal_only) plan.moved_state = states[0];
+}
+
 /// From the base to the tool: directions, and which variables move what matters. Of very long tables only the rows that
 /// no other one stands in for are kept, if so `planned`.
 void find_directions(std::vector<StagePlan>& plans, PlannedRows planned, Desk& desk) {
@@ -196,7 +215,6 @@ void find_directions(std::vector<StagePlan>& plans, PlannedRows planned, Desk& d
   for (auto plan = plans.rbegin(); plan != plans.rend(); ++plan) {
     plan->after = next;
     plan->before.clear();
-    plan->priced.clear();
     if (planned == PlannedRows::best_of_very_long) leave_out_dominated_rows(*plan, desk, very_long);
     RowHalves halves(RowProfile(*plan->stage, plan->shared), [&](std::size_t slot, RowProfile& profile) {
       find_profile(*plan, plan->inherited, slot, profile, desk);
@@ -208,11 +226,7 @@ void find_directions(std::vector<StagePlan>& plans, PlannedRows planned, Desk& d
       const bool known = plan->inherited[c].lower == plan->inherited[c].upper;
       plan->before.push_back(known ? Direction::irrelevant : prove_direction(question, c, desk));
     }
-    for (std::size_t v = 0; v < plan->region.variables.size(); ++v) {
-      const bool fixed = plan->region.variables[v].lower == plan->region.variables[v].upper;
-      plan->priced.push_back(!fixed && !moves_feasibility_only(question, v, desk));
-      plan->any_priced = plan->any_priced || plan->priced.back();
-    }
+    find_priced(*plan, question, desk);
     next = plan->before;
   }
 }

@@ -2,8 +2,8 @@
 //
 // Everything that is found out about one stage, for one combination of shared choices, before the search proper: which
 // rows can be in a feasible design at all, which pairs fit, what states can arrive, which state components have a
-// proved direction, which variables only decide feasibility, and the least this stage and all after it will add to
-// each score.
+// proved direction, which variables only decide feasibility (or move a single component handed on), and the least this
+// stage and all after it will add to each score.
 //
 // What later stages can bear of a component (a mass, a compliance that must stay below a limit at the end of the chain)
 // is found from the base to the tool: where bounds prove that no design of a later stage is feasible from some value
@@ -15,6 +15,7 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -97,6 +98,8 @@ struct StagePlan {
   std::vector<double> most_after;        ///< per handed-on component: from more no later stage has a feasible design
   std::vector<bool> priced;              ///< per variable: it moves a score or a state that matters
   bool any_priced = false;
+  /// The priced variables move this handed-on component and nothing else, and it has a direction (least_state.h).
+  std::optional<std::size_t> moved_state;
   RowProfile profile;
   std::vector<double> least;         ///< of this stage, per score
   std::vector<double> rest;          ///< of all later stages, per score
@@ -113,6 +116,9 @@ struct StagePlan {
         fits(s, shared_rows),
         region(tables.whole_region(s, shared_rows)) {}
 };
+
+/// Whether variables move so much that their designs are covered within a tolerance (continuous.h).
+inline bool is_covered(const StagePlan& plan) { return plan.any_priced && !plan.moved_state; }
 
 inline double least_of(double value) { return value; }
 inline double least_of(const Interval& value) { return value.lower; }

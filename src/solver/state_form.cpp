@@ -37,9 +37,12 @@ StateForm find_state_form(const StagePlan& plan, Desk& desk) {
       // What is irrelevant now may have mattered when prices were found that are still in use.
       if (constant) form.slope[h][c] = middle(slope);
       if (!constant) form.exact[h] = false;
+      // What is handed on at least then hangs on it.
+      if (!constant && plan.moved_state == h) form.influences[c] = true;
       if (!constant && bounded && plan.after[h] != Direction::irrelevant) form.additive = false;
     }
   }
+  if (plan.moved_state) form.exact[*plan.moved_state] = false;
   return form;
 }
 

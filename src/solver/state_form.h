@@ -8,7 +8,8 @@
 // the same at every state, and designs can be compared once for all labels. Else (a power in whole watts that rises
 // with the load) it is known within bounds over a range of states, and designs are compared by those. So are scores
 // that depend on the state (a position error that grows with the carried mass). A component that no utilisation depends
-// on (a power drawn so far) does not `influence` which designs are feasible.
+// on (a power drawn so far) does not `influence` which designs are feasible, or which values of the variables are best
+// where these move what is handed on.
 //
 // `Comparison` turns scores and states into coordinates that are compared by <= : scores as they are, states in their
 // proved direction, and a state without a direction twice, once with each sign, so that only equals compare. All are

@@ -42,7 +42,7 @@ std::optional<std::size_t> widest_above(double share, const StagePlan& plan, con
 }  // namespace
 
 std::optional<std::size_t> wide_variable(const StagePlan& plan, const Region& region) {
-  if (!plan.any_priced || region.rows.empty()) return std::nullopt;
+  if (!is_covered(plan) || region.rows.empty()) return std::nullopt;
   return widest_above(wide(plan), plan, region);
 }
 
@@ -51,7 +51,7 @@ std::optional<std::size_t> variable_to_halve(const StagePlan& plan,
                                              const Region& region,
                                              std::span<const double> least,
                                              Desk& desk) {
-  if (!plan.any_priced || region.rows.empty()) return std::nullopt;
+  if (!is_covered(plan) || region.rows.empty()) return std::nullopt;
   if (const auto variable = wide_variable(plan, region)) return variable;
   const auto widest = widest_above(narrow, plan, region);
   if (!widest) return std::nullopt;

@@ -3,7 +3,8 @@
 // The (cost, mass) front of a machine over all of its builds, tried one by one, stage after stage: all rows of all
 // slots and, of free dimensions that move cost and mass, a grid. Asks a stage for nothing but the answer to one design.
 // Nothing is assumed about what a load does to anything: of partial builds only those are left out that hand on exactly
-// the same state as another one that is neither dearer nor heavier.
+// the same state as another one that is neither dearer nor heavier. Of the ramps with which a design complies the one
+// that takes least power is kept (ramp_choice.h): a supply asks for nothing but that the power is not too much.
 #pragma once
 
 #include <algorithm>
@@ -15,6 +16,7 @@
 #include <vector>
 
 #include "evaluation/machine_model.h"
+#include "evaluation/ramp_choice.h"
 
 namespace millwright {
 
@@ -38,7 +40,7 @@ class EveryBuild {
   [[nodiscard]] const std::vector<Value>& front() const { return front_; }
   /// Whether a dimension was tried on a grid only.
   [[nodiscard]] bool on_grid() const { return on_grid_; }
-  /// Whether a ramp was tried on a grid only: it decides what complies, and nothing else.
+  /// Whether a ramp was tried on a grid only: it decides what complies and what power is taken, and nothing else.
   [[nodiscard]] bool ramps_on_grid() const { return ramps_on_grid_; }
   /// Designs of stages that were evaluated.
   [[nodiscard]] std::size_t tried() const { return tried_; }
@@ -67,8 +69,8 @@ class EveryBuild {
     front.push_back(value);
   }
 
-  /// Whether it came through; if not, a ramp turned out to move what is handed on, and it has to be tried as a
-  /// dimension.
+  /// Whether it came through; if not, a ramp turned out to move more of what is handed on than the power, and it has to
+  /// be tried as a dimension.
   bool try_all() {
     for (solver::Row v = 0; v < problem_.shared.front().rows; ++v) {
       shared_ = {v};
@@ -147,44 +149,37 @@ class EveryBuild {
     return most;
   }
 
-  /// Whether some ramp complies: on a grid, then by golden sections about its best point if that could decide.
+  /// Whether some ramp complies; then the answer is that with the ramp that takes least power.
   bool complies(const solver::Stage& stage,
                 const State& state,
                 const std::vector<solver::Row>& rows,
                 std::vector<double>& x,
                 std::size_t ramp) {
-    double least = worst(stage, state, rows, x);
-    if (ramp == x.size() || least <= 1.0) return least <= 1.0;
-    ramps_on_grid_ = true;
+    if (ramp == x.size()) return worst(stage, state, rows, x) <= 1.0;
     const double lower = stage.variables()[ramp].lower, upper = stage.variables()[ramp].upper;
-    const solver::Answer<double> first = answer_;
     const auto at = [&](double time) {
-      x[ramp] = std::clamp(time, lower, upper);
-      const double u = worst(stage, state, rows, x);
-      if (answer_.handed_on != first.handed_on || answer_.resources != first.resources) moving_ramps_.insert(&stage);
-      return u;
+      x[ramp] = time;
+      return worst(stage, state, rows, x);
     };
-    constexpr int grid = 16;
-    const auto time = [&](int i) { return lower * std::pow(upper / lower, std::clamp(i, 0, grid) / double(grid)); };
-    int best = 0;
-    for (int i = 1; i <= grid; ++i) {
-      const double u = at(time(i));
-      if (u <= 1.0) return true;
-      if (u < least) {
-        least = u;
-        best = i;
-      }
+    const double longest = at(upper);
+    const solver::Answer<double> last = answer_;
+    const double shortest = at(lower);
+    if (answer_.resources != last.resources) throw std::logic_error("a ramp moves cost or mass");
+    std::optional<std::size_t> power;
+    try {
+      power = changed_component(last.handed_on, answer_.handed_on);
+    } catch (const MovesMore&) {
+      moving_ramps_.insert(&stage);
+      return false;
     }
-    double a = time(best - 1), b = time(best + 1);
-    for (int i = 0; i < 40 && least < 1.4; ++i) {
-      const double c = b - 0.618 * (b - a), d = a + 0.618 * (b - a);
-      const double uc = at(c);
-      if (uc <= 1.0) return true;
-      const double ud = at(d);
-      if (ud <= 1.0) return true;
-      (uc < ud ? b : a) = uc < ud ? d : c;
-    }
-    return false;
+    if (!power && shortest <= 1.0) return true;
+    if (!power && longest <= 1.0) return at(upper) <= 1.0;
+    ramps_on_grid_ = true;
+    const auto best = least_power_ramp(lower, upper, [&](double time) {
+      const double u = at(time);
+      return RampTried{u, power ? answer_.handed_on[*power] : 0.0};
+    });
+    return best && at(*best) <= 1.0;
   }
 
   const solver::Problem& problem_;

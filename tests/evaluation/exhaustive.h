@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Every build of a machine, tried one by one: all rows of all slots, the ramp time on a grid that is refined where it
-// matters (which ramp complies is all the same: cost, mass and what is handed on do not depend on it). Asks a stage for
-// nothing but the answer to one design.
+// Every build of a machine, tried one by one: all rows of all slots, and of the ramps with which they comply the one
+// that takes least power (ramp_choice.h; cost, mass and what else is handed on do not depend on it, and a supply asks
+// for nothing but that the power is not too much). Asks a stage for nothing but the answer to one design.
 #pragma once
 
 #include <algorithm>
@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "evaluation/machine_model.h"
+#include "evaluation/ramp_choice.h"
 
 namespace millwright {
 
@@ -106,34 +107,28 @@ class Exhaustive {
       stage.evaluate({shared_, state, rows, x}, answer);
       return *std::max_element(answer.utilisation.begin(), answer.utilisation.end());
     };
-    double least = worst();
-    if (!x.empty()) {
+    if (x.empty()) {
+      if (worst() > 1.0) return std::nullopt;
+    } else {
       const double lower = stage.variables()[0].lower, upper = stage.variables()[0].upper;
       const auto at = [&](double time) {
-        x[0] = std::clamp(time, lower, upper);
+        x[0] = time;
         return worst();
       };
-      constexpr int grid = 12;
-      int best = 0;
-      for (int i = 0; i <= grid && least > 1.0; ++i)
-        if (const double u = at(lower * std::pow(upper / lower, i / double(grid))); u < least) {
-          least = u;
-          best = i;
-        }
-      // Between the neighbours of the best point by golden sections, if that could decide.
-      if (least > 1.0 && least < 1.4) {
-        double a = lower * std::pow(upper / lower, std::max(best - 1, 0) / double(grid));
-        double b = lower * std::pow(upper / lower, std::min(best + 1, grid) / double(grid));
-        for (int i = 0; i < 40 && least > 1.0; ++i) {
-          const double c = b - 0.618 * (b - a), d = a + 0.618 * (b - a);
-          const double uc = at(c), ud = at(d);
-          least = std::min({least, uc, ud});
-          (uc < ud ? b : a) = uc < ud ? d : c;
-        }
+      const double first = at(upper);
+      const std::vector<double> last_state = answer.handed_on;
+      const double least = at(lower);
+      const std::optional<std::size_t> power = changed_component(last_state, answer.handed_on);
+      // Without a supply to be sized any ramp will do.
+      if (power || std::min(first, least) > 1.0) {
+        const auto ramp = least_power_ramp(lower, upper, [&](double time) {
+          const double u = at(time);
+          return RampTried{u, power ? answer.handed_on[*power] : 0.0};
+        });
+        if (!ramp) return std::nullopt;
+        at(*ramp);
       }
     }
-    // Parts that fit exactly sit at their limit.
-    if (least > 1.0) return std::nullopt;
     return Step{answer.handed_on, {answer.resources[0], answer.resources[1]}, rows};
   }
 

@@ -260,17 +260,39 @@ TEST_CASE("A long profile is gathered on the safe side") {
   CHECK(of_cycle <= largest + mass * swing * turn / 8.0 + 30.0 / 4.0);
 }
 
-// Jerk-limited to 0.25 m/s in at least 2 sqrt(0.25/40) = 0.158 s, so with sqrt(40*0.25) = 3.16 m/s2 at most.
-TEST_CASE("A supply is sized for the peak of a ramp and the hardest phases of a profile") {
+// Jerk-limited to 0.25 m/s in 0.2 s: 0.04 - 4*0.25/40 = 0.015 s2 stay constant, so at most 2*0.25/(0.2 + sqrt(0.015)).
+// 0.4 m in 2 s with ramps of t: v = 0.4/(2 - t), a = v/t.
+TEST_CASE("A supply is sized for the peak of the ramp that is chosen and the hardest phases of a profile") {
   MotionData data;
-  data.moves = {jerk_limited(0.4, 0.25, 0.05, 40.0), measured({0.0, 1.0, 2.0, 3.0}, {0.0, 0.5, 0.6, 0.0})};
-  const auto demands = machine::supply_demands(data);
-  REQUIRE(demands.size() == 3);
-  CHECK(demands[0].acceleration == Approx(std::sqrt(10.0)));
-  CHECK(demands[1].acceleration == Approx(0.5));
-  CHECK(demands[1].speed == Approx(0.5));
-  CHECK(demands[2].acceleration == Approx(0.1));  // faster; the braking of the third second asks for less than this
-  CHECK(demands[2].speed == Approx(0.6));
+  machine::Move timed;
+  timed.distance = 0.4;
+  timed.time = 2.0;
+  data.moves = {jerk_limited(0.4, 0.25, 0.2, 40.0), measured({0.0, 1.0, 2.0, 3.0}, {0.0, 0.5, 0.6, 0.0}), timed};
+  for (const double ramp : {0.1, 0.5}) {
+    const auto demands = machine::duty_cycle(data, 3.0, ramp).demands;
+    REQUIRE(demands.size() == 4);
+    CHECK(demands[0].acceleration == Approx(0.5 / (0.2 + std::sqrt(0.015))));
+    CHECK(demands[0].speed == Approx(0.25));
+    CHECK(demands[1].acceleration == Approx(0.5));
+    CHECK(demands[1].speed == Approx(0.5));
+    CHECK(demands[2].acceleration == Approx(0.1));  // faster; the braking of the third second asks for less than this
+    CHECK(demands[2].speed == Approx(0.6));
+    CHECK(demands[3].speed == Approx(0.4 / (2.0 - ramp)));
+    CHECK(demands[3].acceleration == Approx(0.4 / (2.0 - ramp) / ramp));
+  }
+}
+
+// The shortest ramp: 0.4/(2 - 0.1)/0.1 = 2.105 m/s2; with a jerk a ramp is not shorter than 2 sqrt(0.25/40) = 0.158 s.
+TEST_CASE("The largest acceleration of an axis is that of the shortest ramp it may take") {
+  MotionData data;
+  data.acceleration_time = {0.1, 0.5};
+  machine::Move timed;
+  timed.distance = 0.4;
+  timed.time = 2.0;
+  data.moves = {timed};
+  CHECK(machine::largest_acceleration(data) == Approx(0.4 / 1.9 / 0.1));
+  data.moves.push_back(jerk_limited(0.4, 0.25, 0.05, 40.0));
+  CHECK(machine::largest_acceleration(data) == Approx(std::sqrt(10.0)));
 }
 
 TEST_CASE("Every number of a cycle has its dimension") {
