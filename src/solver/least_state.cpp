@@ -20,7 +20,7 @@ class LeastStateSearch {
         component_(*plan.moved_state),
         falling_(plan.after[component_] == Direction::larger_is_better) {
     one_state_ = std::all_of(states.begin(), states.end(), [](const Interval& s) { return s.lower == s.upper; });
-    for (const Interval& state : states) state_.push_back(state.lower);
+    for (const Interval& state : states) state_.push_back(middle(state));
     for (const RowSet& rows : region.rows) rows_.push_back(rows->front());
   }
 
@@ -28,11 +28,13 @@ class LeastStateSearch {
     const std::vector<Interval>& whole = region_.variables;
     push(whole);
     if (heap_.empty()) return std::move(found_);
+    whole_ = desk_.interval.utilisation;
+    value_before_ = heap_.all().front().value;
     if (!first.empty()) try_point({first.begin(), first.end()});
     for (const double part : {0.5, 1.0, 0.0}) try_point(part_of(heap_.all().front().side, part));
     for (std::size_t boxes = 0; !heap_.empty(); ++boxes) {
       const VariableBox box = heap_.pop();
-      if (reaches_no_less(box.value) || boxes >= most_boxes) {
+      if (reaches_no_less(box.value) || boxes >= most_boxes || has_stalled(boxes, box.value)) {
         found_.least = std::min(found_.least, box.value);
         break;
       }
@@ -64,8 +66,10 @@ class LeastStateSearch {
     Region part = region_;
     part.variables = sides;
     const auto& answer = desk_.bound(*plan_.stage, plan_.shared, states_, part);
-    for (const Interval& utilisation : answer.utilisation)
-      if (utilisation.lower > 1.0) return;
+    if (worst_lower(answer.utilisation) > 1.0) {
+      ++refuted_;
+      return;
+    }
     const double value = moved(answer.handed_on[component_]).lower;
     pushed_ = true;
     heap_.push({.side = sides, .value = value});
@@ -87,14 +91,44 @@ class LeastStateSearch {
     } else {
       std::vector<Interval> sides(point.begin(), point.end());
       const auto& answer = desk_.bound(*plan_.stage, plan_.shared, states_, region_, sides);
-      for (const Interval& utilisation : answer.utilisation)
-        if (!(utilisation.upper <= 1.0)) return;
+      if (!std::ranges::all_of(answer.utilisation, [](const Interval& u) { return u.upper <= 1.0; })) {
+        variables_decide_ = variables_decide_ && !is_undecided_by_state(answer.utilisation);
+        return look_at_middle_state(point);
+      }
       value = moved(answer.handed_on[component_]);
     }
     if (!(value.upper < found_.most)) return;
     found_.most = value.upper;
     found_.variables = std::move(point);
     least_of_point_ = value.lower;
+  }
+
+  /// Where that is feasible no proof of the opposite will succeed, and what is handed on depends on the state.
+  void look_at_middle_state(std::span<const double> point) {
+    if (feasible_at_middle_) return;
+    const auto& answer = desk_.evaluate(*plan_.stage, Point{plan_.shared, state_, rows_, point});
+    feasible_at_middle_ = worst_of(answer.utilisation) <= 1.0;
+  }
+  /// Whether a constraint is kept at some states and not at others, at a point as in the whole box.
+  [[nodiscard]] bool is_undecided_by_state(std::span<const Interval> utilisation) const {
+    constexpr double nearly = 0.99;
+    for (std::size_t c = 0; c < utilisation.size(); ++c) {
+      const Interval& u = utilisation[c];
+      if (u.lower <= 1.0 && u.upper > 1.0 && u.upper - u.lower >= nearly * (whole_[c].upper - whole_[c].lower))
+        return true;
+    }
+    return false;
+  }
+  /// Over a range of states some constraint may stay undecided whatever the variables are.
+  bool has_stalled(std::size_t boxes, double value) {
+    constexpr std::size_t asked_every = 8;
+    if (!variables_decide_) return true;
+    if (one_state_ || boxes == 0 || boxes % asked_every != 0) return false;
+    if (feasible_at_middle_ || found_.universal()) return true;
+    const bool got_on = refuted_ > refuted_before_ || value > value_before_;
+    refuted_before_ = refuted_;
+    value_before_ = value;
+    return !got_on;
   }
 
   const StagePlan& plan_;
@@ -104,12 +138,17 @@ class LeastStateSearch {
   std::size_t component_;
   bool falling_;
   bool one_state_ = false;
-  std::vector<double> state_;
+  std::vector<double> state_;  ///< in the middle
   std::vector<Row> rows_;
   BoxHeap heap_;
   LeastState found_;
   double least_of_point_ = std::numeric_limits<double>::infinity();  ///< over all states
   bool pushed_ = false;
+  std::size_t refuted_ = 0, refuted_before_ = 0;  ///< boxes in which nothing is feasible
+  double value_before_ = -std::numeric_limits<double>::infinity();
+  std::vector<Interval> whole_;      ///< utilisations over the whole box
+  bool variables_decide_ = true;     ///< false: some constraint hangs on the state alone
+  bool feasible_at_middle_ = false;  ///< some point, at the middle of the states
 };
 
 }  // namespace
