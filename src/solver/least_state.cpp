@@ -39,8 +39,9 @@ class LeastStateSearch {
         break;
       }
       const std::size_t side = widest_side(*plan_.stage, box.side);
-      if (side == box.side.size()) {  // too narrow to be divided: it may be feasible
-        found_.least = std::min(found_.least, box.value);
+      if (side == box.side.size()) {
+        // Too narrow to be divided: at one state it is left out like any such set (continuous.h).
+        if (!one_state_) found_.least = std::min(found_.least, box.value);
         continue;
       }
       const auto [left, right] = halves(box.side, side);
@@ -168,7 +169,7 @@ LeastPoint find_least_point(const StagePlan& plan,
                             std::span<const double> first,
                             std::vector<double>& variables,
                             Desk& desk) {
-  constexpr std::size_t most_boxes = 4000;
+  constexpr std::size_t most_boxes = 1000;
   constexpr double slack = 1e-12;
   const std::vector<Interval> states(state.begin(), state.end());
   LeastState found = find_least_state(plan, states, region, first, most_boxes, desk);

@@ -282,7 +282,10 @@ Moved what_moves(const MonotonicityQuestion& question, std::size_t variable, Des
   for (std::size_t r = 0; r < slopes.resources.size(); ++r)
     moved.scores = moved.scores || (question.criteria->reads(r) && !is_zero(slopes.resources[r]));
   for (std::size_t s = 0; s < slopes.handed_on.size(); ++s)
-    if (question.next[s] != Direction::irrelevant && !is_zero(slopes.handed_on[s])) moved.states.push_back(s);
+    if (question.next[s] != Direction::irrelevant && !is_zero(slopes.handed_on[s])) {
+      moved.states.push_back(s);
+      moved.in_steps = moved.in_steps && !slopes.handed_on[s].is_bounded();
+    }
   return moved;
 }
 

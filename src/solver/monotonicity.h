@@ -77,6 +77,7 @@ Direction prove_reading_direction(std::span<const MonotonicityQuestion> question
 struct Moved {
   bool scores = false;              ///< a resource that is scored
   std::vector<std::size_t> states;  ///< handed-on components that matter
+  bool in_steps = true;             ///< these: their slopes have no bound
   [[nodiscard]] bool nothing() const { return !scores && states.empty(); }
 };
 Moved what_moves(const MonotonicityQuestion& question, std::size_t variable, Desk& desk);

@@ -190,7 +190,7 @@ bool find_limits(std::vector<StagePlan>& plans, Desk& desk, TableMemory& tables)
 
 /// Which variables move what matters.
 void find_priced(StagePlan& plan, const MonotonicityQuestion& question, Desk& desk) {
-  bool scores = false;
+  bool scores = false, in_steps = true;
   std::vector<std::size_t> states;
   plan.priced.clear();
   plan.any_priced = false;
@@ -200,11 +200,12 @@ void find_priced(StagePlan& plan, const MonotonicityQuestion& question, Desk& de
     plan.priced.push_back(!moved.nothing());
     plan.any_priced = plan.any_priced || plan.priced.back();
     scores = scores || moved.scores;
+    in_steps = in_steps && moved.in_steps;
     states.insert(states.end(), moved.states.begin(), moved.states.end());
   }
   const bool one = !states.empty() && std::all_of(states.begin(), states.end(), [&](auto s) { return s == states[0]; });
   plan.moved_state.reset();
-  if (!scores && one && plan.after[states[0]] != Direction::equal_only) plan.moved_state = states[0];
+  if (!scores && in_steps && one && plan.after[states[0]] != Direction::equal_only) plan.moved_state = states[0];
 }
 
 /// From the base to the tool: directions, and which variables move what matters. Of very long tables only the rows that

@@ -98,7 +98,8 @@ struct StagePlan {
   std::vector<double> most_after;        ///< per handed-on component: from more no later stage has a feasible design
   std::vector<bool> priced;              ///< per variable: it moves a score or a state that matters
   bool any_priced = false;
-  /// The priced variables move this handed-on component and nothing else, and it has a direction (least_state.h).
+  /// The priced variables move this handed-on component in steps and nothing else, and it has a direction
+  /// (least_state.h).
   std::optional<std::size_t> moved_state;
   RowProfile profile;
   std::vector<double> least;         ///< of this stage, per score
