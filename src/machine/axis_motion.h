@@ -82,6 +82,8 @@ struct PowerDemand {
   T speed{};         ///< m/s
   T acceleration{};  ///< m/s^2, not negative
   T force{};         ///< N, of the process
+  /// m^2/s^3, acceleration times speed; filled in for intervals only, of which the product says less.
+  T acceleration_times_speed{};
 };
 
 template <class T>
@@ -128,6 +130,15 @@ struct RampPart {
   T acceleration, duration;
   bool peak = true;
 };
+
+/// Over an interval of ramps what is positive and has no extreme inside but at `turning`.
+template <class Of>
+scalar::Interval over_ramps(const scalar::Interval& ramp, double turning, Of&& of) {
+  constexpr double rounding = 1e-15;  // of the same worked out in numbers
+  scalar::Interval range = hull(of(scalar::Interval(ramp.lower)), of(scalar::Interval(ramp.upper)));
+  if (ramp.lower < turning && turning < ramp.upper) range = hull(range, of(scalar::Interval(turning)));
+  return range * scalar::Interval(1.0 - rounding, 1.0 + rounding);
+}
 
 template <class T>
 std::vector<RampPart<T>> ramp_parts(const T& speed, const T& ramp, const T* jerk) {
@@ -176,10 +187,16 @@ class CycleBuilder {
     }
     const T jerk = si<T>(move.jerk.value_or(1.0), of_.acceleration / dimension::time);
     if (move.jerk) cycle_.time_ratio = larger(cycle_.time_ratio, 2.0 * sqrt(speed / jerk) / ramp);
-    const std::vector<RampPart<T>> parts = ramp_parts(speed, ramp, move.jerk ? &jerk : nullptr);
+    std::vector<RampPart<T>> parts = ramp_parts(speed, ramp, move.jerk ? &jerk : nullptr);
+    PowerDemand<T> demand{speed, parts.front().acceleration, force};
+    if constexpr (std::is_same_v<T, scalar::Interval>) {
+      demand.acceleration_times_speed = speed * demand.acceleration;
+      if (!move.speed && !move.jerk && ramp.upper <= 0.5 * *move.time) narrow(move, ramp, demand);
+      parts.front().acceleration = demand.acceleration;
+    }
     cycle_.peak_speed = larger(cycle_.peak_speed, speed);
     cycle_.process_force = larger(cycle_.process_force, absolute(force));
-    cycle_.demands.push_back({speed, parts.front().acceleration, force});
+    cycle_.demands.push_back(demand);
     for (int direction = 0; direction < (gravity_ ? 2 : 1); ++direction) {
       const T weight = direction == 0 ? cycle_.gravity_force : -cycle_.gravity_force;
       const std::size_t first = cycle_.phases.size();
@@ -216,6 +233,9 @@ class CycleBuilder {
       cycle_.demands.push_back({si<T>(phase.speed, of_.speed),
                                 si<T>(std::max(phase.acceleration, 0.0), of_.acceleration),
                                 si<T>(phase.force, of_.force)});
+      if constexpr (std::is_same_v<T, scalar::Interval>)
+        cycle_.demands.back().acceleration_times_speed =
+            cycle_.demands.back().acceleration * cycle_.demands.back().speed;
     }
     cycle_.peak_speed = larger(cycle_.peak_speed, si<T>(profile.peak_speed, of_.speed));
     cycle_.process_force = larger(cycle_.process_force, si<T>(profile.largest_force, of_.force));
@@ -224,6 +244,16 @@ class CycleBuilder {
   }
 
  private:
+  /// Speed rises and acceleration falls with the ramp t of a move of d in T, so that intervals of them know less than
+  /// a = d/(t (T - t)), which falls up to T/2, and a v = d^2/(t (T - t)^2), which falls up to T/3 and then rises.
+  static void narrow(const Move& move, const T& ramp, PowerDemand<T>& demand) {
+    const auto speed = [&](const T& time) { return T(move.distance) / (T(*move.time) - time); };
+    const auto take = [](const T& known, T& of) { of = intersect(of, known).value_or(of); };
+    take(over_ramps(ramp, *move.time, [&](const T& time) { return speed(time) / time; }), demand.acceleration);
+    take(over_ramps(ramp, *move.time / 3.0, [&](const T& time) { return speed(time) * (speed(time) / time); }),
+         demand.acceleration_times_speed);
+  }
+
   struct Pace {
     T speed, mean_speed, duration;
   };

@@ -148,7 +148,17 @@ T GearedDrive<T>::supply_power(const T& weight) const {
     const T& acceleration = demand.acceleration;
     const T force = travelling_mass * acceleration + weight + cycle.friction_force + demand.force;
     const T driving = driving_torque(*this, force) + rotating_inertia * reduction.at_motor(acceleration / radius);
-    powers.push_back(drive_power(motor, driving, reduction.at_motor(demand.speed / radius)));
+    const T omega = reduction.at_motor(demand.speed / radius);
+    if constexpr (std::is_same_v<T, Interval>) {
+      // The torque is linear in the acceleration, and acceleration times speed is known better than both apart.
+      const T together = reduction.at_motor(demand.acceleration_times_speed / radius);
+      const T steady = driving_torque(*this, T(weight + cycle.friction_force + demand.force)) * omega;
+      const T accelerating = driving_torque(*this, T(travelling_mass * together)) +
+                             rotating_inertia * reduction.at_motor(together / radius);
+      powers.push_back(drive_power(motor, driving, omega, T(steady + accelerating)));
+    } else {
+      powers.push_back(drive_power(motor, driving, omega));
+    }
   }
   return largest(powers);
 }

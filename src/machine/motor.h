@@ -93,16 +93,31 @@ MotorReading<T> motor_reading(const MotorFigures<T>& f, const T& torque_margin) 
   return r;
 }
 
+/// Iron losses of the motor [W].
+template <class T>
+T iron_loss(const MotorReading<T>& motor, const T& angular_speed) {
+  using namespace scalar;
+  return mechanics::stepper::loss_torque(
+             motor.holding_torque, angular_speed, T(constant_loss), in_unit<T>(speed_loss, dimension::time)) *
+         angular_speed;
+}
+
 /// Electrical input of the drive [W] at a torque and speed: copper and iron losses and the shaft's work over the
 /// driver's efficiency.
 template <class T>
 T drive_power(const MotorReading<T>& motor, const T& torque, const T& angular_speed) {
-  using namespace scalar;
-  namespace st = mechanics::stepper;
-  const T iron =
-      st::loss_torque(motor.holding_torque, angular_speed, T(constant_loss), in_unit<T>(speed_loss, dimension::time)) *
-      angular_speed;
-  return st::drive_input_power(motor.copper_loss, torque, angular_speed, iron, T(driver_efficiency));
+  return mechanics::stepper::drive_input_power(
+      motor.copper_loss, torque, angular_speed, iron_loss(motor, angular_speed), T(driver_efficiency));
+}
+
+/// The same where the power of the shaft is known better than its torque and speed: between intervals of both.
+template <class T>
+T drive_power(const MotorReading<T>& motor, const T& torque, const T& angular_speed, const T& shaft_power) {
+  const T power = drive_power(motor, torque, angular_speed);
+  return intersect(power,
+                   mechanics::stepper::drive_input_power(
+                       motor.copper_loss, shaft_power, T(1.0), iron_loss(motor, angular_speed), T(driver_efficiency)))
+      .value_or(power);
 }
 
 /// A power rounded up to whole watts. Supplies are budgeted so: two drives that differ by a milliwatt ask the same of a

@@ -133,7 +133,21 @@ void ScrewDrive<T>::derive_power() {
     const T torque = reduction.driving(mechanics::ball_screw::drive_torque(force, screw.lead, screw.efficiency) +
                                        screw.drag_torque) +
                      rotating_inertia * reduction.at_motor(acceleration * 2.0 * pi<T>() / screw.lead);
-    powers.push_back(drive_power(motor, torque, omega));
+    if constexpr (std::is_same_v<T, Interval>) {
+      // The torque is linear in the acceleration, and acceleration times speed is known better than both apart.
+      const auto driving = [&](const T& axial) {
+        return mechanics::ball_screw::drive_torque(axial, screw.lead, screw.efficiency);
+      };
+      const T together =
+          reduction.at_motor(mechanics::power_screw::angular_speed(demand.acceleration_times_speed, screw.lead));
+      const T steady =
+          reduction.driving(driving(weight + cycle.friction_force + demand.force) + screw.drag_torque) * omega;
+      const T accelerating = reduction.driving(driving(moved_mass * together)) +
+                             rotating_inertia * reduction.at_motor(together * 2.0 * pi<T>() / screw.lead);
+      powers.push_back(drive_power(motor, torque, omega, T(steady + accelerating)));
+    } else {
+      powers.push_back(drive_power(motor, torque, omega));
+    }
   }
   input_power = named("P_in", whole_watts(largest(powers)));
 }

@@ -3,6 +3,7 @@
 // calculations and plain numerical integration.
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include "catch.h"
 #include "machine/axis_motion.h"
@@ -279,6 +280,39 @@ TEST_CASE("A supply is sized for the peak of the ramp that is chosen and the har
     CHECK(demands[2].speed == Approx(0.6));
     CHECK(demands[3].speed == Approx(0.4 / (2.0 - ramp)));
     CHECK(demands[3].acceleration == Approx(0.4 / (2.0 - ramp) / ramp));
+  }
+}
+
+// v = d/(T - t), a = v/t and a v of every ramp t in an interval, and hardly more than these.
+TEST_CASE("What the power of a move hangs on is known of an interval of ramps as closely as can be") {
+  using scalar::Interval;
+  MotionData data;
+  machine::Move timed;
+  timed.distance = 0.4;
+  timed.time = 2.0;
+  data.moves = {timed};
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> anywhere(0.01, 1.0);
+  for (int trial = 0; trial < 200; ++trial) {
+    const auto [shortest, longest] = std::minmax({anywhere(random), anywhere(random)});
+    CAPTURE(shortest, longest);
+    const auto known = machine::duty_cycle(data, Interval(3.0), Interval(shortest, longest)).demands.front();
+    Interval accelerations = machine::duty_cycle(data, 3.0, shortest).demands.front().acceleration;
+    Interval products = accelerations * Interval(0.4 / (2.0 - shortest));
+    constexpr int samples = 400;
+    for (int i = 0; i <= samples; ++i) {
+      const double ramp = std::min(shortest + (longest - shortest) * i / samples, longest);
+      const auto demand = machine::duty_cycle(data, 3.0, ramp).demands.front();
+      const double product = demand.acceleration * demand.speed;
+      CHECK((known.acceleration.lower <= demand.acceleration && demand.acceleration <= known.acceleration.upper));
+      CHECK((known.acceleration_times_speed.lower <= product && product <= known.acceleration_times_speed.upper));
+      accelerations = hull(accelerations, Interval(demand.acceleration));
+      products = hull(products, Interval(product));
+    }
+    CHECK(known.acceleration.lower == Approx(accelerations.lower).epsilon(1e-12));
+    CHECK(known.acceleration.upper == Approx(accelerations.upper).epsilon(1e-12));
+    CHECK(known.acceleration_times_speed.lower == Approx(products.lower).epsilon(1e-4));
+    CHECK(known.acceleration_times_speed.upper == Approx(products.upper).epsilon(1e-12));
   }
 }
 

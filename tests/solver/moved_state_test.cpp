@@ -13,6 +13,7 @@
 
 #include "catch.h"
 #include "sanitized.h"
+#include "solver/front_of.h"
 #include "solver/least_state.h"
 #include "solver/model_stage.h"
 #include "solver/solver.h"
@@ -22,6 +23,7 @@ namespace moved_state_test {
 namespace {
 
 using namespace millwright::solver;
+using zoo::front_of;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double shortest = 0.05, longest = 2.0;  // s, of every variable
@@ -168,17 +170,6 @@ std::vector<Total> totals_of(const Machine& machine) {
   };
   walk(walk, 0, machine.problem.first_state[mass], 0.0, {});
   return totals;
-}
-
-/// Ascending in cost, falling in mass.
-std::vector<Total> front_of(std::vector<Total> totals) {
-  std::sort(totals.begin(), totals.end(), [](const Total& a, const Total& b) {
-    return a.cost != b.cost ? a.cost < b.cost : a.mass < b.mass;
-  });
-  std::vector<Total> front;
-  for (const Total& total : totals)
-    if (front.empty() || total.mass < front.back().mass * (1.0 - 1e-11)) front.push_back(total);
-  return front;
 }
 
 /// Evaluated anew, stage by stage with its own ramps, it complies and hands on what is said, and its totals add up.

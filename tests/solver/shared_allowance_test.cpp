@@ -12,6 +12,7 @@
 #include "catch.h"
 #include "sanitized.h"
 #include "solver/chains.h"
+#include "solver/front_of.h"
 #include "solver/model_stage.h"
 #include "solver/rest_curve.h"
 #include "solver/rest_plane.h"
@@ -166,17 +167,6 @@ constexpr std::size_t machines = millwright::sanitized ? 28 : 300;
 struct Total {
   double cost = 0.0, mass = 0.0, noise = 0.0;
 };
-
-/// Ascending in cost, falling in mass.
-std::vector<Total> front_of(std::vector<Total> totals) {
-  std::sort(totals.begin(), totals.end(), [](const Total& a, const Total& b) {
-    return a.cost != b.cost ? a.cost < b.cost : a.mass < b.mass;
-  });
-  std::vector<Total> front;
-  for (const Total& total : totals)
-    if (front.empty() || total.mass < front.back().mass * (1.0 - 1e-11)) front.push_back(total);
-  return front;
-}
 
 /// Of every feasible build, but only those that may be on the front where there are many.
 std::vector<Total> totals_of(const Problem& problem) {
