@@ -24,6 +24,7 @@ struct Supply {
   // What only soft checks read, and the search therefore does not fill in.
   std::vector<T> motor_currents{};  ///< A, rated, of all motors; whoever knows the motors fills it in
   T rated_current{};
+  T power{};  ///< W, of all drives; for the calculation sheet
 };
 
 template <class Visit>

@@ -108,7 +108,10 @@ void write_calculation(const Supply<double>& element, ElementWorksheet& sheet) {
   GivenFigures given(sheet.given);
   Supply<Traced> d;
   d.data = element.data;
-  d.demanded_power = given.take({"P_d", "input of all drives, with reserve", "W"}, element.demanded_power);
+  const std::array<Traced, 1> powers{
+      given.take({"P_in", "input of all drives, each in whole watts at the end of its ramp", "W"}, element.power)};
+  const Traced reserve = given.take({"k_s", "reserve of the supply", "1"}, element.data->reserve);
+  d.demanded_power = scalar::named("P_d", mechanics::stepper::supply_power(std::span<const Traced>(powers), reserve));
   d.rated_power = given.take({"P_s", "rated power of the supply", "W"}, element.rated_power);
   d.voltage = given.take({"V_s", "voltage of the supply", "V"}, element.voltage);
   d.required_voltage = given.take({"V", "voltage of the drives", "V"}, element.required_voltage);

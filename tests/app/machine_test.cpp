@@ -357,6 +357,24 @@ TEST_CASE("A supply is sized for the ramps that are chosen, so giving those ramp
   }
 }
 
+// 24 W with a reserve of 2.2 are the 52.8 W of a supply; with any less there is no doubt about it.
+TEST_CASE("A supply that gives exactly what is asked of it will do") {
+  const Workshop shop;
+  const std::string printer = MILLWRIGHT_SOURCE_DIR "/problems/fdm-printer.toml";
+  const std::vector<std::string> exactly{"--set", "require.supply_reserve=2.2"};
+  std::vector<std::string> solve{"solve", printer, "--json", "a.json"}, check{"check", printer, "b.csv"};
+  REQUIRE(shop.run({"solve", printer, "--set", "require.supply_reserve=2.19", "--bom", "b.csv", "--json", "b.json"})
+              .exit_code == 0);
+  solve.insert(solve.end(), exactly.begin(), exactly.end());
+  check.insert(check.end(), exactly.begin(), exactly.end());
+  REQUIRE(shop.run(solve).exit_code == 0);
+  CHECK(shop.run(check).exit_code == 0);
+  const auto cost = [&](const char* file) {
+    return Json::parse(shop.read(file)).at("totals").at("cost").at("value").get<double>();
+  };
+  CHECK(cost("a.json") == Approx(cost("b.json")).epsilon(1e-6));
+}
+
 TEST_CASE("No build of a front is dearer for a mass that is smaller only as far as free dimensions are found") {
   constexpr double gap = 1e-6;
   const Workshop shop;

