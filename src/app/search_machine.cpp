@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "app/machine_result.h"
-#include "machine/axis_motion.h"
 #include "report/machine_text.h"
 
 namespace millwright::app {

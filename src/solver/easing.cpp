@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solver/easing.h"
 
-#include <optional>
-
 #include "solver/leaf_point.h"
 #include "solver/neighbours.h"
 

@@ -2,7 +2,6 @@
 #include "solver/least_state.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "solver/variable_box.h"

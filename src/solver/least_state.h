@@ -39,8 +39,8 @@ LeastState find_least_state(const StagePlan& plan,
                             std::size_t most_boxes,
                             Desk& desk);
 
-/// The same at one state: the variables of a feasible design than which none hands on less; nothing if there is none.
 enum class LeastPoint { found, infeasible, undecided };
+/// The same at one state; `variables` are set where they are found.
 LeastPoint find_least_point(const StagePlan& plan,
                             std::span<const double> state,
                             const Region& region,

@@ -333,6 +333,14 @@ TEST_CASE("solve answers with a page, and with everything if that is asked for")
   CHECK(close > 0);
 }
 
+TEST_CASE("What has to be known about a failing check is said below it") {
+  const Workshop shop;
+  const std::string sander = MILLWRIGHT_SOURCE_DIR "/problems/sander";
+  const Outcome failing = shop.run({"check", sander + ".toml", sander + "-bom.csv"});
+  CHECK(failing.exit_code == 1);
+  CHECK(failing.prints("  C-ST-TORQUE: torque at speed is an estimate from the winding: no published\n"));
+}
+
 // With the ramps that were chosen given, nothing else can be chosen: no build of these may be cheaper, and none dearer.
 TEST_CASE("A supply is sized for the ramps that are chosen, so giving those ramps changes no price") {
   const Workshop shop;

@@ -5,6 +5,7 @@
 #include "catch.h"
 #include "sanitized.h"
 #include "solver/broken_enumeration.h"
+#include "solver/front_of.h"
 
 namespace broken_structure_test {
 
@@ -12,6 +13,7 @@ namespace {
 
 using namespace stack::broken;
 using namespace millwright::solver;
+using zoo::front_of;
 
 /// How many instances of a variant were compared, and of these had no design at all.
 struct Tally {
@@ -28,17 +30,6 @@ Total checked(Enumeration& everything, const Build& build) {
   REQUIRE(close(build.resources[1], total->mass, 1e-9));
   if (build.resources.size() > 2) REQUIRE(close(build.resources[2], total->budget, 1e-9));
   return *total;
-}
-
-/// Those that no other beats in cost and mass, each once.
-std::vector<Total> front_of(std::vector<Total> designs) {
-  std::sort(designs.begin(), designs.end(), [](const Total& a, const Total& b) {
-    return a.cost != b.cost ? a.cost < b.cost : a.mass < b.mass;
-  });
-  std::vector<Total> front;
-  for (const Total& design : designs)
-    if (front.empty() || design.mass < front.back().mass * (1.0 - 1e-10)) front.push_back(design);
-  return front;
 }
 
 void compare(const stack::Instance& instance, Variant variant, const Columns& belts, double share, Tally& tally) {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "solver/front_of.h"
 #include "solver/random_stack.h"
 
 namespace zoo {
@@ -27,17 +28,7 @@ struct Everything {
     return best;
   }
   /// Ascending in cost, strictly falling in mass.
-  [[nodiscard]] std::vector<Total> front() const {
-    std::vector<Total> sorted = designs;
-    std::sort(sorted.begin(), sorted.end(), [](const Total& a, const Total& b) {
-      return a.cost != b.cost ? a.cost < b.cost : a.mass < b.mass;
-    });
-    std::vector<Total> result;
-    for (const Total& total : sorted) {
-      if (result.empty() || total.mass < result.back().mass * (1.0 - 1e-11)) result.push_back(total);
-    }
-    return result;
-  }
+  [[nodiscard]] std::vector<Total> front() const { return front_of(designs); }
 };
 
 class Enumeration {

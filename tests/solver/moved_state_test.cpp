@@ -251,6 +251,43 @@ TEST_CASE("The least that a design hands on is that of its best ramp, at one sta
   CHECK(exact > machines);
 }
 
+// In steps or not, of one component or of two, and with a price or without: one best value only where a drive hands on
+// one figure in steps.
+TEST_CASE("There is one best value only of a single figure that changes in steps") {
+  enum class Kind { steps, evenly, both, priced };
+  for (const Kind kind : {Kind::steps, Kind::evenly, Kind::both, Kind::priced}) {
+    const auto drive = model_stage("drive", {}, {{"ramp", shortest, longest}}, 1, [kind](const auto& in, auto& out) {
+      const auto& t = in.variable(0);
+      const auto nothing = 0.0 * in.state(mass);
+      using millwright::scalar::floor_of;
+      const auto stepped = floor_of(8.0 * t);
+      out.utilisation.push_back(0.1 / t);
+      out.resources.push_back(kind == Kind::priced ? nothing + t : nothing + 0.0 * t);
+      out.handed_on.push_back(in.state(mass) + (kind == Kind::both ? stepped : 0.0 * stepped));
+      out.handed_on.push_back(in.state(power) + (kind == Kind::evenly ? 3.0 * t : stepped));
+    });
+    const auto end = model_stage("end", {}, {}, 2, [](const auto& in, auto& out) {
+      out.utilisation.push_back(in.state(mass) / 20.0);
+      out.utilisation.push_back(in.state(power) / 4.0);
+      out.resources.push_back(0.0 * in.state(mass));
+      for (std::size_t i = 0; i < state_size; ++i) out.handed_on.push_back(in.state(i));
+    });
+    const Problem problem{{}, {8.0, 0.0}, {&drive, &end}, {{"cost"}}};
+    const Criteria criteria = make_criteria(problem, {});
+    Desk desk;
+    const std::vector<StagePlan> plans = make_plans(problem, {}, criteria, desk);
+    INFO("kind " << static_cast<int>(kind));
+    REQUIRE(plans.size() == 2);
+    CHECK(plans[0].any_priced);
+    CHECK(plans[0].moved_state.has_value() == (kind == Kind::steps));
+    CHECK(is_covered(plans[0]) == (kind != Kind::steps));
+    Options options;
+    const Summary summary = solve(problem, options);
+    REQUIRE(summary.status == Status::optimal);
+    complies(problem, summary.builds.front());
+  }
+}
+
 TEST_CASE("Optima and fronts of drives whose ramps decide their power are those of all builds") {
   std::size_t points = 0, infeasible = 0, bound_by_power = 0;
   for (unsigned seed = 0; seed < static_cast<unsigned>(machines); ++seed) {
