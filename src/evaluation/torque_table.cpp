@@ -55,16 +55,14 @@ void TorqueTable::work_out(const MotorPair& pair, std::size_t voltage, float* bo
     bounds[range] = single_below(least);
     bounds[ranges() + range] = single_below(-most);
   };
-  if (pair.curve[voltage] != nullptr) {
-    for (std::size_t r = 0; r < ranges(); ++r) {
-      const Interval found = available_torque<Interval>(pair, voltage, {speeds_[r], speeds_[r + 1]});
-      note(r, found.lower, found.upper);
-    }
-    return;
-  }
-  // By the model torque never rises with speed: what it is at the edges bounds it between them.
+  // Torque never rises with speed: what it is at the edges bounds it between them.
   thread_local std::vector<Interval> at_edges;
-  modelled_.find(model_figures<Interval>(pair, voltage), driver_current(pair, voltage), at_edges);
+  if (pair.curve[voltage] == nullptr) {
+    modelled_.find(model_figures<Interval>(pair, voltage), driver_current(pair, voltage), at_edges);
+  } else {
+    at_edges.clear();
+    for (const double speed : speeds_) at_edges.push_back(available_torque<Interval>(pair, voltage, Interval(speed)));
+  }
   for (std::size_t r = 0; r < ranges(); ++r) note(r, at_edges[r + 1].lower, at_edges[r].upper);
 }
 

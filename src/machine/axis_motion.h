@@ -37,7 +37,8 @@ struct Phase {
   /// Whether force and torque can be the largest of their move here. While no counterbalance pulls, that is so in the
   /// first ramp against gravity alone: force m(a + g sin) + friction + process is the largest |F| of the move, the
   /// motor both lifts and accelerates, and a load that runs back gives |T| = |F| l/(2 pi) * |reverse efficiency| < |F|
-  /// l/(2 pi eta). The other phases need not be bounded.
+  /// l/(2 pi eta). The other phases need not be bounded. Nor need those of a measured profile that others cover
+  /// (measured_profile.h).
   bool may_govern = true;
 };
 
@@ -226,7 +227,7 @@ class CycleBuilder {
           weight,
           si<T>(phase.force, of_.force),
           {si<T>(phase.speed, of_.speed), si<T>(phase.mean_speed, of_.speed), si<T>(phase.duration, dimension::time)},
-          true);
+          every_ || phase.may_govern);
     }
     for (const std::size_t i : profile.hardest) {
       const ProfilePhase& phase = profile.phases[i];

@@ -132,6 +132,32 @@ std::vector<std::size_t> hardest_of(const std::vector<ProfilePhase>& phases) {
   return hardest;
 }
 
+/// Whether the phases `others` keep a phase from governing: one in which the force is at least as large where its own
+/// opposes the motion, and one, not down, for where it pulls and for what brakes, in which mass and weight oppose the
+/// motion by as much as they can help it here. (See Phase::may_govern: what runs back takes less torque than what is
+/// driven, and available torque never rises with speed.)
+bool is_covered(const ProfilePhase& phase, const std::vector<const ProfilePhase*>& others) {
+  const auto opposes = [&](const ProfilePhase* other) {
+    return other != &phase && (phase.backwards || !other->backwards) && other->speed >= phase.speed &&
+           other->acceleration >= phase.acceleration && other->force >= phase.force;
+  };
+  const auto outweighs = [&](const ProfilePhase* other) {
+    return other != &phase && !other->backwards && other->speed >= phase.speed &&
+           other->acceleration >= std::abs(phase.acceleration) && other->force >= std::max(-phase.force, 0.0);
+  };
+  return std::ranges::any_of(others, opposes) && std::ranges::any_of(others, outweighs);
+}
+
+/// One by one, so that what stands for a phase is never one that it stands for.
+void leave_out_covered(std::vector<ProfilePhase>& phases) {
+  std::vector<const ProfilePhase*> left;
+  for (const ProfilePhase& phase : phases) left.push_back(&phase);
+  for (ProfilePhase& phase : phases) {
+    phase.may_govern = !is_covered(phase, left);
+    if (!phase.may_govern) std::erase(left, &phase);
+  }
+}
+
 }  // namespace
 
 void MeasuredProfile::scale_forces(double share) {
@@ -189,6 +215,7 @@ MeasuredProfile measured_profile(std::span<const double> times,
   profile.phases = std::move(builder.phases);
   if (profile.phases.size() > exact_phases) profile.phases = gathered(profile.phases);
   profile.hardest = hardest_of(profile.phases);
+  leave_out_covered(profile.phases);
   return profile;
 }
 

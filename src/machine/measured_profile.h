@@ -20,6 +20,9 @@ struct ProfilePhase {
   double duration = 0.0;      ///< s
   double force = 0.0;         ///< N, positive against the motion
   bool backwards = false;     ///< position falls; on an axis with gravity, down
+  /// Whether force, torque or share of the available torque can be the largest of the recording here, while no
+  /// counterbalance pulls: then others are as large whatever is moved.
+  bool may_govern = true;
 };
 
 struct MeasuredProfile {
@@ -31,7 +34,7 @@ struct MeasuredProfile {
   double peak_speed = 0.0;           ///< m/s
   double largest_force = 0.0;        ///< N, with or against the motion
 
-  void scale_forces(double share);
+  void scale_forces(double share);  ///< `share` positive
 };
 
 /// Speeds at the samples of a recording of positions: the slope of the parabola through each sample and its two

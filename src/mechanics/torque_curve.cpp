@@ -25,6 +25,22 @@ Interval on_segment(const Point& from, const Point& to, double speed) {
   return {std::clamp(torque.lower, least, most), std::clamp(torque.upper, least, most)};
 }
 
+/// The least torque on the way from the first point to each speed.
+std::vector<Point> least_so_far(const std::vector<Point>& published) {
+  std::vector<Point> result{published.front()};
+  for (std::size_t i = 1; i < published.size(); ++i) {
+    const Point &from = published[i - 1], &to = published[i];
+    const double least = result.back().torque;
+    if (from.torque > least && to.torque < least) {
+      const double share = (from.torque - least) / (from.torque - to.torque);
+      const double crossing = from.speed + share * (to.speed - from.speed);
+      if (crossing > result.back().speed && crossing < to.speed) result.push_back({crossing, least});
+    }
+    result.push_back({to.speed, std::min(to.torque, least)});
+  }
+  return result;
+}
+
 }  // namespace
 
 PullOutCurve::PullOutCurve(std::vector<Point> points) : points_(std::move(points)) {
@@ -36,6 +52,7 @@ PullOutCurve::PullOutCurve(std::vector<Point> points) : points_(std::move(points
     if (i > 0 && points_[i].speed == points_[i - 1].speed)
       throw std::invalid_argument("two points of a pull-out curve share a speed");
   }
+  points_ = least_so_far(points_);
 }
 
 std::size_t PullOutCurve::points_up_to(double speed) const {
@@ -62,11 +79,7 @@ Interval PullOutCurve::operator()(const Interval& speed) const {
     if (above == points_.size()) return points_.back().torque;
     return on_segment(points_[above - 1], points_[above], v);
   };
-  Interval torque = hull(at(speed.lower), at(speed.upper));
-  // Between its ends a broken line is extreme at its points.
-  for (std::size_t i = points_up_to(speed.lower); i < points_.size() && points_[i].speed < speed.upper; ++i)
-    torque = hull(torque, points_[i].torque);
-  return torque;
+  return {at(speed.upper).lower, at(speed.lower).upper};  // it never rises
 }
 
 double PullOutCurve::slope(double speed) const {

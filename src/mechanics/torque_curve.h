@@ -10,9 +10,11 @@
 
 namespace millwright::mechanics {
 
-/// A published pull-out curve: torque (N·m) at angular speeds (rad/s), straight lines between the points. Below the
-/// first speed its torque is held. Above the last speed the last torque is held too: the caller takes the smaller of it
-/// and the model there, because the maker claims nothing.
+/// What a published pull-out curve lets a motor do: torque (N·m) at angular speeds (rad/s), straight lines between the
+/// points. The demand must stay below it at every speed of the profile, and a motor gets to a speed through all slower
+/// ones: so at a speed counts the least on the way there, and where a curve rises its torque is held [handbook,
+/// stepper]. Below the first speed its torque is held. Above the last speed the last torque is held too: the caller
+/// takes the smaller of it and the model there, because the maker claims nothing.
 class PullOutCurve {
  public:
   struct Point {
@@ -24,12 +26,14 @@ class PullOutCurve {
   /// when two points share a speed.
   explicit PullOutCurve(std::vector<Point> points);
 
+  /// Ascending in speed, none with more torque than one before it; where a curve that rose comes down to what is held
+  /// there is a point more than published.
   const std::vector<Point>& points() const { return points_; }
   double first_speed() const { return points_.front().speed; }
   double last_speed() const { return points_.back().speed; }
 
   double operator()(double speed) const;
-  /// Every torque on the range of speeds, segment by segment.
+  /// Every torque on the range of speeds.
   scalar::Interval operator()(const scalar::Interval& speed) const;
   /// At a point of the curve the slope of the segment above it.
   template <int N>

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Jerk-limited ramps and measured profiles as phases of a duty cycle, against values of the handbook's kinematics, hand
 // calculations and plain numerical integration.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
 
 #include "catch.h"
 #include "machine/axis_motion.h"
+#include "mechanics/actuation.h"
 
 namespace motion_cycle_test {
 
@@ -259,6 +261,91 @@ TEST_CASE("A long profile is gathered on the safe side") {
   CHECK(of_cycle >= largest);
   // At most a cell more: an eighth of the largest acceleration and a quarter of the largest force.
   CHECK(of_cycle <= largest + mass * swing * turn / 8.0 + 30.0 / 4.0);
+}
+
+// A thread of lead angle l and friction angle r drives at tan(l)/tan(l + r) and yields at tan(l - r)/tan(l), negative
+// where it locks.
+TEST_CASE("Phases of a profile that others cover are never the hardest for force, torque or share of the torque") {
+  std::mt19937 random(11);
+  const auto uniform = [&](double from, double to) { return std::uniform_real_distribution<double>(from, to)(random); };
+  const auto chance = [&](double share) { return uniform(0.0, 1.0) < share; };
+  std::size_t left_out = 0, phases = 0, backwards = 0, locking = 0;
+  for (int trial = 0; trial < 3000; ++trial) {
+    std::vector<double> times, speeds, forces;
+    const bool returns = chance(0.7), pushed = chance(0.7);
+    const int samples = static_cast<int>(uniform(3.0, 25.0));
+    double speed = 0.0;
+    for (int i = 0; i < samples; ++i) {
+      times.push_back(i == 0 ? 0.0 : times.back() + uniform(0.02, 0.1));
+      if (chance(0.6)) speed = returns ? uniform(-0.3, 0.3) : uniform(0.0, 0.3);
+      speeds.push_back(i == 0 || i == samples - 1 ? 0.0 : speed);
+      forces.push_back(pushed && chance(0.5) ? uniform(-30.0, 90.0) : 0.0);
+    }
+    const Move move = measured(times, speeds, forces);
+    const double mass = std::exp(uniform(std::log(0.2), std::log(30.0)));
+    const Cycle<double> cycle =
+        cycle_of(move, mass, chance(0.5) ? uniform(0.0, 20.0) : 0.0, chance(0.5) ? uniform(0.0, 1.57) : 0.0);
+    const double lead_angle = uniform(0.02, 0.4), friction_angle = uniform(0.01, 0.25);
+    const double efficiency = std::tan(lead_angle) / std::tan(lead_angle + friction_angle);
+    const double reverse = std::tan(lead_angle - friction_angle) / std::tan(lead_angle);
+    const double ratio = uniform(0.5, 5.0), gears = uniform(0.7, 1.0), inertia = std::exp(uniform(-16.0, -6.0));
+    const double drag = chance(0.5) ? uniform(0.0, 0.2) : 0.0, lead = uniform(0.002, 0.02);
+    const double fall = uniform(0.0, 1.0);
+    struct Hardest {
+      double force = 0.0, torque = 0.0, share = 0.0, belt = 0.0, acceleration = 0.0;
+    } all, governing;
+    for (const auto& phase : cycle.phases) {
+      const double turned = phase.acceleration * 2.0 * std::numbers::pi / lead * ratio;
+      namespace act = mechanics::actuation;
+      const double torque = std::abs(
+          act::screw_motor_torque(phase.force, lead, efficiency, reverse, inertia, turned, drag, ratio, gears));
+      const double belt = std::abs(act::belt_motor_torque(phase.force, 0.01, gears, inertia, turned, 0.0, ratio));
+      const double available = 1.0 / (1.0 + fall * phase.speed * ratio / lead);  // falls with speed
+      const auto note = [&](Hardest& hardest) {
+        hardest.force = std::max(hardest.force, std::abs(phase.force));
+        hardest.torque = std::max(hardest.torque, torque);
+        hardest.share = std::max(hardest.share, torque / available);
+        hardest.belt = std::max(hardest.belt, belt / available);
+        hardest.acceleration = std::max(hardest.acceleration, std::abs(phase.acceleration));
+      };
+      note(all);
+      if (phase.may_govern) note(governing);
+    }
+    left_out += static_cast<std::size_t>(
+        std::ranges::count_if(cycle.phases, [](const auto& phase) { return !phase.may_govern; }));
+    phases += cycle.phases.size();
+    backwards += static_cast<std::size_t>(
+        std::ranges::count_if(move.profile->phases, [](const auto& phase) { return phase.backwards; }));
+    locking += reverse < 0.0 ? 1 : 0;
+    CAPTURE(trial, mass, reverse, ratio, inertia, drag);
+    CHECK(governing.force >= all.force * (1.0 - 1e-12));
+    CHECK(governing.torque >= all.torque * (1.0 - 1e-12));
+    CHECK(governing.share >= all.share * (1.0 - 1e-12));
+    CHECK(governing.belt >= all.belt * (1.0 - 1e-12));
+    CHECK(governing.acceleration == all.acceleration);
+  }
+  CHECK(left_out > phases / 4);
+  CHECK(left_out < phases);
+  CHECK(backwards > phases / 8);
+  CHECK(locking > 500);
+}
+
+// Down 80 N press at 0.02 m/s; up it is faster, with nothing to press. 3 kg: up 29.4 N + 0.3 N, down 80 - 29.4 N.
+TEST_CASE("A counterbalance lets every phase of a profile govern") {
+  const Move move = measured({0.0, 0.5, 1.5, 2.0, 2.5, 3.5, 4.0},
+                             {0.0, -0.02, -0.02, 0.0, 0.05, 0.05, 0.0},
+                             {0.0, 0.0, 80.0, 80.0, 0.0, 0.0, 0.0});
+  MotionData data;
+  data.moves = {move};
+  data.inclination = std::numbers::pi / 2.0;
+  const auto left = [&] {
+    const Cycle<double> cycle = machine::duty_cycle(data, 3.0, 0.1);
+    return std::pair(std::ranges::count_if(cycle.phases, [](const auto& phase) { return phase.may_govern; }),
+                     static_cast<std::ptrdiff_t>(cycle.phases.size()));
+  };
+  CHECK(left().first < left().second);
+  data.counterbalance_force = 40.0;  // the weight is negative then: what is down may be the hardest
+  CHECK(left().first == left().second);
 }
 
 // Jerk-limited to 0.25 m/s in 0.2 s: 0.04 - 4*0.25/40 = 0.015 s2 stay constant, so at most 2*0.25/(0.2 + sqrt(0.015)).
