@@ -16,11 +16,6 @@ constexpr std::size_t batch_size = 8;
 
 double below(double a, double b) { return scalar::rounding::sum_down(a, b); }
 
-/// What has been proved of the whole holds for a part of it.
-void take_over_bounds(std::span<const double> whole, std::vector<double>& part) {
-  for (std::size_t k = 0; k < part.size(); ++k) part[k] = std::max(part[k], whole[k]);
-}
-
 std::vector<OpenBox::Origin> origins_of(const std::vector<OpenBox>& boxes) {
   std::vector<OpenBox::Origin> origins;
   for (const OpenBox& box : boxes) origins.push_back(box.origin);
@@ -55,6 +50,8 @@ BranchAndBound::BranchAndBound(const Problem& problem,
   for (const StagePlan& plan : plans_) {
     label_sets_.emplace_back(criteria_, plan.before, labels_, by);
     worth_.emplace_back(plan.region.rows.size());
+    const bool many_labels = criteria_.objectives > 1 && !shared_.empty() && !plan.region.rows.empty();
+    shared_.push_back(many_labels ? std::make_unique<SharedRegions>(plan, control_.desk(0)) : nullptr);
     auto& tail = tail_.emplace_back();
     for (const OpenRegion& part : plan.frontier) {
       auto& least = tail.emplace_back(criteria_.size());
@@ -123,16 +120,35 @@ bool BranchAndBound::bound_node(Node& node, Desk& desk) const {
   thread_local Bounds bounds;
   if (!assess(plan, label.enclosure, node.region, bounds, desk)) return false;
   node.region.kept = ~bounds.telling;  // equals are decided by the worst utilisation
+  node.handed_on = bounds.handed_on;
+  note_scores(bounds, node);
+  return true;
+}
+
+/// What bounds say of a node's label with what it hands on.
+void BranchAndBound::note_scores(const Bounds& bounds, Node& node) const {
+  const Label& label = labels_[node.label];
+  const StagePlan& plan = plans_[label.stage];
   node.score.resize(criteria_.size());
   node.reached.resize(criteria_.size());
   for (std::size_t k = 0; k < node.score.size(); ++k) {
     node.reached[k] = below(label.score_lower[k], std::max(bounds.score[k], plan.least[k]));
-    node.score[k] = below(node.reached[k], rest_after(plan, k, bounds.handed_on));
+    node.score[k] = below(node.reached[k], rest_after(plan, k, node.handed_on));
   }
-  node.handed_on = bounds.handed_on;
   node.utilisation = std::max({node.utilisation, label.utilisation, bounds.utilisation});
   node.open = bounds.open;
-  return true;
+}
+
+/// A part of a node's region, bounded with its label's own state.
+void BranchAndBound::offer(const Node& from, Region part, Outcome& outcome, Desk& desk) const {
+  Node child;
+  child.label = from.label;
+  child.region = std::move(part);
+  child.utilisation = from.utilisation;  // constraints that are kept are not looked at any more
+  child.depth = from.depth + 1;
+  if (!bound_node(child, desk)) return;
+  child.take_over_bounds(from);
+  outcome.nodes.push_back(std::move(child));
 }
 
 void BranchAndBound::expand_stream(const Node& node, Outcome& outcome, Desk& desk) const {
@@ -150,14 +166,10 @@ void BranchAndBound::expand_stream(const Node& node, Outcome& outcome, Desk& des
     if (!incumbents_.hopeless(score, std::max(label.utilisation, best.utilisation))) break;
   }
   if (region == plan.frontier.size()) return;
-  Node first;
-  first.label = node.label;
-  first.region = plan.frontier[region].region;
-  first.depth = node.depth + 1;
-  if (bound_node(first, desk)) {
-    take_over_bounds(node.score, first.score);
-    outcome.nodes.push_back(std::move(first));
-  }
+  if (shares_regions(node.label))
+    offer(node, shared_[label.stage]->part_of(*cells_[node.label], region, desk), outcome);
+  else
+    offer(node, plan.frontier[region].region, outcome, desk);
   Node others;
   if (make_stream(node.label, region + 1, others)) outcome.nodes.push_back(std::move(others));
 }
@@ -165,22 +177,12 @@ void BranchAndBound::expand_stream(const Node& node, Outcome& outcome, Desk& des
 void BranchAndBound::branch(const Node& node, Outcome& outcome, Desk& desk) const {
   const Label& label = labels_[node.label];
   const StagePlan& plan = plans_[label.stage];
-  const auto offer = [&](Region part) {
-    Node child;
-    child.label = node.label;
-    child.region = std::move(part);
-    child.utilisation = node.utilisation;  // constraints that are kept are not looked at any more
-    child.depth = node.depth + 1;
-    if (!bound_node(child, desk)) return;
-    take_over_bounds(node.score, child.score);
-    outcome.nodes.push_back(std::move(child));
-  };
   std::vector<double> least = node.reached;
   for (std::size_t k = 0; k < least.size(); ++k) least[k] -= label.score_lower[k];
   if (const auto variable = variable_to_halve(plan, label.enclosure, node.region, least, desk)) {
     auto [lower, upper] = halved(node.region, *variable);
-    offer(std::move(lower));
-    offer(std::move(upper));
+    offer(node, std::move(lower), outcome, desk);
+    offer(node, std::move(upper), outcome, desk);
     return;
   }
   const RowProfile::Split split = plan.profile.split(node.region, node.open, worth_[label.stage].of_slots());
@@ -188,13 +190,15 @@ void BranchAndBound::branch(const Node& node, Outcome& outcome, Desk& desk) cons
   for (const RowSet& half : {split.left, split.right}) {
     Region part = node.region;
     part.rows[split.slot] = half;
-    if (plan.fits.filter(part, split.slot)) offer(std::move(part));
+    if (plan.fits.filter(part, split.slot)) offer(node, std::move(part), outcome, desk);
   }
 }
 
 void BranchAndBound::expand(const Node& node, Outcome& outcome, Desk& desk) const {
   if (node.next_region != whole_stage) {
     expand_stream(node, outcome, desk);
+  } else if (node.part != nullptr) {
+    expand_part(node, outcome, desk);
   } else if (!node.region.one_design_per_slot()) {
     branch(node, outcome, desk);
   } else {
@@ -275,8 +279,7 @@ void BranchAndBound::arrive(const Node& node, const StagePoint& point, std::vect
   labels_.push_back(std::move(label));
   const auto index = static_cast<std::uint32_t>(labels_.size() - 1);
   if (labels_.back().feasible) label_sets_[labels_.back().stage].add(index);
-  Node stream;
-  if (make_stream(index, 0, stream)) push(std::move(stream));
+  follow(index);
 }
 
 void BranchAndBound::finish(Label label) {
@@ -318,8 +321,7 @@ void BranchAndBound::start() {
   labels_.push_back(first_label(problem_, criteria_));
   const OpenBox::Origin root = precision_.among.root();
   if (root != UndecidedDesigns::everything) labels_.back().origins = {root};
-  Node stream;
-  if (make_stream(0, 0, stream)) push(std::move(stream));
+  follow(0);
 }
 
 void BranchAndBound::work_on_batch() {
@@ -329,11 +331,22 @@ void BranchAndBound::work_on_batch() {
     if (!useless(node)) batch.push_back(std::move(node));
   }
   outcomes_.assign(batch.size(), {});
-  control_.crew().run(batch.size(),
-                      [&](std::size_t i, unsigned thread) { expand(batch[i], outcomes_[i], control_.desk(thread)); });
+  // To wake the crew takes longer than to follow what is known.
+  std::vector<std::size_t> long_ones;
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    if (asks_nothing(batch[i]))
+      expand(batch[i], outcomes_[i], control_.desk(0));
+    else
+      long_ones.push_back(i);
+  }
+  control_.crew().run(long_ones.size(), [&](std::size_t i, unsigned thread) {
+    expand(batch[long_ones[i]], outcomes_[long_ones[i]], control_.desk(thread));
+  });
   control_.nodes += batch.size();
   nodes_ += batch.size();
   for (std::size_t i = 0; i < batch.size(); ++i) merge(batch[i], outcomes_[i]);
+  for (const auto& shared : shared_)
+    if (shared != nullptr) shared->count();
 }
 
 SearchResult BranchAndBound::run(std::uint64_t most_nodes) {

@@ -15,11 +15,16 @@
 // A node is given up when a constraint is certainly violated in it, when the builds known settle it (incumbents.h), or
 // when a label known before the next stage dominates everything in it (dominance.h).
 //
+// Of several objectives thousands of labels may arrive at a stage: those in alike states divide its regions together,
+// and ask only about single designs at their own state (shared_regions.h).
+//
 // Nodes are taken in batches of fixed size that are worked on in parallel and merged in order, so the search, and with
 // it the answer among equals, does not depend on the number of threads.
 #pragma once
 
+#include <algorithm>
 #include <deque>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -29,6 +34,7 @@
 #include "solver/incumbents.h"
 #include "solver/leaf_precision.h"
 #include "solver/search_control.h"
+#include "solver/shared_regions.h"
 #include "solver/split_worth.h"
 
 namespace millwright::solver {
@@ -60,7 +66,8 @@ class BranchAndBound {
   static constexpr std::size_t whole_stage = static_cast<std::size_t>(-1);
   struct Node {
     std::uint32_t label = 0;
-    std::size_t next_region = whole_stage;  ///< of the stage's frontier; whole_stage: `region` is meant
+    std::size_t next_region = whole_stage;  ///< of the stage's frontier; whole_stage: `part` or `region` is meant
+    SharedPart* part = nullptr;             ///< null: `region`
     Region region;
     std::vector<double> score;    ///< totals, lower bounds
     std::vector<double> reached;  ///< the same without the stages after this one
@@ -68,6 +75,10 @@ class BranchAndBound {
     double utilisation = 0.0;
     std::uint64_t open = 0;
     std::uint32_t depth = 0;
+    /// What has been proved of the whole holds for this part of it.
+    void take_over_bounds(const Node& whole) {
+      for (std::size_t k = 0; k < score.size(); ++k) score[k] = std::max(score[k], whole.score[k]);
+    }
   };
   struct Key {
     double score = 0.0;  ///< rounded
@@ -96,8 +107,11 @@ class BranchAndBound {
   [[nodiscard]] bool useless(const Label& label, std::size_t stage, const Worth& own) const;
   void expand(const Node& node, Outcome& outcome, Desk& desk) const;
   void expand_stream(const Node& node, Outcome& outcome, Desk& desk) const;
+  [[nodiscard]] bool asks_nothing(const Node& node) const;
+  void expand_part(const Node& node, Outcome& outcome, Desk& desk) const;
   void branch(const Node& node, Outcome& outcome, Desk& desk) const;
   bool bound_node(Node& node, Desk& desk) const;
+  void offer(const Node& from, Region part, Outcome& outcome, Desk& desk) const;
   void merge(Node& node, Outcome& outcome);
   void arrive(const Node& node, const StagePoint& point, std::vector<OpenBox::Origin> origins);
   void finish(Label label);
@@ -113,6 +127,10 @@ class BranchAndBound {
   void keep_boxes(std::vector<OpenBox>& boxes);
   void forget_settled();
   bool make_stream(std::uint32_t label, std::size_t region, Node& node) const;
+  void offer(const Node& from, SharedPart* part, Outcome& outcome) const;
+  [[nodiscard]] bool shares_regions(std::uint32_t label) const;
+  void note_scores(const Bounds& bounds, Node& node) const;
+  void follow(std::uint32_t label);
   [[nodiscard]] Build build_of(const Label& last) const;
   [[nodiscard]] double open_bound() const;
 
@@ -126,7 +144,9 @@ class BranchAndBound {
   std::vector<LabelSet> label_sets_;  ///< [stage]: labels before it
   /// [stage][region][score]: least of the regions from this one on, with all stages after.
   std::vector<std::vector<std::vector<double>>> tail_;
-  std::vector<SplitWorth> worth_;  ///< [stage]
+  std::vector<SplitWorth> worth_;                       ///< [stage]
+  std::vector<std::unique_ptr<SharedRegions>> shared_;  ///< [stage]; null: each label divides regions by itself
+  std::vector<SharedRegions::Cell*> cells_;             ///< [label]; null: it does
   BestFirst<Node, Key> open_;
   std::uint64_t order_ = 0, nodes_ = 0;
   std::vector<Outcome> outcomes_;                                     ///< of the batch at work

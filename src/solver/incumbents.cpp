@@ -56,6 +56,15 @@ bool Incumbents::within_limits(std::span<const double> score_lower) const {
 bool Incumbents::hopeless(std::span<const double> score_lower, double utilisation_lower) const {
   if (!within_limits(score_lower)) return true;
   if (criteria_->guides > 0 && !builds_.empty()) return fills_no_gap(score_lower, utilisation_lower);
+  if (criteria_->objectives == 2 && tolerance > 0.0) {
+    // Of those that are good enough in the first objective the last is the best in the second.
+    const double first = rounded(score_lower[0]);
+    const auto end = std::partition_point(builds_.begin(), builds_.end(), [&](const RankedBuild& known) {
+      const double a = rounded(known.score[0]);
+      return a - tolerance * std::fabs(a) <= first;
+    });
+    return end != builds_.begin() && settles(*std::prev(end), score_lower, utilisation_lower);
+  }
   return std::any_of(builds_.begin(), builds_.end(), [&](const RankedBuild& known) {
     return settles(known, score_lower, utilisation_lower);
   });

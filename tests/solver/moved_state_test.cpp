@@ -301,6 +301,7 @@ TEST_CASE("Optima and fronts of drives whose ramps decide their power are those 
       options.threads = way == 1 ? 2 : 1;
       if (way == 2) options.patience = options.stage_patience = 0;
       options.look_first = way < 2;
+      if (way == 3) options.labels_together = 1 + seed % 3;
       for (std::size_t score = 0; score < 2; ++score) {
         options.objectives = {score};
         options.ties = {1 - score};

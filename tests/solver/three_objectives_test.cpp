@@ -174,6 +174,7 @@ Summary front_in_three(const Machine& machine, unsigned seed) {
   options.threads = 1 + seed % 2;
   options.stagewise = seed % 5 != 0;
   options.look_first = seed % 7 != 0;
+  if (seed % 3 != 0) options.labels_together = 1;
   return solve(machine.problem, options);
 }
 

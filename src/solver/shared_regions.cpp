@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/shared_regions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "solver/variable_halves.h"
+
+namespace millwright::solver {
+
+SharedRegions::SharedRegions(const StagePlan& plan, Desk& desk)
+    : plan_(&plan), form_(find_state_form(plan, desk)), cells_(plan.inherited.size(), 1) {
+  constexpr double narrow = 0.003;  // relative width of a cell's states
+  constexpr double most = 1000.0;
+  for (std::size_t c = 0; c < cells_.size(); ++c) {
+    const Interval& range = plan.inherited[c];
+    if ((!form_.influences[c] && !form_.moves_scores[c]) || !std::isfinite(range.upper - range.lower)) continue;
+    const double relative = (range.upper - range.lower) / std::max(magnitude(range), 1e-300);
+    cells_[c] = static_cast<int>(std::clamp(std::ceil(relative / narrow), 1.0, most));
+  }
+}
+
+SharedRegions::Cell* SharedRegions::cell_of(std::span<const Interval> states) {
+  constexpr double rounding = 1e-12;  // of states that are the same sum in another order
+  std::vector<int> place;
+  std::vector<Interval> range;
+  for (std::size_t c = 0; c < cells_.size(); ++c) {
+    Interval side = plan_->inherited[c];
+    if (cells_[c] > 1) {
+      const double step = (side.upper - side.lower) / cells_[c];
+      for (const double end : {states[c].lower, states[c].upper})
+        place.push_back(static_cast<int>(std::clamp(std::floor((end - side.lower) / step), 0.0, cells_[c] - 1.0)));
+      const int first = place[place.size() - 2], last = place.back();
+      side = {side.lower + first * step, side.lower + (last + 1) * step};
+    }
+    const double slack = rounding * magnitude(plan_->inherited[c]);
+    range.emplace_back(side.lower - slack, side.upper + slack);
+    if (!contains(range.back(), states[c].lower) || !contains(range.back(), states[c].upper)) return nullptr;
+  }
+  std::unique_ptr<Cell>& cell = known_[place];
+  if (cell == nullptr) {
+    cell = std::make_unique<Cell>();
+    cell->states = std::move(range);
+    cell->parts.resize(plan_->frontier.size());
+    cell->bounded.resize(plan_->frontier.size());
+  }
+  ++cell->labels;
+  return cell.get();
+}
+
+std::mutex& SharedRegions::mutex_of(const void* known) {
+  constexpr std::size_t size = 64;  // that two of them are apart at least
+  return working_[std::hash<const void*>{}(known) / size % working_.size()];
+}
+
+SharedPart* SharedRegions::part_of(Cell& cell, std::size_t region, Desk& desk) {
+  const std::lock_guard lock(mutex_of(&cell));
+  if (cell.bounded[region] == 0) {
+    Region own = plan_->frontier[region].region;
+    own.kept = 0;  // that was so at other states
+    cell.parts[region] = bounded(cell, std::move(own), desk);
+    cell.bounded[region] = 1;
+  }
+  return cell.parts[region].get();
+}
+
+std::unique_ptr<SharedPart> SharedRegions::bounded(const Cell& cell, Region region, Desk& desk) {
+  auto part = std::make_unique<SharedPart>();
+  part->region = std::move(region);
+  if (!assess(*plan_, cell.states, part->region, part->bounds, desk)) return nullptr;
+  part->region.kept = ~part->bounds.telling;
+  part->single_design = part->region.one_design_per_slot();
+  ++parts_;
+  return part;
+}
+
+bool SharedRegions::divide(const Cell& cell, SharedPart& part, const SplitWorth& worth, Desk& desk) {
+  const std::lock_guard lock(mutex_of(&part));
+  if (part.divided) return true;
+  if (full_) return false;
+  const StagePlan& plan = *plan_;
+  if (const auto variable = variable_to_halve(plan, cell.states, part.region, part.bounds.score, desk)) {
+    auto [lower, upper] = halved(part.region, *variable);
+    part.halves = {bounded(cell, std::move(lower), desk), bounded(cell, std::move(upper), desk)};
+  } else {
+    const RowProfile::Split split = plan.profile.split(part.region, part.bounds.open, worth.of_slots());
+    part.slot = split.slot;
+    const std::array<RowSet, 2> rows{split.left, split.right};
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      Region half = part.region;
+      half.rows[split.slot] = rows[i];
+      if (plan.fits.filter(half, split.slot)) part.halves[i] = bounded(cell, std::move(half), desk);
+    }
+  }
+  part.region = {};
+  part.divided = true;
+  return true;
+}
+
+/// Of a linear form the part that comes of the cell's states is taken off, and that of the label's put in its place.
+void SharedRegions::hand_on(const Cell& cell,
+                            std::span<const Interval> states,
+                            const Bounds& bounds,
+                            std::vector<Interval>& handed_on) const {
+  constexpr double rounding = 1e-12;  // of the slopes, and of sums in another order
+  handed_on = bounds.handed_on;
+  for (std::size_t h = 0; h < handed_on.size(); ++h) {
+    double lower = 0.0, upper = 0.0, size = 0.0;
+    for (std::size_t c = 0; c < states.size(); ++c) {
+      const double slope = form_.slope[h][c];
+      if (slope == 0.0) continue;
+      const double of_lower = slope * (states[c].lower - cell.states[c].lower);
+      const double of_upper = slope * (states[c].upper - cell.states[c].upper);
+      lower += slope > 0.0 ? of_lower : of_upper;
+      upper += slope > 0.0 ? of_upper : of_lower;
+      size += std::fabs(slope) * magnitude(cell.states[c]);
+    }
+    handed_on[h].lower += lower - rounding * size;
+    handed_on[h].upper += upper + rounding * size;
+  }
+}
+
+}  // namespace millwright::solver
