@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t most_chunks = 8;  // of the labels before one stage
 static_assert(most_chunks + 1 < most_groups, "rounding may make one more");
-constexpr double narrow = 0.02;  // relative width of a chunk's states
+constexpr double chunk_width = 0.02;  // relative, of its states
 
 }  // namespace
 
@@ -44,7 +44,7 @@ std::vector<Frontier::Chunk> Frontier::make_chunks(std::size_t stage, const Comp
       order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return state_of(a) < state_of(b); });
   const double low = state_of(order.front());
   const double high = state_of(order.back());
-  const double parts = std::clamp(std::ceil(widest / narrow), 1.0, static_cast<double>(most_chunks));
+  const double parts = std::clamp(std::ceil(widest / chunk_width), 1.0, static_cast<double>(most_chunks));
   const double step = (high - low) / parts;
   double end = -infinity;
   for (const std::uint32_t index : order) {

@@ -11,13 +11,13 @@ namespace millwright::solver {
 
 SharedRegions::SharedRegions(const StagePlan& plan, Desk& desk)
     : plan_(&plan), form_(find_state_form(plan, desk)), cells_(plan.inherited.size(), 1) {
-  constexpr double narrow = 0.003;  // relative width of a cell's states
+  constexpr double width = 0.003;  // relative, of the states of a cell
   constexpr double most = 1000.0;
   for (std::size_t c = 0; c < cells_.size(); ++c) {
     const Interval& range = plan.inherited[c];
     if ((!form_.influences[c] && !form_.moves_scores[c]) || !std::isfinite(range.upper - range.lower)) continue;
     const double relative = (range.upper - range.lower) / std::max(magnitude(range), 1e-300);
-    cells_[c] = static_cast<int>(std::clamp(std::ceil(relative / narrow), 1.0, most));
+    cells_[c] = static_cast<int>(std::clamp(std::ceil(relative / width), 1.0, most));
   }
 }
 
