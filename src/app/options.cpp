@@ -194,7 +194,7 @@ class CommandLine {
 
   void add_new() {
     CLI::App& start = add(app_, "new", Verb::start, "a commented problem file to begin with");
-    start.add_option("FILE", options_.problem, "file to write (.toml)")->required();
+    start.add_option("FILE", options_.problem, "file to write (.toml; - prints it)")->required();
     start.add_option("--template", options_.subject, fmt::format("the machine to begin with: {}", all_templates()))
         ->type_name("NAME");
     start.add_flag("--force", options_.force, "overwrite the file if it is there");

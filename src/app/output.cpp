@@ -50,18 +50,18 @@ void print(const text::Diagnostics& diagnostics) {
   std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
+bool write_stdout(std::string_view text) {
+  const bool good = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+  if (!good) fmt::print(stderr, "millwright: error: standard output cannot be written\n");
+  return good;
+}
+
 namespace {
 
 /// Whether the lines are what another program reads (a schema, Markdown) or point at characters: those stay as they
 /// are.
 bool has_lines_of_its_own(Verb verb) {
   return verb == Verb::catalogue_lint || verb == Verb::schema || verb == Verb::reference;
-}
-
-bool write_stdout(const std::string& text) {
-  const bool good = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
-  if (!good) fmt::print(stderr, "millwright: error: standard output cannot be written\n");
-  return good;
 }
 
 }  // namespace

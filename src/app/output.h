@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/options.h"
@@ -18,6 +19,9 @@ report::Style output_style(const Options& options);
 
 /// Prints the diagnostics to standard error.
 void print(const text::Diagnostics& diagnostics);
+
+/// As it is. False, with a complaint on standard error, if it could not be written.
+bool write_stdout(std::string_view text);
 
 /// Prints the text, or with `--json -` the JSON, to standard output, and writes the JSON file and the page if they are
 /// asked for. False, with a complaint on standard error, if something could not be written.

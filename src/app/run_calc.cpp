@@ -105,6 +105,10 @@ int run_calc(const Options& options) {
     diagnostics.error(calculation->formula->name() + " has no value for these arguments", why);
   }
   outputs_are_writable(options, diagnostics);
+  // Else they stand below the result.
+  if (calculation && options.quiet)
+    for (const std::string& warning : calculation->warnings)
+      diagnostics.warning({}, calculation->formula->name() + ": " + warning);
   print(diagnostics);
   if (diagnostics.has_errors()) return exit_bad_input;
   const std::string text = report::calculation_text(*calculation, output_style(options));

@@ -61,6 +61,8 @@ report::MachineResult check(const Options& options,
   if (!result.missing.empty()) return result;
   for (const evaluation::BomProblem& problem : outcome.problems)
     diagnostics.error(problem.where, problem.message, problem.hint);
+  for (const evaluation::BomProblem& remark : outcome.remarks)
+    diagnostics.warning(remark.where, remark.message, remark.hint);
   if (!outcome.problems.empty()) return result;
   result.completed = outcome.completed;
   result.completion_is_optimal = outcome.complete_is_optimal;

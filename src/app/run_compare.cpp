@@ -107,6 +107,8 @@ std::optional<ComparedBuild> evaluated_build(const Options& options,
   evaluation::BomCheck outcome = evaluation::check(input.problem, input.catalogue, *bom, options.complete, how);
   for (const evaluation::BomProblem& problem : outcome.problems)
     diagnostics.error(problem.where, problem.message, problem.hint);
+  for (const evaluation::BomProblem& remark : outcome.remarks)
+    diagnostics.warning(remark.where, remark.message, remark.hint);
   if (!outcome.problems.empty()) return std::nullopt;
   ComparedBuild build;
   build.file = side.file;

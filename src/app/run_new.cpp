@@ -46,6 +46,7 @@ void check_name(const Options& options, text::Diagnostics& diagnostics) {
 int run_new(const Options& options) {
   text::Diagnostics diagnostics;
   const Template* found = find_template(options.subject, diagnostics);
+  if (found != nullptr && options.problem == "-") return write_stdout(found->text) ? exit_done : exit_bad_input;
   check_name(options, diagnostics);
   if (!diagnostics.has_errors()) check_target({options.problem, OutputKind::edited, options.force}, {}, diagnostics);
   if (!diagnostics.has_errors())

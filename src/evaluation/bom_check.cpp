@@ -295,6 +295,7 @@ BomCheck check(const machine::Problem& problem,
   const HeldParts held = hold_parts(model, bom, only_origin);
   result.empty_slots = model.empty_slots();
   result.problems = held.problems;
+  result.remarks = held.remarks;
   if (!result.empty_slots.empty() && result.problems.empty())
     for (const EmptySlot& slot : result.empty_slots)
       result.problems.push_back({machine::SourceSpan{}, slot.reason, "see 'catalogue list'"});

@@ -69,6 +69,7 @@ class Holder {
                             held.allowed[slot].begin(), held.allowed[slot].end(), [&](solver::Row a, solver::Row b) {
                               return length(a) < length(b);
                             })));
+      remark_too_much(entry, entry.tables()[slot], held.allowed[slot]);
     }
     const auto variables = entry.as_stage().variables();
     for (const solver::Variable& variable : variables) {
@@ -178,6 +179,33 @@ class Holder {
                                                 entry.axis,
                                                 1e3 * part.length),
                                     "leave the length away to have it computed"});
+    }
+  }
+
+  /// More or longer pieces than any of these rows takes.
+  void remark_too_much(const StageEntry& entry, const SlotTable& table, const std::vector<solver::Row>& rows) {
+    for (const std::string& slot : slots_of(table)) {
+      const BomLine* const line = line_for(entry.axis, slot);
+      if (line == nullptr) continue;
+      double pieces = 0.0, length = 0.0;
+      for (const solver::Row row : rows)
+        for (const PartUse& part : table.candidate(row).parts) {
+          if (part.slot != slot) continue;
+          pieces = std::max(pieces, part.pieces());
+          length = std::max(length, part.length);
+        }
+      const auto remark = [&](std::string what, std::string takes) {
+        result_.remarks.push_back(
+            {line->where,
+             fmt::format(
+                 "{}, and the {} of axis '{}' takes {}: no more is priced and weighed", what, slot, entry.axis, takes),
+             "what is bought beside the machine's own stands under [spares] of the problem"});
+      };
+      if (pieces > 0.0 && line->quantity && *line->quantity > pieces * (1.0 + 1e-9))
+        remark(fmt::format("{} of '{}'", *line->quantity, line->part_number), fmt::format("{}", pieces));
+      if (length > 0.0 && line->length && *line->length > length * (1.0 + 1e-6))
+        remark(fmt::format("'{}' is cut to {:.6g} mm", line->part_number, 1e3 * *line->length),
+               fmt::format("{:.6g} mm", 1e3 * length));
     }
   }
 

@@ -23,6 +23,7 @@ struct HeldParts {
   std::vector<HeldStage> stages;       ///< as the model's entries
   std::optional<solver::Row> voltage;  ///< of the supply, if given or implied by the supply
   std::vector<BomProblem> problems;
+  std::vector<BomProblem> remarks;  ///< what the bill says and nothing reads: more pieces, longer ones
 };
 
 /// Slots of the bill of materials that a candidate of this table fills ("screw" and "nut").

@@ -73,6 +73,7 @@ RobustSynthesis synthesise_robustly(const machine::Problem& problem,
 struct BomCheck {
   std::vector<BomProblem>
       problems;  ///< unknown parts, parts that do not go together, missing slots: nothing was evaluated if any
+  std::vector<BomProblem> remarks;     ///< more or longer pieces than are taken, which are not priced
   std::vector<EmptySlot> empty_slots;  ///< no catalogue row can fill these, which is a problem
   Design design;                       ///< with every check, satisfied or not
   bool completed = false;              ///< something was chosen by us

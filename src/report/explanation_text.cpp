@@ -217,7 +217,7 @@ std::string place_text(const Condition& condition) {
 std::string explanation_text(const MachineResult& result, const Explanation& explanation, const Style& style) {
   std::string out = title_text(result, style);
   const bool limited = explanation.status == solver::Status::limit;
-  if (limited) out += style.bad("The limit was reached before all was found out.") + " What is said is proved.\n\n";
+  if (limited) out += style.bad("The search was ended before all was found out.") + " What is said is proved.\n\n";
   if (explanation.design) {
     const Design& design = *explanation.design;
     const auto quantity = machine::objective_named(explanation.objective).single();

@@ -209,7 +209,7 @@ std::string nothing_text(const MachineResult& result, const Style& style) {
     return out;
   }
   if (result.status == Status::limit)
-    return "The limit was reached before a compliant build was found; whether there is one is open.\n";
+    return "The search was ended before a compliant build was found; whether there is one is open.\n";
   if (result.robust)
     return style.bad("No build is compliant for every value within the stated tolerances") +
            fmt::format(" in these catalogues{}{}.\n",

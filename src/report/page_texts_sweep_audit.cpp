@@ -22,9 +22,10 @@ std::vector<PageText> sweep_and_audit_texts() {
       {"sweep.open", "not proved", "belum terbukti"},
 
       {"front.hint_open",
-       "Every point is a compliant build; the limit was reached, so others may beat it. Point at one for what it "
+       "Every point is a compliant build; the search was ended, so others may beat it. Point at one for what it "
        "changes; click for its sheet.",
-       "Setiap titik adalah rancangan yang memenuhi syarat; batas tercapai, jadi mungkin ada yang mengunggulinya. "
+       "Setiap titik adalah rancangan yang memenuhi syarat; pencarian dihentikan, jadi mungkin ada yang "
+       "mengunggulinya. "
        "Tunjuk untuk melihat perubahannya; klik untuk lembarnya."},
       {"banner.within",
        "The proof is to {} %: another build may be better by that much.",

@@ -136,6 +136,16 @@ TEST_CASE("Outside the stated validity there is a warning, outside the formula's
       {"calc", "power_screw.raising_torque", "force=-1500 N", "mean_diameter=14 mm", "lead=4 mm", "friction=0.155"});
   CHECK(negative.exit_code == 0);
   CHECK(negative.prints("outside the stated validity: force = -1500 N is below 0 N"));
+  CHECK(negative.err.empty());
+  const Outcome quiet = shop.run({"calc",
+                                  "power_screw.raising_torque",
+                                  "force=-1500 N",
+                                  "mean_diameter=14 mm",
+                                  "lead=4 mm",
+                                  "friction=0.155",
+                                  "--quiet"});
+  CHECK(quiet.exit_code == 0);
+  CHECK(quiet.says("warning: power_screw.raising_torque: force = -1500 N is below 0 N"));
 }
 
 TEST_CASE("A relation between arguments that does not hold is warned of, in text and JSON") {

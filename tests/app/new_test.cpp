@@ -20,6 +20,10 @@ TEST_CASE("Each template solves as it is") {
     CHECK(shop.entries() == 1);
     std::ifstream source(MILLWRIGHT_SOURCE_DIR "/src/app/templates/" + name + ".toml", std::ios::binary);
     CHECK(shop.read("m.toml") == std::string(std::istreambuf_iterator<char>(source), {}));
+    const Outcome printed = shop.run({"new", "--template", name, "-"});
+    CHECK(printed.exit_code == 0);
+    CHECK(printed.out == shop.read("m.toml"));
+    CHECK(shop.entries() == 1);
     const Outcome solved = shop.run({"solve", "m.toml", "--json", "-"});
     CAPTURE(solved.err);
     CHECK(solved.exit_code == 0);

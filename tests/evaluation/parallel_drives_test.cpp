@@ -137,6 +137,33 @@ TEST_CASE("A bill with fewer or shorter pieces than the axis takes is refused") 
         }).find("is cut to 300 mm") != std::string::npos);
 }
 
+TEST_CASE("A bill with more or longer pieces than the axis takes is told that they are not priced") {
+  const std::string two = axis_with(fmt::format("{}, drives = 2", screw), 12.0, 60.0);
+  const machine::BillOfMaterials whole = evaluation::bill_of(cheapest(two));
+  const auto remarks_with = [&](const std::function<void(machine::BomLine&)>& change) {
+    machine::BillOfMaterials bom = whole;
+    for (auto& line : bom.lines) change(line);
+    const auto outcome = evaluation::check(problem_of_text(two), parts(), bom, false, {});
+    CHECK(outcome.problems.empty());
+    CHECK(outcome.design.cost == Approx(cheapest(two).cost));
+    std::vector<std::string> said;
+    for (const auto& remark : outcome.remarks) said.push_back(remark.message);
+    return said;
+  };
+  CHECK(remarks_with([](machine::BomLine&) {}).empty());
+  const auto motors = remarks_with([](machine::BomLine& line) {
+    if (line.slot == "motor") line.quantity = 3.0;
+  });
+  REQUIRE(motors.size() == 1);
+  CHECK(motors.front().starts_with("3 of '"));
+  CHECK(motors.front().ends_with("and the motor of axis 'x' takes 2: no more is priced and weighed"));
+  const auto screws = remarks_with([](machine::BomLine& line) {
+    if (line.slot == "screw") line.length = 5.0;
+  });
+  REQUIRE(screws.size() == 1);
+  CHECK(screws.front().find("is cut to 5000 mm, and the screw of axis 'x' takes ") != std::string::npos);
+}
+
 TEST_CASE("A share below an equal one is refused, with the least that makes sense") {
   try {
     (void)problem_of_text(axis_with(fmt::format("{}, drives = 2, load_share = 0.4", screw), 1.0, 1.0));
