@@ -34,6 +34,8 @@ SharedRegions::Cell* SharedRegions::cell_of(std::span<const Interval> states) {
       const int first = place[place.size() - 2], last = place.back();
       side = {side.lower + first * step, side.lower + (last + 1) * step};
     }
+    // What is handed on from an endless range tells nothing of that from a state in it.
+    if (!std::isfinite(side.upper - side.lower)) return nullptr;
     const double slack = rounding * magnitude(plan_->inherited[c]);
     range.emplace_back(side.lower - slack, side.upper + slack);
     if (!contains(range.back(), states[c].lower) || !contains(range.back(), states[c].upper)) return nullptr;

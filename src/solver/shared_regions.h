@@ -48,8 +48,8 @@ class SharedRegions {
 
   SharedRegions(const StagePlan& plan, Desk& desk);
 
-  /// The cell in which all these states are, for one label more; it stays where it is. Null where there is none. Not to
-  /// be called while parts are asked for.
+  /// The cell in which all these states are, for one label more; it stays where it is. Null where there is none: they
+  /// are outside of what can arrive, or that has no end. Not to be called while parts are asked for.
   Cell* cell_of(std::span<const Interval> states);
   /// Takes note of how many parts there are. Not to be called while parts are asked for.
   void count() { full_ = parts_ >= most_parts; }

@@ -4,6 +4,8 @@
 // some part, and the bounds of all parts on the way there hold for it.
 #include "solver/shared_regions.h"
 
+#include <limits>
+
 #include "catch.h"
 #include "sanitized.h"
 #include "solver/random_stack.h"
@@ -135,20 +137,24 @@ TEST_CASE("Every design that is feasible for a label is in a part of its cell, a
   CHECK(counts.parts > 10 * stacks);
 }
 
-TEST_CASE("A label whose states lie outside what can arrive is in no cell") {
+TEST_CASE("A label whose states lie outside what can arrive, or in a range without an end, is in no cell") {
   const Stack stack = random_stack(3);
   Options options;
   options.objectives = {0, 1};
   const Criteria criteria = make_criteria(stack.problem, options);
   Desk desk;
   const std::vector<Row> shared(stack.problem.shared.size(), 0);
-  const std::vector<StagePlan> plans = make_plans(stack.problem, shared, criteria, desk);
+  std::vector<StagePlan> plans = make_plans(stack.problem, shared, criteria, desk);
   REQUIRE(plans.size() > 1);
   std::vector<Interval> states = plans[1].inherited;
   SharedRegions regions(plans[1], desk);
   CHECK(regions.cell_of(states) != nullptr);
   states[0].upper = 2.0 * states[0].upper + 1.0;
   CHECK(regions.cell_of(states) == nullptr);
+  states = plans[1].inherited;
+  plans[1].inherited[0].upper = std::numeric_limits<double>::infinity();
+  SharedRegions endless(plans[1], desk);
+  CHECK(endless.cell_of(states) == nullptr);
 }
 
 }  // namespace shared_regions_test
