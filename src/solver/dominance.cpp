@@ -50,8 +50,8 @@ void LabelSet::key_of(const Label& label, std::vector<double>& key) const {
   key.clear();
   add_scores(*criteria_, label.score, key);
   for (const auto& [component, direction] : compared_) {
-    if (direction != Direction::larger_is_better) key.push_back(label.state[component]);
-    if (direction != Direction::smaller_is_better) key.push_back(-label.state[component]);
+    if (direction != Direction::larger_is_better) key.push_back(rounded(label.state[component]));
+    if (direction != Direction::smaller_is_better) key.push_back(rounded(-label.state[component]));
   }
 }
 
@@ -59,8 +59,8 @@ void LabelSet::key_of(const Worth& worth, std::vector<double>& key) const {
   key.clear();
   add_scores(*criteria_, worth.score, key);
   for (const auto& [component, direction] : compared_) {
-    if (direction != Direction::larger_is_better) key.push_back(worth.state[component].lower);
-    if (direction != Direction::smaller_is_better) key.push_back(-worth.state[component].upper);
+    if (direction != Direction::larger_is_better) key.push_back(rounded(worth.state[component].lower));
+    if (direction != Direction::smaller_is_better) key.push_back(rounded(-worth.state[component].upper));
   }
 }
 

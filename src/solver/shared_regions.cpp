@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "solver/variable_halves.h"
 
@@ -36,7 +37,8 @@ SharedRegions::Cell* SharedRegions::cell_of(std::span<const Interval> states) {
     }
     // What is handed on from an endless range tells nothing of that from a state in it.
     if (!std::isfinite(side.upper - side.lower)) return nullptr;
-    const double slack = rounding * magnitude(plan_->inherited[c]);
+    // What is the same for all labels is so exactly.
+    const double slack = side.lower < side.upper ? rounding * magnitude(plan_->inherited[c]) : 0.0;
     range.emplace_back(side.lower - slack, side.upper + slack);
     if (!contains(range.back(), states[c].lower) || !contains(range.back(), states[c].upper)) return nullptr;
   }
@@ -105,21 +107,26 @@ void SharedRegions::hand_on(const Cell& cell,
                             std::span<const Interval> states,
                             const Bounds& bounds,
                             std::vector<Interval>& handed_on) const {
-  constexpr double rounding = 1e-12;  // of the slopes, and of sums in another order
+  // What is given up to rounding has to be less than what counts as equal (exact_digits), or nothing would ever be as
+  // good as what is the same.
+  constexpr double of_sums = 8 * std::numeric_limits<double>::epsilon();
   handed_on = bounds.handed_on;
   for (std::size_t h = 0; h < handed_on.size(); ++h) {
-    double lower = 0.0, upper = 0.0, size = 0.0;
+    double lower = 0.0, upper = 0.0, below = 0.0, above = 0.0, size = magnitude(handed_on[h]);
     for (std::size_t c = 0; c < states.size(); ++c) {
       const double slope = form_.slope[h][c];
       if (slope == 0.0) continue;
-      const double of_lower = slope * (states[c].lower - cell.states[c].lower);
-      const double of_upper = slope * (states[c].upper - cell.states[c].upper);
-      lower += slope > 0.0 ? of_lower : of_upper;
-      upper += slope > 0.0 ? of_upper : of_lower;
+      const double from_lower = states[c].lower - cell.states[c].lower;
+      const double from_upper = states[c].upper - cell.states[c].upper;
+      lower += slope * (slope > 0.0 ? from_lower : from_upper);
+      upper += slope * (slope > 0.0 ? from_upper : from_lower);
+      below += form_.slope_error[h][c] * std::fabs(slope > 0.0 ? from_lower : from_upper);
+      above += form_.slope_error[h][c] * std::fabs(slope > 0.0 ? from_upper : from_lower);
       size += std::fabs(slope) * magnitude(cell.states[c]);
     }
-    handed_on[h].lower += lower - rounding * size;
-    handed_on[h].upper += upper + rounding * size;
+    if (lower == 0.0 && upper == 0.0) continue;
+    handed_on[h].lower += lower - below - of_sums * size;
+    handed_on[h].upper += upper + above + of_sums * size;
   }
 }
 

@@ -21,6 +21,7 @@ StateForm find_state_form(const StagePlan& plan, Desk& desk) {
   form.moves_scores.assign(components, false);
   form.exact.assign(components, true);
   form.slope.assign(components, std::vector<double>(components, 0.0));
+  form.slope_error = form.slope;
   for (std::size_t c = 0; c < components; ++c) {
     if (plan.inherited[c].lower == plan.inherited[c].upper) continue;  // the same for every label
     const auto& slopes =
@@ -36,6 +37,7 @@ StateForm find_state_form(const StagePlan& plan, Desk& desk) {
       const bool constant = bounded && slope.upper - slope.lower <= rounding_width * std::max(1.0, magnitude(slope));
       // What is irrelevant now may have mattered when prices were found that are still in use.
       if (constant) form.slope[h][c] = middle(slope);
+      if (constant) form.slope_error[h][c] = slope.upper - slope.lower;
       if (!constant) form.exact[h] = false;
       // What is handed on at least then hangs on it.
       if (!constant && plan.moved_state == h) form.influences[c] = true;

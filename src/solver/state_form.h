@@ -31,6 +31,8 @@ struct StateForm {
   std::vector<bool> influences;            ///< [inherited component]
   std::vector<bool> moves_scores;          ///< [inherited component]
   std::vector<std::vector<double>> slope;  ///< [handed-on component][inherited component]
+  /// By how much a slope may be another, at most: what rounding leaves open.
+  std::vector<std::vector<double>> slope_error;
 
   [[nodiscard]] bool scores_vary() const {
     return std::find(moves_scores.begin(), moves_scores.end(), true) != moves_scores.end();

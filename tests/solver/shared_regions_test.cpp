@@ -9,7 +9,6 @@
 #include "catch.h"
 #include "sanitized.h"
 #include "solver/random_stack.h"
-#include "solver/rest_curve.h"
 
 namespace shared_regions_test {
 
@@ -19,6 +18,7 @@ using namespace zoo;
 
 struct Counts {
   std::size_t feasible = 0, parts = 0, cells = 0;
+  std::size_t exact = 0, equal = 0;  ///< components that a design hands on exactly; where what was said counts as equal
 };
 
 /// What a part says of designs that hand this on, from these states.
@@ -30,7 +30,12 @@ struct Claim {
 class Walk {
  public:
   Walk(const StagePlan& plan, Desk& desk, std::mt19937& random)
-      : plan_(plan), desk_(desk), random_(random), shared_(plan, desk), worth_(plan.region.rows.size()) {}
+      : plan_(plan),
+        desk_(desk),
+        random_(random),
+        form_(find_state_form(plan, desk)),
+        shared_(plan, desk),
+        worth_(plan.region.rows.size()) {}
 
   void run(Counts& counts) {
     std::vector<double> state;
@@ -47,7 +52,7 @@ class Walk {
       if (SharedPart* const part = shared_.part_of(*cell, region, desk_)) walk(*cell, *part, states, claims);
     counts.parts += leaves_.size();
     ++counts.cells;
-    for (int trial = 0; trial < 400; ++trial) counts.feasible += check_one(state) ? 1 : 0;
+    for (int trial = 0; trial < 400; ++trial) counts.feasible += check_one(state, counts) ? 1 : 0;
   }
 
  private:
@@ -72,7 +77,7 @@ class Walk {
   }
 
   /// A random design at the state; whether it is feasible there.
-  bool check_one(const std::vector<double>& state) {
+  bool check_one(const std::vector<double>& state, Counts& counts) {
     std::vector<Row> rows;
     std::vector<double> variables;
     for (const RowSet& set : plan_.region.rows) rows.push_back(set->all()[random_() % set->size()]);
@@ -99,6 +104,11 @@ class Walk {
         for (std::size_t h = 0; h < answer.handed_on.size(); ++h)
           CHECK(contains(claim.handed_on[h], answer.handed_on[h]));
       }
+      for (std::size_t h = 0; h < answer.handed_on.size(); ++h) {
+        if (!form_.exact[h] || plan_.any_priced) continue;
+        ++counts.exact;
+        counts.equal += rounded(leaf.claims.back().handed_on[h].lower) == rounded(answer.handed_on[h]) ? 1 : 0;
+      }
     }
     CHECK(found);
     return true;
@@ -107,6 +117,7 @@ class Walk {
   const StagePlan& plan_;
   Desk& desk_;
   std::mt19937& random_;
+  StateForm form_;
   SharedRegions shared_;
   SplitWorth worth_;
   std::vector<Leaf> leaves_;
@@ -135,6 +146,9 @@ TEST_CASE("Every design that is feasible for a label is in a part of its cell, a
   CHECK(counts.cells > stacks / 2);
   CHECK(counts.feasible > 20 * stacks);
   CHECK(counts.parts > 10 * stacks);
+  // Else what is the same as a label known would never be as good.
+  CHECK(counts.exact > 20 * stacks);
+  CHECK(static_cast<double>(counts.equal) > 0.98 * static_cast<double>(counts.exact));
 }
 
 TEST_CASE("A label whose states lie outside what can arrive, or in a range without an end, is in no cell") {
