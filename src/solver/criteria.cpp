@@ -55,12 +55,25 @@ void Criteria::least_scores(std::span<const Interval> resources, std::span<doubl
   }
 }
 
-void add_guides(Criteria& criteria, double typical_rate) {
-  for (const double part : {0.1, 0.3, 0.6, 1.0, 1.7, 3.0, 10.0}) {
-    std::vector<double> weight = criteria.weight[0];
-    for (std::size_t r = 0; r < weight.size(); ++r) weight[r] += part * typical_rate * criteria.weight[1][r];
+void add_guides(Criteria& criteria, std::span<const double> apart) {
+  // So much of each objective, as shares of what builds differ by.
+  static const std::vector<std::vector<double>> of_two = {
+      {1, 0.1}, {1, 0.3}, {1, 0.6}, {1, 1}, {1, 1.7}, {1, 3}, {1, 10}};
+  static const std::vector<std::vector<double>> of_three = {{1, 1, 0}, {1, 0, 1}, {0, 1, 1}};
+  for (const std::vector<double>& shares : apart.size() == 2 ? of_two : of_three) {
+    std::vector<double> mix;
+    bool useful = true;
+    for (std::size_t k = 0; k < shares.size(); ++k) {
+      useful = useful && (shares[k] == 0.0 || (apart[k] > 0.0 && std::isfinite(apart[k])));
+      mix.push_back(shares[k] == 0.0 ? 0.0 : shares[k] / apart[k]);
+    }
+    if (!useful) continue;
+    std::vector<double> weight(criteria.weight[0].size(), 0.0);
+    for (std::size_t r = 0; r < weight.size(); ++r)
+      for (std::size_t k = 0; k < mix.size(); ++k) weight[r] += mix[k] * criteria.weight[k][r];
     criteria.weight.push_back(std::move(weight));
     criteria.limit.push_back(std::numeric_limits<double>::infinity());
+    criteria.guide_mix.push_back(std::move(mix));
     ++criteria.guides;
   }
 }

@@ -32,11 +32,12 @@ inline constexpr int exact_digits = 40;
 inline double rounded(double x) { return rounded(x, exact_digits); }
 
 struct Criteria {
-  std::size_t objectives = 1;               ///< how many of the scores are objectives; they come first
-  std::size_t ties = 0;                     ///< how many scores after them decide between equals
-  std::size_t guides = 0;                   ///< weighted sums of two objectives, the last scores: see add_guides
-  std::vector<std::vector<double>> weight;  ///< [score][resource], never negative
-  std::vector<double> limit;                ///< [score]: the total must not exceed this
+  std::size_t objectives = 1;                       ///< how many of the scores are objectives; they come first
+  std::size_t ties = 0;                             ///< how many scores after them decide between equals
+  std::size_t guides = 0;                           ///< weighted sums of objectives, the last scores: see add_guides
+  std::vector<std::vector<double>> weight;          ///< [score][resource], never negative
+  std::vector<double> limit;                        ///< [score]: the total must not exceed this
+  std::vector<std::vector<double>> guide_mix = {};  ///< [guide][objective]: weight in the sum
 
   [[nodiscard]] std::size_t size() const { return weight.size(); }
   /// The score that is set against the first one in staircases: the second objective, or the first tie; 0 without one.
@@ -61,9 +62,10 @@ struct Criteria {
   void least_scores(std::span<const Interval> resources, std::span<double> out) const;
 };
 
-/// For a front in two objectives: adds sums first + rate * second as further scores. They decide nothing, but the least
-/// of a sum says far more about what can still be on the front than the least of each objective on its own.
-void add_guides(Criteria& criteria, double typical_rate);
+/// For a front in two or three objectives: adds weighted sums of them as further scores. They decide nothing, but the
+/// least of a sum says far more about what can still be on the front than the least of each objective on its own.
+/// `apart`: by how much builds of the front differ in each objective; one in which they do not is in no sum.
+void add_guides(Criteria& criteria, std::span<const double> apart);
 
 /// Throws std::invalid_argument, naming the option, when an index or a weight makes no sense.
 Criteria make_criteria(const Problem& problem, const Options& options);

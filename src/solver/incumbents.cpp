@@ -29,7 +29,10 @@ int Incumbents::compare_rest(const RankedBuild& known, std::span<const double> s
   return 0;
 }
 
-bool Incumbents::settles(const RankedBuild& known, std::span<const double> score, double utilisation) const {
+bool Incumbents::settles(const RankedBuild& known,
+                         std::span<const double> score,
+                         double utilisation,
+                         double tolerance) const {
   bool strictly = false;
   for (std::size_t k = 0; k < criteria_->objectives; ++k) {
     const double a = rounded(known.score[k]);
@@ -55,48 +58,81 @@ bool Incumbents::within_limits(std::span<const double> score_lower) const {
 
 bool Incumbents::hopeless(std::span<const double> score_lower, double utilisation_lower) const {
   if (!within_limits(score_lower)) return true;
+  if (criteria_->objectives == 3) return fills_no_corner(score_lower, utilisation_lower);
   if (criteria_->guides > 0 && !builds_.empty()) return fills_no_gap(score_lower, utilisation_lower);
-  if (criteria_->objectives == 2 && tolerance > 0.0) {
+  if (criteria_->objectives == 2 && tolerance_ > 0.0) {
     // Of those that are good enough in the first objective the last is the best in the second.
     const double first = rounded(score_lower[0]);
     const auto end = std::partition_point(builds_.begin(), builds_.end(), [&](const RankedBuild& known) {
       const double a = rounded(known.score[0]);
-      return a - tolerance * std::fabs(a) <= first;
+      return a - tolerance_ * std::fabs(a) <= first;
     });
-    return end != builds_.begin() && settles(*std::prev(end), score_lower, utilisation_lower);
+    return end != builds_.begin() && settles(*std::prev(end), score_lower, utilisation_lower, tolerance_);
   }
   return std::any_of(builds_.begin(), builds_.end(), [&](const RankedBuild& known) {
-    return settles(known, score_lower, utilisation_lower);
+    return settles(known, score_lower, utilisation_lower, tolerance_);
   });
+}
+
+/// Whether no guide says that a design with these lower bounds is above these objectives.
+bool Incumbents::guides_allow(std::span<const double> score_lower, std::span<const double> objectives) const {
+  constexpr double slack = 1e-12;
+  for (std::size_t g = 0; g < criteria_->guides; ++g) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < objectives.size(); ++k) sum += criteria_->guide_mix[g][k] * objectives[k];
+    if (score_lower[criteria_->size() - criteria_->guides + g] > sum + slack * std::fabs(sum)) return false;
+  }
+  return true;
+}
+
+/// A front in three objectives: something new must lie below a corner that the builds leave open, or equal a build and
+/// win the tie.
+bool Incumbents::fills_no_corner(std::span<const double> score_lower, double utilisation_lower) const {
+  const FrontCorners::Point lower{rounded(score_lower[0]), rounded(score_lower[1]), rounded(score_lower[2])};
+  if (corners_.above(lower, [&](const auto& corner) { return guides_allow(score_lower, corner); })) return false;
+  return tolerance_ > 0.0 || std::ranges::none_of(builds_, [&](const RankedBuild& known) {
+           for (std::size_t k = 0; k < lower.size(); ++k)
+             if (rounded(known.score[k]) < lower[k]) return false;
+           return compare_rest(known, score_lower, utilisation_lower) > 0 &&
+                  guides_allow(score_lower, std::span(known.score).first(lower.size()));
+         });
+}
+
+void Incumbents::note_corner(std::span<const double> score) {
+  FrontCorners::Point point{};
+  for (std::size_t k = 0; k < point.size(); ++k) {
+    point[k] = rounded(score[k]);
+    point[k] -= tolerance_ * std::fabs(point[k]);
+  }
+  corners_.add(point);
+}
+
+void Incumbents::set_tolerance(double tolerance) {
+  if (tolerance == tolerance_) return;
+  tolerance_ = tolerance;
+  if (criteria_->objectives != 3) return;
+  corners_ = {};
+  for (const RankedBuild& known : builds_) note_corner(known.score);
 }
 
 /// Whether a design with these lower bounds can have objectives below (first, second).
 bool Incumbents::may_reach(std::span<const double> score_lower, double first, double second, bool strictly) const {
-  constexpr double slack = 1e-12;
   const auto below = [&](double lower, double upper) {
     return strictly ? rounded(lower) < rounded(upper) : rounded(lower) <= rounded(upper);
   };
   if (!below(score_lower[0], first) || !below(score_lower[1], second)) return false;
-  if (!std::isfinite(first) || !std::isfinite(second)) return true;
-  for (std::size_t k = score_lower.size() - criteria_->guides; k < score_lower.size(); ++k) {
-    double rate = 0.0;
-    for (std::size_t r = 0; r < criteria_->weight[k].size(); ++r) {
-      if (criteria_->weight[1][r] != 0.0 && criteria_->weight[0][r] == 0.0) rate = criteria_->weight[k][r];
-    }
-    const double sum = first + rate * second;
-    if (score_lower[k] > sum + slack * std::fabs(sum)) return false;
-  }
-  return true;
+  const std::array objectives{first, second};
+  return !std::isfinite(first) || !std::isfinite(second) || guides_allow(score_lower, objectives);
 }
 
 /// A front in two objectives is a staircase; something new must lie in one of the corners between two steps, or equal a
 /// step and win the tie.
 bool Incumbents::fills_no_gap(std::span<const double> score_lower, double utilisation_lower) const {
-  const double left = 1.0 - tolerance;  // within the tolerance the next step settles it
+  const double left = 1.0 - tolerance_;  // within the tolerance the next step settles it
   double second = infinity;
   for (const RankedBuild& step : builds_) {
     if (may_reach(score_lower, left * step.score[0], left * second, true)) return false;
-    if (tolerance == 0.0 && compare_rest(step, score_lower, utilisation_lower) > 0 &&
+    if (tolerance_ == 0.0 && compare_rest(step, score_lower, utilisation_lower) > 0 &&
         may_reach(score_lower, step.score[0], step.score[1], false)) {
       return false;
     }
@@ -110,8 +146,7 @@ bool Incumbents::offer(RankedBuild candidate) {
     if (!(candidate.score[k] <= criteria_->limit[k])) return false;
   }
   // Between builds the comparison is exact: a build that is better by less than the tolerance is still better.
-  const double kept = tolerance;
-  tolerance = 0.0;
+  constexpr double exactly = 0.0;
   const auto equal_in_all = [&](const RankedBuild& a) {
     for (std::size_t k = 0; k < criteria_->objectives; ++k) {
       if (rounded(a.score[k]) != rounded(candidate.score[k])) return false;
@@ -120,19 +155,19 @@ bool Incumbents::offer(RankedBuild candidate) {
   };
   const bool beaten = std::any_of(builds_.begin(), builds_.end(), [&](const RankedBuild& known) {
     if (equal_in_all(known)) return compare_rows(known.build, candidate.build) <= 0;
-    return settles(known, candidate.score, candidate.build.worst_utilisation);
+    return settles(known, candidate.score, candidate.build.worst_utilisation, exactly);
   });
   if (!beaten) {
     std::erase_if(builds_, [&](const RankedBuild& known) {
-      return settles(candidate, known.score, known.build.worst_utilisation);
+      return settles(candidate, known.score, known.build.worst_utilisation, exactly);
     });
     const auto place = std::upper_bound(
         builds_.begin(), builds_.end(), candidate.score[0], [](double score, const RankedBuild& other) {
           return score < other.score[0];
         });
+    if (criteria_->objectives == 3) note_corner(candidate.score);
     builds_.insert(place, std::move(candidate));
   }
-  tolerance = kept;
   return !beaten;
 }
 

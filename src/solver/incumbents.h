@@ -6,10 +6,12 @@
 // Order between builds: objectives, then tie scores, then the smaller worst utilisation, then the smaller row numbers.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
 #include "solver/criteria.h"
+#include "solver/front_corners.h"
 
 namespace millwright::solver {
 
@@ -24,7 +26,8 @@ class Incumbents {
 
   /// A region is given up when it can better a build by less than this, relative. 0 without continuous variables that
   /// move scores; then the answer is exact.
-  double tolerance = 0.0;
+  [[nodiscard]] double tolerance() const { return tolerance_; }
+  void set_tolerance(double tolerance);
 
   /// Whether designs with at least these total scores and this worst utilisation cannot change the answer.
   [[nodiscard]] bool hopeless(std::span<const double> score_lower, double utilisation_lower) const;
@@ -38,13 +41,21 @@ class Incumbents {
   [[nodiscard]] bool within_limits(std::span<const double> score_lower) const;
 
  private:
-  [[nodiscard]] bool settles(const RankedBuild& known, std::span<const double> score, double utilisation) const;
+  [[nodiscard]] bool settles(const RankedBuild& known,
+                             std::span<const double> score,
+                             double utilisation,
+                             double tolerance) const;
+  [[nodiscard]] bool guides_allow(std::span<const double> score_lower, std::span<const double> objectives) const;
+  [[nodiscard]] bool fills_no_corner(std::span<const double> score_lower, double utilisation_lower) const;
+  void note_corner(std::span<const double> score);
   [[nodiscard]] bool may_reach(std::span<const double> score_lower, double first, double second, bool strictly) const;
   [[nodiscard]] bool fills_no_gap(std::span<const double> score_lower, double utilisation_lower) const;
   [[nodiscard]] int compare_rest(const RankedBuild& known, std::span<const double> score, double utilisation) const;
 
   const Criteria* criteria_;
+  double tolerance_ = 0.0;
   std::vector<RankedBuild> builds_;  ///< ascending in the first objective
+  FrontCorners corners_;             ///< of three objectives
 };
 
 }  // namespace millwright::solver

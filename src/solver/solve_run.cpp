@@ -2,6 +2,7 @@
 #include "solver/solve_run.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -63,7 +64,22 @@ void SolveRun::find_ends() {
   }
   const double rise = ends[1][0] - ends[0][0];
   const double fall = ends[0][1] - ends[1][1];
-  if (rise > 0.0 && fall > 0.0) add_guides(criteria_, rise / fall);
+  if (rise > 0.0 && fall > 0.0) add_guides(criteria_, std::array{rise, fall});
+  for (RankedBuild& ranked : incumbents_.builds()) ranked.score = scores_of(ranked.build);
+}
+
+/// Of three objectives, by how far the builds known lie apart in each.
+void SolveRun::add_guides_between_sides() {
+  std::vector<double> apart;
+  for (std::size_t k = 0; k < criteria_.objectives; ++k) {
+    double least = infinity, most = -infinity;
+    for (const RankedBuild& ranked : incumbents_.builds()) {
+      least = std::min(least, ranked.score[k]);
+      most = std::max(most, ranked.score[k]);
+    }
+    apart.push_back(most - least);
+  }
+  add_guides(criteria_, apart);
   for (RankedBuild& ranked : incumbents_.builds()) ranked.score = scores_of(ranked.build);
 }
 
@@ -79,6 +95,7 @@ bool SolveRun::find_sides() {
     options.time_limit_seconds = share * (options.time_limit_seconds - control_.seconds());
     if (solve_first(std::move(options), Scope::stage_by_stage).status == Status::infeasible) return false;
   }
+  add_guides_between_sides();
   return true;
 }
 
@@ -128,7 +145,7 @@ Summary SolveRun::summary() {
   const double best = incumbents_.best();
   // What the tolerance gave up may be better by so much.
   const double searched = std::min(best, searched_best_);
-  const double settled = std::isfinite(best) ? searched - incumbents_.tolerance * std::fabs(searched) : infinity;
+  const double settled = std::isfinite(best) ? searched - incumbents_.tolerance() * std::fabs(searched) : infinity;
   out.lower_bound = std::min(settled, open_bound_);
   for (const RankedBuild& ranked : incumbents_.builds()) out.builds.push_back(ranked.build);
   if (criteria_.objectives == 1 && out.builds.size() > 1) out.builds.resize(1);

@@ -54,6 +54,7 @@ class SolveRun {
   bool find_some_first();
   void find_ends();
   bool find_sides();
+  void add_guides_between_sides();
   Summary solve_first(Options options, Scope scope);
   [[nodiscard]] std::vector<double> scores_of(const Build& build) const;
   void better_among_equals();
@@ -91,7 +92,7 @@ class SolveRun {
     complete_ = false;
     open_bound_ = std::min(open_bound_, lower_bound);
   }
-  void set_tolerance() { incumbents_.tolerance = priced_ ? 0.5 * tolerated() : 0.0; }
+  void set_tolerance() { incumbents_.set_tolerance(priced_ ? 0.5 * tolerated() : 0.0); }
   /// What an answer with priced variables may fall short of the best.
   [[nodiscard]] double tolerated() const {
     return criteria_.objectives > 1 ? front_tolerance() : control_.options().gap;
