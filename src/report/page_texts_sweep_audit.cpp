@@ -25,8 +25,7 @@ std::vector<PageText> sweep_and_audit_texts() {
        "Every point is a compliant build; the search was ended, so others may beat it. Point at one for what it "
        "changes; click for its sheet.",
        "Setiap titik adalah rancangan yang memenuhi syarat; pencarian dihentikan, jadi mungkin ada yang "
-       "mengunggulinya. "
-       "Tunjuk untuk melihat perubahannya; klik untuk lembarnya."},
+       "mengunggulinya. Tunjuk untuk melihat perubahannya; klik untuk lembarnya."},
       {"banner.within",
        "The proof is to {} %: another build may be better by that much.",
        "Buktinya sampai {} %: rancangan lain mungkin lebih baik sebanyak itu."},

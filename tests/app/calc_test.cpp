@@ -132,18 +132,14 @@ TEST_CASE("Lists and names as arguments") {
 
 TEST_CASE("Outside the stated validity there is a warning, outside the formula's domain no answer") {
   const Workshop shop;
-  const Outcome negative = shop.run(
-      {"calc", "power_screw.raising_torque", "force=-1500 N", "mean_diameter=14 mm", "lead=4 mm", "friction=0.155"});
+  std::vector<std::string> asked{
+      "calc", "power_screw.raising_torque", "force=-1500 N", "mean_diameter=14 mm", "lead=4 mm", "friction=0.155"};
+  const Outcome negative = shop.run(asked);
   CHECK(negative.exit_code == 0);
   CHECK(negative.prints("outside the stated validity: force = -1500 N is below 0 N"));
   CHECK(negative.err.empty());
-  const Outcome quiet = shop.run({"calc",
-                                  "power_screw.raising_torque",
-                                  "force=-1500 N",
-                                  "mean_diameter=14 mm",
-                                  "lead=4 mm",
-                                  "friction=0.155",
-                                  "--quiet"});
+  asked.push_back("--quiet");
+  const Outcome quiet = shop.run(asked);
   CHECK(quiet.exit_code == 0);
   CHECK(quiet.says("warning: power_screw.raising_torque: force = -1500 N is below 0 N"));
 }

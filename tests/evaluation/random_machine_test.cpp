@@ -390,7 +390,7 @@ TEST_CASE("Random machines equal all of their builds") {
 }
 
 // What may arrive at its supply has no end: a compliance that some drives hand on is infinite.
-TEST_CASE("A machine of which labels once took what has no end for a bound equals all of its builds") {
+TEST_CASE("A machine whose labels hand on compliances without a bound equals all of its builds") {
   Counts counts;
   Trial trial(26748, counts);
   INFO(trial.text());
