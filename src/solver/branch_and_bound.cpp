@@ -151,12 +151,11 @@ void BranchAndBound::offer(const Node& from, Region part, Outcome& outcome, Desk
   outcome.nodes.push_back(std::move(child));
 }
 
-void BranchAndBound::expand_stream(const Node& node, Outcome& outcome, Desk& desk) const {
-  const Label& label = labels_[node.label];
+/// From one on, the first region of the frontier that may matter to a label. Those that are hopeless even at the best
+/// state need not be bounded with its own.
+std::size_t BranchAndBound::first_to_follow(const Label& label, std::size_t region) const {
   const StagePlan& plan = plans_[label.stage];
-  std::size_t region = node.next_region;
   std::vector<double> score(criteria_.size());
-  // Regions that are hopeless even at the best state need not be bounded with this label's own.
   for (; region < plan.frontier.size(); ++region) {
     const Bounds& best = plan.frontier[region].bounds;
     for (std::size_t k = 0; k < score.size(); ++k) {
@@ -165,9 +164,16 @@ void BranchAndBound::expand_stream(const Node& node, Outcome& outcome, Desk& des
     }
     if (!incumbents_.hopeless(score, std::max(label.utilisation, best.utilisation))) break;
   }
+  return region;
+}
+
+void BranchAndBound::expand_stream(const Node& node, Outcome& outcome, Desk& desk) const {
+  const Label& label = labels_[node.label];
+  const StagePlan& plan = plans_[label.stage];
+  const std::size_t region = first_to_follow(label, node.next_region);
   if (region == plan.frontier.size()) return;
   if (shares_regions(node.label))
-    offer(node, shared_[label.stage]->part_of(*cells_[node.label], region, desk), outcome);
+    go_down(node, shared_[label.stage]->part_of(*cells_[node.label], region, desk), node.score[0], outcome);
   else
     offer(node, plan.frontier[region].region, outcome, desk);
   Node others;
@@ -227,7 +233,7 @@ void BranchAndBound::merge(Node& node, Outcome& outcome) {
   std::array<std::optional<Reached>, 2> parts;  // that a region was divided into
   for (std::size_t i = 0; i < outcome.nodes.size(); ++i) {
     const Reached reached{outcome.nodes[i].utilisation, outcome.nodes[i].score[0]};
-    if (push(std::move(outcome.nodes[i]))) parts.at(i) = reached;
+    if (push(std::move(outcome.nodes[i])) && i < parts.size()) parts[i] = reached;
   }
   if (outcome.divided)
     for (const std::optional<Reached>& part : parts)
@@ -334,10 +340,13 @@ void BranchAndBound::work_on_batch() {
   // To wake the crew takes longer than to follow what is known.
   std::vector<std::size_t> long_ones;
   for (std::size_t i = 0; i < batch.size(); ++i) {
-    if (asks_nothing(batch[i]))
+    find_region(batch[i]);
+    if (asks_nothing(batch[i])) {
       expand(batch[i], outcomes_[i], control_.desk(0));
-    else
+      outcomes_[i].divided.reset();  // by another one
+    } else {
       long_ones.push_back(i);
+    }
   }
   control_.crew().run(long_ones.size(), [&](std::size_t i, unsigned thread) {
     expand(batch[long_ones[i]], outcomes_[long_ones[i]], control_.desk(thread));

@@ -106,8 +106,12 @@ class BranchAndBound {
   [[nodiscard]] bool useless(const Node& node) const;
   [[nodiscard]] bool useless(const Label& label, std::size_t stage, const Worth& own) const;
   void expand(const Node& node, Outcome& outcome, Desk& desk) const;
+  [[nodiscard]] std::size_t first_to_follow(const Label& label, std::size_t region) const;
   void expand_stream(const Node& node, Outcome& outcome, Desk& desk) const;
+  void find_region(Node& node) const;
   [[nodiscard]] bool asks_nothing(const Node& node) const;
+  [[nodiscard]] bool make_part(const Node& from, SharedPart& part, Node& node) const;
+  void go_down(const Node& from, SharedPart* part, double up_to, Outcome& outcome) const;
   void expand_part(const Node& node, Outcome& outcome, Desk& desk) const;
   void branch(const Node& node, Outcome& outcome, Desk& desk) const;
   bool bound_node(Node& node, Desk& desk) const;
@@ -127,7 +131,6 @@ class BranchAndBound {
   void keep_boxes(std::vector<OpenBox>& boxes);
   void forget_settled();
   bool make_stream(std::uint32_t label, std::size_t region, Node& node) const;
-  void offer(const Node& from, SharedPart* part, Outcome& outcome) const;
   [[nodiscard]] bool shares_regions(std::uint32_t label) const;
   void note_scores(const Bounds& bounds, Node& node) const;
   void follow(std::uint32_t label);

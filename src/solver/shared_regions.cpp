@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 
+#include "solver/rest_curve.h"
 #include "solver/variable_halves.h"
 
 namespace millwright::solver {
@@ -72,9 +73,13 @@ SharedPart* SharedRegions::part_of(Cell& cell, std::size_t region, Desk& desk) {
 std::unique_ptr<SharedPart> SharedRegions::bounded(const Cell& cell, Region region, Desk& desk) {
   auto part = std::make_unique<SharedPart>();
   part->region = std::move(region);
-  if (!assess(*plan_, cell.states, part->region, part->bounds, desk)) return nullptr;
-  part->region.kept = ~part->bounds.telling;
+  Bounds& bounds = part->bounds;
+  if (!assess(*plan_, cell.states, part->region, bounds, desk)) return nullptr;
+  part->region.kept = ~bounds.telling;
   part->single_design = part->region.one_design_per_slot();
+  for (std::size_t k = 0; k < bounds.score.size(); ++k)
+    part->least.push_back(scalar::rounding::sum_down(std::max(bounds.score[k], plan_->least[k]),
+                                                     rest_after(*plan_, k, bounds.handed_on)));
   ++parts_;
   return part;
 }

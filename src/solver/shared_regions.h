@@ -6,8 +6,8 @@
 // at states that hardly differ. So the range of states is cut into narrow cells. In each the regions make trees: a part
 // is bounded over all states of the cell, and divided when the first label asks for its halves. That holds for every
 // label of the cell; its own scores are added, and what is handed on as a fixed linear form of the state (state_form.h)
-// is taken at the label's own. About a single design, and about whatever is left when the trees are large, a label has
-// to ask by itself.
+// is taken at the label's own. So a label goes down what others have divided in one step, only where it may matter.
+// About a single design, and about whatever is left when the trees are large, it has to ask by itself.
 //
 // Parts are divided by several threads at once. What they become does not depend on which thread comes first, nor do
 // the counts of what is known, which change between batches only (`count`, `cell_of`).
@@ -28,8 +28,9 @@
 namespace millwright::solver {
 
 struct SharedPart {
-  Region region;  ///< until it is divided
-  Bounds bounds;  ///< over all states of the cell
+  Region region;              ///< until it is divided
+  Bounds bounds;              ///< over all states of the cell
+  std::vector<double> least;  ///< [score]: of it with all stages after
   bool single_design = false;
   bool divided = false;
   std::array<std::unique_ptr<SharedPart>, 2> halves;  ///< null: no design in it is feasible in the cell

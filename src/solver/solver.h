@@ -34,7 +34,7 @@ struct Options {
   /// and shared allowances are priced first (rest_plane.h).
   std::uint64_t stage_patience = 30000;
   /// Labels in alike states from which on they divide the regions of a stage together (shared_regions.h).
-  std::size_t labels_together = 8;
+  std::size_t labels_together = 4;
   bool look_first = true;  ///< for good builds, before what takes long; objectives and ties do not depend on it
   bool confirm = true;     ///< ask the local solvers about an answer with priced variables (confirmation.h)
   unsigned threads = 1;    ///< the answer does not depend on it

@@ -9,6 +9,7 @@
 #include "catch.h"
 #include "sanitized.h"
 #include "solver/random_stack.h"
+#include "solver/rest_curve.h"
 
 namespace shared_regions_test {
 
@@ -48,8 +49,11 @@ class Walk {
     for (std::size_t c = 0; c < state.size(); ++c) CHECK(contains(cell->states[c], state[c]));
     leaves_.clear();
     std::vector<Claim> claims;
-    for (std::size_t region = 0; region < plan_.frontier.size(); ++region)
-      if (SharedPart* const part = shared_.part_of(*cell, region, desk_)) walk(*cell, *part, states, claims);
+    for (std::size_t region = 0; region < plan_.frontier.size(); ++region) {
+      SharedPart* const part = shared_.part_of(*cell, region, desk_);
+      REQUIRE(shared_.part_of(*cell, region, desk_) == part);  // once for all
+      if (part != nullptr) walk(*cell, *part, states, claims);
+    }
     counts.parts += leaves_.size();
     ++counts.cells;
     for (int trial = 0; trial < 400; ++trial) counts.feasible += check_one(state, counts) ? 1 : 0;
@@ -64,6 +68,12 @@ class Walk {
   void walk(SharedRegions::Cell& cell, SharedPart& part, std::span<const Interval> states, std::vector<Claim>& claims) {
     Claim& claim = claims.emplace_back();
     claim.score = part.bounds.score;
+    REQUIRE(part.least.size() == claim.score.size());
+    for (std::size_t k = 0; k < claim.score.size(); ++k) {
+      const double all = std::max(claim.score[k], plan_.least[k]) + rest_after(plan_, k, part.bounds.handed_on);
+      CHECK(part.least[k] <= all);
+      CHECK(part.least[k] >= all * (1.0 - 1e-12));
+    }
     shared_.hand_on(cell, states, part.bounds, claim.handed_on);
     if (part.single_design) {
       leaves_.push_back({&part, claims});
