@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <optional>
 #include <utility>
 
 #include "solver/box_slopes.h"
@@ -19,7 +18,8 @@ namespace {
 
 constexpr std::size_t cover_boxes = 20000;
 constexpr std::size_t proof_boxes = 30;
-constexpr std::size_t ipopt_after = 401;  // boxes after which Ipopt is asked if no feasible point is known
+constexpr std::size_t label_asked_after = 64;  // boxes after which it is asked whether the label leaves them undecided
+constexpr std::size_t ipopt_after = 401;       // boxes after which Ipopt is asked if no feasible point is known
 
 /// Covers the useful designs of a box of priced variables by feasible points.
 class Cover {
@@ -39,7 +39,9 @@ class Cover {
       if (covered(box.side, box.origin, box.bounds)) continue;
       const bool smaller = look_inside(box, boxes);
       if (covered(box.side, box.origin, box.bounds) || has_stand_in(box)) continue;
-      if (smaller)
+      if (boxes >= label_asked_after && only_label_decides(box))
+        leave_undecided(box);
+      else if (smaller)
         push_part(box, box.side);
       else
         divide(box);
@@ -57,24 +59,11 @@ class Cover {
     return boxes % asked_every == 0 && question_.stop && question_.stop();
   }
 
-  /// What boxes have in common. (Where the region has been cut since a box was left open nothing is feasible, and what
-  /// is known of the region, such as its groups, holds nowhere else.)
-  static std::optional<std::vector<Interval>> within(std::span<const Interval> sides,
-                                                     std::span<const Interval> region) {
-    std::vector<Interval> common;
-    for (std::size_t v = 0; v < sides.size(); ++v) {
-      const auto side = intersect(sides[v], region[v]);
-      if (!side) return std::nullopt;
-      common.push_back(*side);
-    }
-    return common;
-  }
-
   void push_boxes() {
     const auto& variables = question_.region->variables;
     if (question_.among.empty()) push({.side = variables}, nullptr);
     for (const OpenBox& box : question_.among)
-      if (auto sides = within(box.sides.empty() ? variables : box.sides, variables))
+      if (auto sides = common_part(box.sides.empty() ? variables : box.sides, variables))
         push({.side = std::move(*sides), .origin = box.origin}, nullptr);
   }
 
@@ -281,6 +270,26 @@ class Cover {
     stand_ins_score_.push_back(std::move(score));
     stand_ins_.push_back(std::move(point));
     return true;
+  }
+
+  /// Whether dividing a box decides nothing any more: what the label stands for leaves open as much at a point of it.
+  /// (A power in whole watts is one or the next by a load that is known within bounds.) No feasible point can cover
+  /// such a box, however small it is.
+  bool only_label_decides(const VariableBox& box) {
+    if (question_.label->exact || leaves_to_later()) return false;
+    const StagePlan& plan = *question_.plan;
+    std::vector<double> center = middle_of(box.side);
+    relief_.relieve(center, box.side, true);
+    const std::vector<Interval> there(center.begin(), center.end());
+    Bounds bounds;
+    read_bounds(
+        plan, desk_.bound(*plan.stage, plan.shared, question_.label->enclosure, *question_.region, there), bounds);
+    if (bounds.utilisation > 1.0) return false;
+    std::vector<double> best;
+    for (std::size_t c = 0; c < bounds.handed_on.size(); ++c)
+      best.push_back(plan.after[c] == Direction::larger_is_better ? bounds.handed_on[c].upper
+                                                                  : bounds.handed_on[c].lower);
+    return as_good(question_, bounds.score, best, box.bounds.score, box.bounds.handed_on, slack());
   }
 
   /// How far scores and states of what the label stands for are from those of its point.

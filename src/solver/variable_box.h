@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -74,6 +75,19 @@ inline std::vector<double> middle_of(std::span<const Interval> box) {
   std::vector<double> x;
   for (const Interval& side : box) x.push_back(middle(side));
   return x;
+}
+
+/// What a box and the region that it is in have in common. (Where the region has been cut since a box was left open
+/// nothing is feasible, and what is known of the region, such as its groups, holds nowhere else.)
+inline std::optional<std::vector<Interval>> common_part(std::span<const Interval> box,
+                                                        std::span<const Interval> region) {
+  std::vector<Interval> common;
+  for (std::size_t v = 0; v < box.size(); ++v) {
+    const auto side = intersect(box[v], region[v]);
+    if (!side) return std::nullopt;
+    common.push_back(*side);
+  }
+  return common;
 }
 
 }  // namespace millwright::solver
