@@ -272,6 +272,9 @@ void BranchAndBound::arrive(const Node& node, const StagePoint& point, std::vect
     for (std::size_t k = 0; k < label.score.size(); ++k) {
       label.score_lower[k] = std::min(label.score[k], below(from.score_lower[k], point.score_lower[k]));
     }
+    // What is no better in the objectives is dominated by this label. It must be no better in their sums, too, or both
+    // could be given up: this one by a guide, with its point, where that is not feasible in the end.
+    criteria_.lower_guides(label.score_lower);
   }
   label.state = point.state;
   label.enclosure = point.enclosure;

@@ -272,19 +272,23 @@ class Cover {
     return true;
   }
 
-  /// Whether dividing a box decides nothing any more: what the label stands for leaves open as much at a point of it.
-  /// (A power in whole watts is one or the next by a load that is known within bounds.) No feasible point can cover
-  /// such a box, however small it is.
+  /// Whether dividing a box decides nothing any more: its middle is feasible, and nothing known can stand for all that
+  /// the middle alone may be for what the label stands for, which is as much as the box may be. (A power in whole watts
+  /// is one or the next by a load that is known within bounds.) No feasible point can cover such a box, however small
+  /// it is.
   bool only_label_decides(const VariableBox& box) {
     if (question_.label->exact || leaves_to_later()) return false;
-    const StagePlan& plan = *question_.plan;
     std::vector<double> center = middle_of(box.side);
     relief_.relieve(center, box.side, true);
+    if (!(design_.worst_at(center) <= 1.0)) return false;
+    const StagePlan& plan = *question_.plan;
     const std::vector<Interval> there(center.begin(), center.end());
     Bounds bounds;
     read_bounds(
         plan, desk_.bound(*plan.stage, plan.shared, question_.label->enclosure, *question_.region, there), bounds);
     if (bounds.utilisation > 1.0) return false;
+    for (const StagePoint& known : answer_.points)
+      if (as_good(question_, score_of(known), known.state, bounds.score, bounds.handed_on, slack())) return false;
     std::vector<double> best;
     for (std::size_t c = 0; c < bounds.handed_on.size(); ++c)
       best.push_back(plan.after[c] == Direction::larger_is_better ? bounds.handed_on[c].upper

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solver/criteria.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -52,6 +53,18 @@ void Criteria::least_scores(std::span<const Interval> resources, std::span<doubl
       first = false;
     }
     out[k] = sum;
+  }
+}
+
+void Criteria::lower_guides(std::span<double> score) const {
+  using scalar::rounding::product_down;
+  using scalar::rounding::sum_down;
+  for (std::size_t g = 0; g < guides; ++g) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < objectives; ++k)
+      if (guide_mix[g][k] != 0.0) sum = sum_down(sum, product_down(guide_mix[g][k], score[k]));
+    double& guide = score[size() - guides + g];
+    guide = std::min(guide, sum);
   }
 }
 

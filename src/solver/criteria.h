@@ -60,6 +60,8 @@ struct Criteria {
   }
   /// The lower bounds of the same, of resources that are known as intervals.
   void least_scores(std::span<const Interval> resources, std::span<double> out) const;
+  /// Lowers guides to the sums of these objectives, where they say more.
+  void lower_guides(std::span<double> score) const;
 };
 
 /// For a front in two or three objectives: adds weighted sums of them as further scores. They decide nothing, but the

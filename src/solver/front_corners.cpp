@@ -20,6 +20,7 @@ void FrontCorners::keep(const Point& corner) {
 }
 
 void FrontCorners::add(const Point& point) {
+  if (!std::ranges::all_of(point, [](double x) { return x < 0.5 * endless; })) return;
   std::vector<Point> cut;
   std::vector<Archive::Name> names;
   corners_.remove_at_most(turned(next(point)), [&](Archive::Name name) {

@@ -4,6 +4,7 @@
 // open, in every objective. Points that are beaten by others make no difference.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -19,11 +20,13 @@ class FrontCorners {
 
   FrontCorners();
 
-  /// Nothing that is at least this in every objective is new any more.
+  /// Nothing that is at least this in every objective is new any more. What is endless in one leaves no corner.
   void add(const Point& point);
-  /// Whether some corner is larger than `lower` in every objective and `accepted`.
+  /// Whether some corner is larger than `lower` in every objective and `accepted`. What no point known is below,
+  /// endless or not, is below the corner that is as large as you like.
   template <class Accepted>
-  [[nodiscard]] bool above(const Point& lower, Accepted&& accepted) const {
+  [[nodiscard]] bool above(Point lower, Accepted&& accepted) const {
+    for (double& x : lower) x = std::min(x, 0.5 * endless);
     const Point smallest = turned(next(lower));
     return corners_.any_at_most(smallest, [&](Archive::Name name) { return accepted(by_name_[name]); });
   }

@@ -117,7 +117,7 @@ void SharedRegions::hand_on(const Cell& cell,
   constexpr double of_sums = 8 * std::numeric_limits<double>::epsilon();
   handed_on = bounds.handed_on;
   for (std::size_t h = 0; h < handed_on.size(); ++h) {
-    double lower = 0.0, upper = 0.0, below = 0.0, above = 0.0, size = magnitude(handed_on[h]);
+    double lower = 0.0, upper = 0.0, slack = of_sums * magnitude(handed_on[h]);
     for (std::size_t c = 0; c < states.size(); ++c) {
       const double slope = form_.slope[h][c];
       if (slope == 0.0) continue;
@@ -125,13 +125,12 @@ void SharedRegions::hand_on(const Cell& cell,
       const double from_upper = states[c].upper - cell.states[c].upper;
       lower += slope * (slope > 0.0 ? from_lower : from_upper);
       upper += slope * (slope > 0.0 ? from_upper : from_lower);
-      below += form_.slope_error[h][c] * std::fabs(slope > 0.0 ? from_lower : from_upper);
-      above += form_.slope_error[h][c] * std::fabs(slope > 0.0 ? from_upper : from_lower);
-      size += std::fabs(slope) * magnitude(cell.states[c]);
+      slack += form_.slope_error[h][c] * std::max(std::fabs(from_lower), std::fabs(from_upper)) +
+               of_sums * std::fabs(slope) * magnitude(cell.states[c]);
     }
     if (lower == 0.0 && upper == 0.0) continue;
-    handed_on[h].lower += lower - below - of_sums * size;
-    handed_on[h].upper += upper + above + of_sums * size;
+    handed_on[h].lower += lower - slack;
+    handed_on[h].upper += upper + slack;
   }
 }
 

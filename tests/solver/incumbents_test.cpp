@@ -5,7 +5,7 @@
 #include "solver/incumbents.h"
 
 #include <algorithm>
-#include <array>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -21,6 +21,10 @@ using namespace millwright::solver;
 
 constexpr unsigned side = 6;  // of the grid
 
+void guide(Criteria& criteria) {
+  add_guides(criteria, criteria.objectives == 2 ? std::vector{3.0, 2.0} : std::vector{3.0, 2.0, 5.0});
+}
+
 Criteria criteria_of(std::size_t objectives, bool guides) {
   Problem problem;
   for (const char* name : {"cost", "mass", "time", "play"}) problem.resources.push_back({name});
@@ -29,7 +33,7 @@ Criteria criteria_of(std::size_t objectives, bool guides) {
   for (std::size_t k = 0; k < objectives; ++k) options.objectives.push_back(k);
   options.ties = {3};
   Criteria criteria = make_criteria(problem, options);
-  if (guides) add_guides(criteria, objectives == 2 ? std::vector{3.0, 2.0} : std::vector{3.0, 2.0, 5.0});
+  if (guides) guide(criteria);
   return criteria;
 }
 
@@ -192,6 +196,54 @@ TEST_CASE("Within a tolerance a build settles what it may be worse than by that"
     }
     CHECK(only_within > games / 4);
   }
+}
+
+TEST_CASE("Guides that come after builds, with a tolerance: what they give up is within it of a build") {
+  const unsigned games = millwright::sanitized ? 20 : 200;
+  constexpr double tolerance = 0.21;
+  unsigned by_guides = 0;
+  for (unsigned seed = 1; seed <= games; ++seed) {
+    CAPTURE(seed);
+    Game game(seed, 3, false);
+    Incumbents incumbents(game.criteria_);
+    for (unsigned i = 0; i < 12; ++i) incumbents.offer(build_of(game.criteria_, game.random_design()));
+    guide(game.criteria_);
+    for (RankedBuild& known : incumbents.builds()) known.score = scores_of(game.criteria_, known.build.resources);
+    incumbents.set_tolerance(tolerance);
+    for (unsigned trial = 0; trial < 40; ++trial) {
+      // A design, and lower bounds of it: of each objective less than it has, of its guides what it has.
+      const Design design = game.random_design();
+      std::vector<double> lower = scores_of(game.criteria_, design.resources);
+      const bool settled = incumbents.hopeless(lower, 0.0);
+      for (std::size_t k = 0; k < 3; ++k) lower[k] -= game.random_of(3) - 1.0;
+      const bool said = incumbents.hopeless(lower, 0.0);
+      if (said) CHECK(settled);
+      std::vector<double> alone = lower;
+      game.criteria_.lower_guides(alone);
+      by_guides += said && !incumbents.hopeless(alone, 0.0) ? 1 : 0;
+    }
+  }
+  CHECK(by_guides > games / 4);
+}
+
+TEST_CASE("A design without an end in one objective is settled by what is at least as good in all, and settles such") {
+  const Criteria criteria = criteria_of(3, true);
+  const auto endless = [&](double cost, double mass) {
+    Design design{{cost, mass, std::numeric_limits<double>::infinity(), 1.0}, 0.5};
+    return build_of(criteria, design);
+  };
+  Incumbents incumbents(criteria);
+  CHECK_FALSE(incumbents.hopeless(endless(2.0, 2.0).score, 0.0));
+  CHECK(incumbents.offer(endless(2.0, 2.0)));
+  CHECK_FALSE(incumbents.hopeless(endless(1.0, 3.0).score, 0.0));
+  CHECK(incumbents.offer(endless(1.0, 3.0)));
+  const Design finite{{4.0, 4.0, 4.0, 1.0}, 0.5};
+  CHECK_FALSE(incumbents.hopeless(build_of(criteria, finite).score, 0.0));
+  CHECK(incumbents.offer(build_of(criteria, finite)));
+  CHECK(incumbents.builds().size() == 3);
+  CHECK(incumbents.hopeless(endless(5.0, 5.0).score, 0.0));
+  CHECK_FALSE(incumbents.hopeless(endless(3.0, 1.0).score, 0.0));
+  CHECK_FALSE(incumbents.offer(endless(3.0, 3.0)));
 }
 
 }  // namespace incumbents_test
