@@ -2,8 +2,8 @@
 //
 // When a label, or a whole region of designs that have not been looked at yet, can be forgotten because a known label
 // is at least as good in everything that can still matter: objectives, resources with a limit, and every state
-// component in its proved direction (monotonicity.h); a component without a proved direction has to be equal. All are
-// compared as scores are (criteria.h): the same sum in another order counts as equal.
+// component in its proved direction (monotonicity.h); a component without a proved direction has to be equal. States
+// are compared as objectives are (criteria.h): the same sum in another order counts as equal.
 //
 // Equal objectives are decided by the tie scores and then by the worst utilisation: a label that is strictly better in
 // an objective need not be as good in those; one that is equal in all objectives must be.

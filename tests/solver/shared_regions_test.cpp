@@ -4,6 +4,7 @@
 // some part, and the bounds of all parts on the way there hold for it.
 #include "solver/shared_regions.h"
 
+#include <cmath>
 #include <limits>
 
 #include "catch.h"
@@ -38,15 +39,25 @@ class Walk {
         shared_(plan, desk),
         worth_(plan.region.rows.size()) {}
 
-  void run(Counts& counts) {
+  /// `wide`: what arrives is known within bounds.
+  void run(Counts& counts, bool wide) {
+    constexpr double width = 1e-3;  // relative
     std::vector<double> state;
-    for (const Interval& range : plan_.inherited) state.push_back(uniform(random_, range.lower, range.upper));
-    const std::vector<Interval> states(state.begin(), state.end());
+    std::vector<Interval> states;
+    for (std::size_t c = 0; c < plan_.inherited.size(); ++c) {
+      Interval range = plan_.inherited[c];  // of which nothing better than the best can arrive
+      if (plan_.before[c] == Direction::smaller_is_better) range.lower = plan_.best_inherited[c].lower;
+      if (plan_.before[c] == Direction::larger_is_better) range.upper = plan_.best_inherited[c].upper;
+      state.push_back(uniform(random_, range.lower, range.upper));
+      const double reach = wide ? width * uniform(random_, 0.0, std::fabs(state.back())) : 0.0;
+      states.emplace_back(std::max(state.back() - reach, range.lower), std::min(state.back() + reach, range.upper));
+    }
     SharedRegions::Cell* const cell = shared_.cell_of(states);
     REQUIRE(cell != nullptr);
     REQUIRE(shared_.cell_of(states) == cell);
     CHECK(cell->labels >= 2);
-    for (std::size_t c = 0; c < state.size(); ++c) CHECK(contains(cell->states[c], state[c]));
+    for (std::size_t c = 0; c < state.size(); ++c)
+      CHECK((contains(cell->states[c], states[c].lower) && contains(cell->states[c], states[c].upper)));
     leaves_.clear();
     std::vector<Claim> claims;
     for (std::size_t region = 0; region < plan_.frontier.size(); ++region) {
@@ -56,7 +67,11 @@ class Walk {
     }
     counts.parts += leaves_.size();
     ++counts.cells;
-    for (int trial = 0; trial < 400; ++trial) counts.feasible += check_one(state, counts) ? 1 : 0;
+    for (int trial = 0; trial < 400; ++trial) {
+      if (wide)
+        for (std::size_t c = 0; c < state.size(); ++c) state[c] = uniform(random_, states[c].lower, states[c].upper);
+      counts.feasible += check_one(state, wide, counts) ? 1 : 0;
+    }
   }
 
  private:
@@ -87,7 +102,7 @@ class Walk {
   }
 
   /// A random design at the state; whether it is feasible there.
-  bool check_one(const std::vector<double>& state, Counts& counts) {
+  bool check_one(const std::vector<double>& state, bool wide, Counts& counts) {
     std::vector<Row> rows;
     std::vector<double> variables;
     for (const RowSet& set : plan_.region.rows) rows.push_back(set->all()[random_() % set->size()]);
@@ -115,7 +130,7 @@ class Walk {
           CHECK(contains(claim.handed_on[h], answer.handed_on[h]));
       }
       for (std::size_t h = 0; h < answer.handed_on.size(); ++h) {
-        if (!form_.exact[h] || plan_.any_priced) continue;
+        if (!form_.exact[h] || plan_.any_priced || wide) continue;
         ++counts.exact;
         counts.equal += rounded(leaf.claims.back().handed_on[h].lower) == rounded(answer.handed_on[h]) ? 1 : 0;
       }
@@ -150,7 +165,7 @@ TEST_CASE("Every design that is feasible for a label is in a part of its cell, a
     for (std::size_t i = 1; i < plans.size(); ++i) {
       CAPTURE(seed, i);
       Walk walk(plans[i], desk, random);
-      for (int state = 0; state < 3; ++state) walk.run(counts);
+      for (int state = 0; state < 4; ++state) walk.run(counts, state % 2 == 1);
     }
   }
   CHECK(counts.cells > stacks / 2);
