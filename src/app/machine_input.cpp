@@ -123,7 +123,7 @@ std::optional<MachineInput> read_machine(const Options& options, text::Diagnosti
   steering.settings = options.settings;
   if (diagnostics.error_count() == errors) {  // else parts may seem unknown that only could not be read
     machine::check_references(*problem, catalogue, diagnostics);
-    steering.without = machine::read_excluded(options.without, catalogue, diagnostics);
+    steering.without = machine::read_excluded(options.without, *problem, catalogue, diagnostics);
     machine::exclude_unavailable(catalogue, steering.without);
     steering.fixed = machine::read_fixed(options.fixed, *problem, catalogue, steering.without, diagnostics);
   }

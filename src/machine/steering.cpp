@@ -43,6 +43,20 @@ bool is_excluded(const std::vector<ExcludedPart>& without, const std::string& pa
   });
 }
 
+/// The reduction that an axis states by this name, with or without the maker that bills of material give it.
+const Reduction* stated_reduction(const Axis& axis, const std::string& name) {
+  for (const Reduction& each : axis.mechanism.reductions)
+    if (!each.name.empty() && (name == each.name || name == "generic " + each.name)) return &each;
+  return nullptr;
+}
+
+/// The axis that states a reduction of this name; null if none does.
+const Axis* axis_with_reduction(const Problem& problem, const std::string& name) {
+  for (const Axis& axis : problem.axes)
+    if (stated_reduction(axis, name) != nullptr) return &axis;
+  return nullptr;
+}
+
 class FixedReader {
  public:
   FixedReader(const Problem& problem,
@@ -120,7 +134,12 @@ class FixedReader {
   /// A reduction is of the problem, everything else of the catalogues.
   bool read_part(const OptionWord& word, BomLine& line) {
     line.part_number = word.value;
-    if (line.slot == "reduction") return true;
+    if (line.slot == "reduction") {
+      for (const Axis& axis : problem_.axes)
+        if (const Reduction* stated = axis.name == line.axis ? stated_reduction(axis, word.value) : nullptr)
+          line.part_number = stated->name;
+      return true;
+    }
     const catalogue::FoundParts found = catalogue_.find_named(word.value);
     if (found.parts.empty()) {
       diagnostics_.error(word.value_span(), fmt::format("{}: {}", word.name, found.error), found.hint);
@@ -172,6 +191,7 @@ class FixedReader {
 }  // namespace
 
 std::vector<ExcludedPart> read_excluded(const std::vector<std::string>& words,
+                                        const Problem& problem,
                                         const catalogue::Catalogue& catalogue,
                                         Diagnostics& diagnostics) {
   std::vector<ExcludedPart> result;
@@ -182,6 +202,13 @@ std::vector<ExcludedPart> read_excluded(const std::vector<std::string>& words,
       continue;
     }
     catalogue::FoundParts found = catalogue.find_named(word.value);
+    if (const Axis* axis = found.parts.empty() ? axis_with_reduction(problem, word.value) : nullptr) {
+      diagnostics.error(
+          word.value_span(),
+          fmt::format("{} is stated by the problem, and is no part of the catalogues", text::in_quotes(word.value)),
+          fmt::format("leave it out there, or choose another one with --fix {}.reduction=...", axis->name));
+      continue;
+    }
     if (found.parts.empty()) {
       diagnostics.error(word.value_span(), found.error, found.hint);
       continue;

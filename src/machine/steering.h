@@ -33,8 +33,9 @@ struct Steering {
 };
 
 /// Parts named as a part number, or as maker and part number ("Mean Well LRS-50-24"). Reported: parts that no catalogue
-/// has (with the nearest), and materials, which the problem itself names.
+/// has (with the nearest), and materials and reductions, which the problem itself names.
 std::vector<ExcludedPart> read_excluded(const std::vector<std::string>& words,
+                                        const Problem& problem,
                                         const catalogue::Catalogue& catalogue,
                                         text::Diagnostics& diagnostics);
 

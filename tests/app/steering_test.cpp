@@ -207,6 +207,28 @@ TEST_CASE("Parts that cannot be excluded are named with what was meant") {
   CHECK(named.says("error: 'A4988' is excluded by --without"));
 }
 
+TEST_CASE("A reduction is fixed by its name, as the problem or as a bill of materials writes it") {
+  const Workshop shop;
+  const std::string problem = MILLWRIGHT_SOURCE_DIR "/problems/rotary-table.toml";
+  const auto chosen = [&](const std::string& reduction) {
+    const Outcome outcome = shop.run({"solve", problem, "--json", "-", "--fix", "a.reduction=" + reduction});
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    return part(Json::parse(outcome.out), "reduction").at("part_number").get<std::string>();
+  };
+  CHECK(chosen("3:1 belt") == "3:1 belt");
+  CHECK(chosen("generic 3:1 belt") == "3:1 belt");
+  const Outcome unknown = shop.run({"solve", problem, "--fix", "a.reduction=generic 7:1 belt"});
+  CHECK(unknown.exit_code == 2);
+  CHECK(unknown.says("error: axis 'a' states no reduction 'generic 7:1 belt'"));
+  for (const char* name : {"3:1 belt", "generic 3:1 belt"}) {
+    const Outcome left_out = shop.run({"solve", problem, "--without", name});
+    CHECK(left_out.exit_code == 2);
+    CHECK(left_out.says(std::string("error: '") + name + "' is stated by the problem"));
+    CHECK(left_out.says("--fix a.reduction=..."));
+  }
+}
+
 TEST_CASE("What cannot be fixed is said at the word") {
   refuses({"--fix", "x.motr=17HS4401S", "--fix", "y.motor=17HS4401S", "--fix", "x.motor=17HS4401X", "--fix", "x"},
           {"1:9: error: axis 'x' has no 'motr'",

@@ -54,7 +54,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   if (problem) {
     for (const machine::LimitOption& limit : machine::add_limits(values_of("limit ", lines), *problem, diagnostics))
       fuzz::require(std::isfinite(limit.value) && limit.value > 0.0, "limits are above zero");
-    const auto without = machine::read_excluded(values_of("without ", lines), shipped, diagnostics);
+    const auto without = machine::read_excluded(values_of("without ", lines), *problem, shipped, diagnostics);
     (void)machine::read_fixed(values_of("fix ", lines), *problem, shipped, without, diagnostics);
   }
   fuzz::check(diagnostics);
