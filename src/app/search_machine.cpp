@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "app/machine_result.h"
+#include "evaluation/incomplete_parts.h"
 #include "report/machine_text.h"
 
 namespace millwright::app {
@@ -73,6 +74,7 @@ report::MachineResult search_machine(const Options& options,
   result.fixed_objective = synthesis.fixed_objective;
   result.certificate = {
       synthesis.combinations, synthesis.nodes, synthesis.evaluations, synthesis.method, synthesis.front_tolerance};
+  result.certificate.incomplete = evaluation::incomplete_parts(model);
   set_designs(result, input.problem, std::move(synthesis.designs));
   result.timing.solve = watch.seconds();
   if (std::any_of(result.designs.begin(), result.designs.end(), [](const auto& design) { return !design.satisfied(); }))

@@ -12,6 +12,8 @@
 #include <set>
 #include <tuple>
 
+#include "evaluation/figure_reader.h"
+
 namespace millwright::evaluation {
 
 using catalogue::column;
@@ -100,7 +102,6 @@ class BeltTablesMaker {
   }
 
  private:
-  [[nodiscard]] double number(catalogue::Column figure, int row) const { return pulleys_.number(figure, row); }
   [[nodiscard]] bool is_idler(int row) const { return pulleys_.text(column(Family::pulleys, "type"), row) == "idler"; }
   [[nodiscard]] bool is_wanted(int belt) const {
     const std::vector<std::string>& profiles = axis_.mechanism.profiles;
@@ -109,25 +110,30 @@ class BeltTablesMaker {
                profiles.end();
   }
 
-  [[nodiscard]] PulleySize size_of(int row, bool with_teeth) const {
+  using Missing = std::vector<catalogue::Column>;
+
+  [[nodiscard]] PulleySize size_of(int row, bool with_teeth, Missing& missing) const {
+    const FigureReader number(pulleys_, row, missing);
     PulleySize size{std::string(pulleys_.text(column(Family::pulleys, "profile"), row)),
-                    number(column(Family::pulleys, "belt_width"), row),
-                    with_teeth ? number(column(Family::pulleys, "teeth"), row) : 0.0,
-                    number(pulley_diameter, row)};
+                    number("belt_width"),
+                    with_teeth ? number("teeth") : 0.0,
+                    number(pulley_diameter)};
     size.range = pulleys_.range(pulley_diameter, row);
     if (pulleys_.half_width(row, pulley_diameter) > 0.0 || size.range.lower < size.range.upper) size.own = row;
     return size;
   }
 
-  [[nodiscard]] PartUse use_of(const char* slot, int row) const {
-    return {slot, Family::pulleys, row, 1.0, 0.0, prices_.line(pulleys_, row, 1.0, 0.0), number(pulley_mass, row)};
+  [[nodiscard]] PartUse use_of(const char* slot, int row, Missing& missing) const {
+    const double mass = FigureReader(pulleys_, row, missing)(pulley_mass);
+    return {slot, Family::pulleys, row, 1.0, 0.0, prices_.line(pulleys_, row, 1.0, 0.0), mass};
   }
 
   void add_idler(int row) {
-    const auto readings = std::array{number(column(Family::pulleys, "inertia"), row)};
-    Candidate candidate = candidate_of({use_of("pulley_idle", row)}, 0.0);
-    const PulleySize size = size_of(row, false);
-    if (!is_known(readings, candidate) || std::isnan(size.diameter)) return;
+    Missing missing;
+    const auto readings = std::array{FigureReader(pulleys_, row, missing)("inertia")};
+    Candidate candidate = candidate_of({use_of("pulley_idle", row, missing)}, 0.0);
+    const PulleySize size = size_of(row, false, missing);
+    if (!result_.idlers.admits(candidate, readings, missing, size.diameter)) return;
     if (pulleys_.has_ranges())
       candidate.ranges = candidate_ranges(std::array{pulleys_.range(column(Family::pulleys, "inertia"), row)},
                                           candidate.price,
@@ -147,12 +153,14 @@ class BeltTablesMaker {
                                                       second ? figure(inertia, *second) : T(0.0)};
     };
     const auto range = [&](catalogue::Column figure, int of) { return pulleys_.range(figure, of); };
-    const auto readings = readings_of([&](catalogue::Column figure, int of) { return number(figure, of); });
-    std::vector<PartUse> parts{use_of("pulley_drive", row)};
-    if (second) parts.push_back(use_of("pulley_idle", *second));
+    Missing missing;
+    const auto readings =
+        readings_of([&](catalogue::Column figure, int of) { return FigureReader(pulleys_, of, missing)(figure); });
+    std::vector<PartUse> parts{use_of("pulley_drive", row, missing)};
+    if (second) parts.push_back(use_of("pulley_idle", *second, missing));
     Candidate candidate = candidate_of(std::move(parts), 0.0);
-    const PulleySize size = size_of(row, true);
-    if (!is_known(readings, candidate) || std::isnan(size.diameter + size.teeth)) return;
+    const PulleySize size = size_of(row, true, missing);
+    if (!result_.pulleys.admits(candidate, readings, missing, size.diameter + size.teeth)) return;
     if (pulleys_.has_ranges())
       candidate.ranges =
           candidate_ranges(readings_of(range),
@@ -192,10 +200,9 @@ class BeltTablesMaker {
 
   void add_belt(int row, const PulleySize& drive, const PulleySize& idler, BeltFit fit) {
     const double width = belts_.number(column(Family::belts, "width"), row);
+    Missing missing;
     const auto readings =
-        belt_readings(span_, width, drive.teeth, drive.diameter, idler.diameter, [&](catalogue::Column figure) {
-          return belts_.number(figure, row);
-        });
+        belt_readings(span_, width, drive.teeth, drive.diameter, idler.diameter, FigureReader(belts_, row, missing));
     const double length = readings[BeltTables::belt_length];
     // The belt moves with the carriage (a reading of the drive) and hangs on the parent (its standing mass).
     Candidate candidate = candidate_of({{"belt",
@@ -208,7 +215,7 @@ class BeltTablesMaker {
                                        0.0);
     // By numbers of sizes: figures may differ between versions of a machine.
     candidate.form = fmt::format("{} {}", fit.drive, fit.idler);
-    if (!is_known(readings, candidate)) return;
+    if (!result_.belts.admits(candidate, readings, missing)) return;
     if (belts_.has_ranges() || pulleys_.has_ranges()) {
       const auto ranges = belt_readings(
           span_, width, scalar::Interval(drive.teeth), drive.range, idler.range, [&](catalogue::Column figure) {

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "evaluation/figure_reader.h"
+
 namespace millwright::evaluation {
 
 using catalogue::column;
@@ -45,7 +47,8 @@ BoltStage::BoltStage(const machine::Axis& axis,
   const machine::BoltPattern& pattern = member.bolts;
   const double pieces = member.count * pattern.count();
   for (int row = 0; row < t.rows(); ++row) {
-    const auto number = [&](const char* name) { return t.number(column(Family::screws, name), row); };
+    std::vector<catalogue::Column> missing;
+    const FigureReader number(t, row, missing);
     if (!chosen(pattern.sizes, t.text(column(Family::screws, "designation"), row)) ||
         !chosen(pattern.property_classes, t.text(column(Family::screws, "property_class"), row)))
       continue;
@@ -71,9 +74,7 @@ BoltStage::BoltStage(const machine::Axis& axis,
                            candidate.price,
                            {},
                            candidate.mass);
-    if (std::isnan(candidate.price) ||
-        std::any_of(readings.begin(), readings.end(), [](double x) { return std::isnan(x); }))
-      continue;
+    if (!table.admits(candidate, readings, missing)) continue;
     table.add(std::move(candidate), readings);
   }
   tables_.push_back(std::move(table));

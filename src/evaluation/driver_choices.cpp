@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "evaluation/figure_reader.h"
+
 namespace millwright::evaluation {
 
 using catalogue::column;
@@ -30,15 +32,18 @@ DriverChoices::DriverChoices(const catalogue::Table& drivers,
   for (int row = 0; row < t.rows(); ++row) {
     if (t.flag(column(Family::drivers, "closed_loop"), row).value_or(false)) continue;  // needs a motor with an encoder
     if (!(t.number(column(Family::drivers, "maximum_microsteps"), row) >= axis.motor.microsteps)) continue;
+    std::vector<catalogue::Column> missing;
+    const FigureReader number(t, row, missing);
     const Driver d{row,
-                   t.number(column(Family::drivers, "peak_current"), row),
-                   t.number(column(Family::drivers, "maximum_voltage"), row),
-                   t.number(column(Family::drivers, "minimum_voltage"), row),
+                   number(column(Family::drivers, "peak_current")),
+                   number(column(Family::drivers, "maximum_voltage")),
+                   number(column(Family::drivers, "minimum_voltage")),
                    prices.line(t, row, 1.0, 0.0),
-                   t.number(column(Family::drivers, "mass"), row),
+                   number(column(Family::drivers, "mass")),
                    prices.preference(t, row),
                    prices.charging_supplier(t, row)};
-    if (!std::isnan(d.peak_current + d.largest_voltage + d.least_voltage + d.price + d.mass)) drivers_.push_back(d);
+    const bool is_known = !std::isnan(d.peak_current + d.largest_voltage + d.least_voltage + d.price + d.mass);
+    is_known ? drivers_.push_back(d) : incomplete_.push_back({{Family::drivers, row}, std::move(missing)});
   }
 }
 

@@ -8,10 +8,12 @@
 #pragma once
 
 #include <map>
+#include <span>
 #include <vector>
 
 #include "catalogue/catalogue.h"
 #include "evaluation/price_book.h"
+#include "evaluation/slot_table.h"
 #include "machine/problem.h"
 
 namespace millwright::evaluation {
@@ -38,6 +40,8 @@ class DriverChoices {
   /// For motors that this current [A] is set for; found once, since most motors have the current of some other one.
   const Choice& at(double current);
 
+  /// Rows of drivers that lack a figure that a check reads, or a price.
+  [[nodiscard]] std::span<const IncompleteRow> incomplete() const { return incomplete_; }
   /// Whether a driver bears this voltage [V].
   [[nodiscard]] bool runs_at(const Driver& driver, double voltage) const;
 
@@ -51,6 +55,7 @@ class DriverChoices {
   const std::vector<double>& voltages_;
   double voltage_factor_;
   std::vector<Driver> drivers_;
+  std::vector<IncompleteRow> incomplete_;
   std::map<double, Choice> choices_;  ///< [current]
 };
 

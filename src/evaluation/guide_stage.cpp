@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "evaluation/figure_reader.h"
+
 namespace millwright::evaluation {
 
 using catalogue::column;
@@ -54,8 +56,8 @@ GuideStage::GuideStage(const machine::Axis& axis,
           figure(column(Family::linear_guides, "radial_stiffness"))};
     };
     constexpr std::size_t carriages_field = 6, rails_field = 7, length_field = 8;
-    const std::array<double, machine::guide_reading_fields> readings =
-        readings_of([&](catalogue::Column c) { return t.number(c, row); });
+    std::vector<catalogue::Column> missing;
+    const std::array<double, machine::guide_reading_fields> readings = readings_of(FigureReader(t, row, missing));
     const double carriages = readings[carriages_field], rails = readings[rails_field];
     const double rail_length = readings[length_field];
     // Carriage and rail are one line: the carriages by piece, each rail cut to length.
@@ -67,9 +69,8 @@ GuideStage::GuideStage(const machine::Axis& axis,
       const auto ranges = readings_of([&](catalogue::Column c) { return t.range(c, row); });
       candidate.ranges = candidate_ranges(ranges, price, ranges[carriages_field], ranges[rails_field]);
     }
-    const bool known = std::none_of(
-        readings.begin(), readings.begin() + machine::guide_readings_needed, [](double x) { return std::isnan(x); });
-    if (std::isnan(price) || !known || (place.tool && std::isnan(readings.back()))) continue;
+    const auto needed = std::span(readings).first(machine::guide_readings_needed);
+    if (!table.admits(candidate, needed, missing, place.tool ? readings.back() : 0.0)) continue;
     table.add(std::move(candidate), readings);
     unsupported_.push_back(bush);
     bushings_.push_back(bush || kind.find("round") != std::string_view::npos);

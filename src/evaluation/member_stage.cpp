@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 
+#include "evaluation/figure_reader.h"
+
 namespace millwright::evaluation {
 
 using catalogue::column;
@@ -100,8 +102,8 @@ void MemberStage::take_sections(const catalogue::Catalogue& catalogue, const Pri
         return std::array{
             figure(area), figure(x), figure(y), figure(height), figure(width), figure(mass), figure(torsion)};
       };
-      const std::array<double, machine::section_reading_fields> readings =
-          readings_of([&](catalogue::Column c) { return t.number(c, row); });
+      std::vector<catalogue::Column> missing;
+      const std::array<double, machine::section_reading_fields> readings = readings_of(FigureReader(t, row, missing));
       // A portal frame is cut of one length: two columns and a beam.
       const bool twisted =
           place_.tool && place_.tool->height_arm + place_.tool->across_arm + place_.tool->along_arm > 0.0;
@@ -118,11 +120,8 @@ void MemberStage::take_sections(const catalogue::Catalogue& catalogue, const Pri
                                             candidate.price,
                                             {},
                                             length * t.range(mass, row));
-      if (std::isnan(candidate.price) ||
-          std::any_of(readings.begin(),
-                      readings.begin() + (twisted ? machine::section_reading_fields : machine::section_readings_needed),
-                      [](double v) { return std::isnan(v); }))
-        continue;
+      const std::size_t needed = twisted ? machine::section_reading_fields : machine::section_readings_needed;
+      if (!table.admits(candidate, std::span(readings).first(needed), missing)) continue;
       table.add(std::move(candidate), readings);
     }
   };

@@ -9,6 +9,7 @@
 
 #include "evaluation/drive_tables.h"
 #include "evaluation/driver_choices.h"
+#include "evaluation/figure_reader.h"
 
 namespace millwright::evaluation {
 
@@ -145,18 +146,26 @@ auto motor_figures(const Table& motors, int row, Figure figure) {
   return f;
 }
 
-/// Nothing if the axis takes no such frame, or a figure is missing.
-std::optional<Motor> motor_of(const Table& motors, int row, const machine::Axis& axis, const PriceBook& prices) {
-  const auto number = [&](const char* name) { return motors.number(column(Family::steppers, name), row); };
+/// Whether the axis takes such a frame.
+bool is_wanted(const Table& motors, int row, const machine::Axis& axis) {
   const std::string_view frame = motors.text(column(Family::steppers, "frame"), row);
   const std::vector<std::string>& frames = axis.motor.frames;
-  if (!frames.empty() && std::find(frames.begin(), frames.end(), frame) == frames.end()) return std::nullopt;
+  return frames.empty() || std::find(frames.begin(), frames.end(), frame) != frames.end();
+}
+
+/// Nothing if a figure is missing; then it is noted.
+std::optional<Motor> motor_of(const Table& motors, int row, const PriceBook& prices, SlotTable& table) {
+  std::vector<catalogue::Column> missing;
+  const FigureReader number(motors, row, missing);
+  number("step_angle");  // of which rotor_teeth is made
   const machine::MotorFigures<double> f = motor_figures(motors, row, number);
   const Motor motor{
       row, f, number("shaft_diameter"), number("mass"), prices.line(motors, row, 1.0, 0.0), number("frame_size")};
   const bool complete = !std::isnan(f.holding_torque + f.rated_current + f.resistance + f.inductance + f.rotor_inertia +
                                     f.rotor_teeth + motor.shaft + motor.mass + motor.price);
-  return complete ? std::optional(motor) : std::nullopt;
+  if (complete) return motor;
+  table.note_incomplete({{Family::steppers, row}, std::move(missing)});
+  return std::nullopt;
 }
 
 /// Adds a motor with the drivers that are worth keeping, at each current that may be set.
@@ -172,7 +181,9 @@ class MotorPairs {
         driver_table_(catalogue.table(Family::drivers)),
         curve_table_(catalogue.table(Family::stepper_curves)),
         drivers_(driver_table_, axis, voltages, prices),
-        curves_(read_curves(curve_table_, [&](int row) { return curve_table_.number(curve_torque, row); })) {}
+        curves_(read_curves(curve_table_, [&](int row) { return curve_table_.number(curve_torque, row); })) {
+    for (const IncompleteRow& row : drivers_.incomplete()) table.table.note_incomplete(row);
+  }
 
   void add(const Motor& motor) {
     for (const double current : settable_currents(axis_, motor.figures.rated_current)) {
@@ -283,7 +294,8 @@ MotorTable motor_table(const catalogue::Catalogue& catalogue,
   const auto add_motors = [&](const std::optional<machine::PartName>& only) {
     for (int row = 0; row < motors.rows(); ++row) {
       if (only && !is_part(motors, row, *only)) continue;
-      if (const auto motor = motor_of(motors, row, axis, prices)) pairs.add(*motor);
+      if (!is_wanted(motors, row, axis)) continue;
+      if (const auto motor = motor_of(motors, row, prices, pairs.table.table)) pairs.add(*motor);
     }
   };
   if (axis.keep_every_candidate) pairs.only_driver = axis.motor.given_driver;

@@ -104,7 +104,8 @@ double PriceBook::cut(const catalogue::Table& table, int row, const std::vector<
   const double lost = whole ? 0.0 : each.cutting_loss;
   double sum = 0.0;
   for (const CutPieces& cut : pieces) {
-    if (whole && !whole->size.holds(cut.length)) return std::numeric_limits<double>::quiet_NaN();
+    const bool is_known = !std::isnan(cut.length);
+    if (whole && is_known && !whole->size.holds(cut.length)) return std::numeric_limits<double>::infinity();
     sum += cut.count * ((cut.length + lost) * price.length * rate(price.currency) + each.cutting +
                         cut.machined_ends * each.machined_end);
   }

@@ -48,7 +48,8 @@ class PriceBook {
   /// Parts of the price that the row does not have count as 0. NaN if nothing is priced.
   [[nodiscard]] double line(const catalogue::Table& table, int row, double pieces, double metres) const;
   /// Price of pieces that are cut, with what is done to them; where whole bars are sold their lengths cost what they do
-  /// of a bar without waste (stock_bars.h). NaN if the row has no price by length, or a piece is longer than its bar.
+  /// of a bar without waste (stock_bars.h). NaN if the row has no price by length, or a length is not known; infinity
+  /// if a piece is longer than its bar.
   [[nodiscard]] double cut(const catalogue::Table& table, int row, const std::vector<CutPieces>& pieces) const;
   /// What a row says of work on pieces; nothing of what it does not say.
   [[nodiscard]] PieceWork work(const catalogue::Table& table, int row) const;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "evaluation/drive_tables.h"
+#include "evaluation/figure_reader.h"
 #include "machine/rack_drive.h"
 
 namespace millwright::evaluation {
@@ -20,7 +21,8 @@ SlotTable rack_table(const catalogue::Catalogue& catalogue, const machine::Axis&
   const double travel = axis.stroke + 2.0 * axis.require(machine::Requirement::overtravel);
   const bool error_counts = axis.require.known(machine::Requirement::position_error);
   for (int row = 0; row < t.rows(); ++row) {
-    const auto number = [&](catalogue::Column c) { return t.number(c, row); };
+    std::vector<catalogue::Column> missing;
+    const FigureReader number(t, row, missing);
     const double module = number(column(Family::racks, "module"));
     const double piece = number(column(Family::racks, "piece_length"));
     // At both ends of the travel a tooth beyond the pinion's axis is in mesh.
@@ -47,7 +49,7 @@ SlotTable rack_table(const catalogue::Catalogue& catalogue, const machine::Axis&
       const auto ranges = readings_of([&](catalogue::Column c) { return t.range(c, row); });
       candidate.ranges = candidate_ranges(ranges, candidate.price, {}, ranges.back());
     }
-    if (is_known(readings, candidate)) result.add(std::move(candidate), readings);
+    if (result.admits(candidate, readings, missing)) result.add(std::move(candidate), readings);
   }
   return result;
 }
@@ -56,7 +58,8 @@ SlotTable pinion_table(const catalogue::Catalogue& catalogue, const PriceBook& p
   SlotTable result("pinion", machine::pinion_reading_fields);
   const Table& t = catalogue.table(Family::pinions);
   for (int row = 0; row < t.rows(); ++row) {
-    const auto number = [&](catalogue::Column c) { return t.number(c, row); };
+    std::vector<catalogue::Column> missing;
+    const FigureReader number(t, row, missing);
     const double mass = number(column(Family::pinions, "mass"));
     const auto readings_of = [](auto figure) {
       return std::array{figure(column(Family::pinions, "module")),
@@ -76,7 +79,7 @@ SlotTable pinion_table(const catalogue::Catalogue& catalogue, const PriceBook& p
                                           candidate.price,
                                           {},
                                           t.range(column(Family::pinions, "mass"), row));
-    if (is_known(readings, candidate)) result.add(std::move(candidate), readings);
+    if (result.admits(candidate, readings, missing)) result.add(std::move(candidate), readings);
   }
   return result;
 }

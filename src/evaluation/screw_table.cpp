@@ -11,6 +11,7 @@
 
 #include "evaluation/cuts.h"
 #include "evaluation/drive_tables.h"
+#include "evaluation/figure_reader.h"
 #include "machine/screw.h"
 
 namespace millwright::evaluation {
@@ -26,10 +27,6 @@ constexpr double steel_modulus = 206e9;  // materials, C45
 constexpr double steel_shear_modulus = 79.2e9;
 constexpr double steel_density = 7850.0;
 constexpr double ball_screw_yield = 345e6;  // C45 core of an induction-hardened shaft; makers give no figure
-
-bool all_known(std::span<const double> values) {
-  return std::none_of(values.begin(), values.end(), [](double x) { return std::isnan(x); });
-}
 
 template <class T>
 std::vector<T> flat(const machine::ScrewReading<T>& reading) {
@@ -54,8 +51,9 @@ machine::ScrewSite site_of(const machine::Axis& axis, ScrewKind kind) {
 
 using scalar::Interval;
 
-/// `ranges`: the same figures as intervals, null where they are what they are.
-void finish(ScrewTable& result,
+/// `ranges`: the same figures as intervals, null where they are what they are. False: something is missing, or nothing
+/// so long is sold.
+bool finish(ScrewTable& result,
             ScrewKind kind,
             const ScrewFigures<double>& figures,
             const ScrewFigures<Interval>* ranges,
@@ -63,9 +61,7 @@ void finish(ScrewTable& result,
   const machine::ScrewSite& site = result.sites[static_cast<std::size_t>(kind)];
   const machine::ScrewReading<double> reading = screw_reading(figures, site);
   const std::vector<double> values = flat(reading);
-  if (!all_known(std::span(values).first(machine::screw_reading_fields)) || std::isnan(candidate.price) ||
-      std::isnan(candidate.mass))
-    return;
+  if (!can_be_added(candidate, std::span(values).first(machine::screw_reading_fields))) return false;
   for (PartUse& part : candidate.parts)
     if (part.slot == "screw") part.length = reading.cut_length;
   if (ranges != nullptr) {
@@ -75,6 +71,7 @@ void finish(ScrewTable& result,
   result.table.add(std::move(candidate), values);
   result.kinds.push_back(kind);
   result.figures.push_back(figures);
+  return true;
 }
 
 double supported_length(const machine::Axis& axis, double nut_length) {
@@ -122,20 +119,23 @@ void add_ball_screws(const catalogue::Catalogue& catalogue,
                      ScrewTable& result) {
   const Table& t = catalogue.table(Family::ball_screws);
   for (int row = 0; row < t.rows(); ++row) {
-    const ScrewFigures<double> f =
-        ball_screw_figures(t, row, axis, [&](catalogue::Column c) { return t.number(c, row); });
+    std::vector<catalogue::Column> missing;
+    const ScrewFigures<double> f = ball_screw_figures(t, row, axis, FigureReader(t, row, missing));
     std::optional<ScrewFigures<Interval>> ranges;
     if (t.has_ranges()) ranges = ball_screw_figures(t, row, axis, [&](catalogue::Column c) { return t.range(c, row); });
     const double cut = supported_length(axis, f.nut_length) + axis.mechanism.end_allowance;
     const double shaft_price = prices.cut(t, row, {{1.0, cut, machined_ends(axis)}});
     const double nut_price = prices.line(t, row, 1.0, 0.0);
-    finish(result,
-           ScrewKind::ball,
-           f,
-           ranges ? &*ranges : nullptr,
-           candidate_of({{"screw", Family::ball_screws, row, 1.0, cut, shaft_price, f.mass_per_length * cut},
-                         {"nut", Family::ball_screws, row, 1.0, 0.0, nut_price, f.nut_mass}},
-                        f.nut_mass));
+    const bool added =
+        finish(result,
+               ScrewKind::ball,
+               f,
+               ranges ? &*ranges : nullptr,
+               candidate_of({{"screw", Family::ball_screws, row, 1.0, cut, shaft_price, f.mass_per_length * cut},
+                             {"nut", Family::ball_screws, row, 1.0, 0.0, nut_price, f.nut_mass}},
+                            f.nut_mass));
+    if (!added && !std::isinf(shaft_price))
+      result.table.note_incomplete({{Family::ball_screws, row}, std::move(missing)});
   }
 }
 
@@ -240,6 +240,7 @@ class LeadNuts {
     ScrewFigures<double> figures;   ///< its own only
     ScrewFigures<Interval> ranges;  ///< where they are asked for
     double price;
+    std::vector<catalogue::Column> missing;  ///< of its figures
   };
 
   LeadNuts(const catalogue::Catalogue& catalogue,
@@ -251,8 +252,10 @@ class LeadNuts {
     for (int row = 0; row < nuts.rows(); ++row) {
       const std::string_view material = nuts.text(column(Family::lead_nuts, "material"), row);
       if (!wanted(axis.mechanism.nut_materials, material)) continue;
-      Nut nut{row, {}, {}, prices.line(nuts, row, 1.0, 0.0)};
-      add_nut_figures(nut.figures, material, materials, axis, [&](catalogue::Column c) { return nuts.number(c, row); });
+      Nut nut{row, {}, {}, prices.line(nuts, row, 1.0, 0.0), {}};
+      add_nut_figures(nut.figures, material, materials, axis, FigureReader(nuts, row, nut.missing));
+      if (std::isnan(nut.figures.nut_yield_strength))
+        nut.missing.push_back(column(Family::materials, "yield_strength"));
       if (with_ranges)
         add_nut_figures(nut.ranges, material, materials, axis, [&](catalogue::Column c) { return nuts.range(c, row); });
       of_screw_[nuts.text(column(Family::lead_nuts, "for_screw"), row)].push_back(nut);
@@ -285,8 +288,8 @@ void add_lead_screws(const catalogue::Catalogue& catalogue,
   const LeadNuts nuts(catalogue, axis, prices, has_ranges);
   for (int row = 0; row < screws.rows(); ++row) {
     if (!wanted(axis.mechanism.thread_forms, screws.text(column(Family::lead_screws, "thread_form"), row))) continue;
-    const ScrewFigures<double> base =
-        lead_screw_figures(screws, row, [&](catalogue::Column c) { return screws.number(c, row); });
+    std::vector<catalogue::Column> missing;
+    const ScrewFigures<double> base = lead_screw_figures(screws, row, FigureReader(screws, row, missing));
     std::map<double, double> price_of_cut;  // most nuts are as long as some other one
     for (const LeadNuts::Nut* nut :
          nuts.for_screw(screws.part_number(row), screws.text(column(Family::lead_screws, "designation"), row))) {
@@ -298,16 +301,23 @@ void add_lead_screws(const catalogue::Catalogue& catalogue,
         take_nut_figures(*ranges, nut->ranges);
       }
       const double cut = supported_length(axis, f.nut_length) + axis.mechanism.end_allowance;
-      if (std::isnan(cut)) continue;  // of a nut of unknown length nothing is known
-      const auto [price, is_new] = price_of_cut.try_emplace(cut);
-      if (is_new) price->second = prices.cut(screws, row, {{1.0, cut, machined_ends(axis)}});
-      finish(result,
-             ScrewKind::sliding,
-             f,
-             ranges ? &*ranges : nullptr,
-             candidate_of({{"screw", Family::lead_screws, row, 1.0, cut, price->second, f.mass_per_length * cut},
-                           {"nut", Family::lead_nuts, nut->row, 1.0, 0.0, nut->price, f.nut_mass}},
-                          f.nut_mass));
+      double shaft_price = std::numeric_limits<double>::quiet_NaN();
+      if (!std::isnan(cut)) {  // of a nut of unknown length nothing is known
+        const auto [price, is_new] = price_of_cut.try_emplace(cut);
+        if (is_new) price->second = prices.cut(screws, row, {{1.0, cut, machined_ends(axis)}});
+        shaft_price = price->second;
+      }
+      const bool added =
+          finish(result,
+                 ScrewKind::sliding,
+                 f,
+                 ranges ? &*ranges : nullptr,
+                 candidate_of({{"screw", Family::lead_screws, row, 1.0, cut, shaft_price, f.mass_per_length * cut},
+                               {"nut", Family::lead_nuts, nut->row, 1.0, 0.0, nut->price, f.nut_mass}},
+                              f.nut_mass));
+      if (added || std::isinf(shaft_price)) continue;
+      result.table.note_incomplete({{Family::lead_screws, row}, missing});
+      result.table.note_incomplete({{Family::lead_nuts, nut->row}, nut->missing});
     }
   }
 }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -69,10 +70,24 @@ struct Candidate {
   std::shared_ptr<const CandidateRanges> ranges = {};
 };
 
-/// Whether nothing a check reads is missing (NaN): neither `readings` nor price nor mass.
-inline bool is_known(std::span<const double> readings, const Candidate& candidate) {
-  return std::none_of(readings.begin(), readings.end(), [](double x) { return std::isnan(x); }) &&
-         !std::isnan(candidate.price) && !std::isnan(candidate.mass);
+/// A row of a catalogue's table.
+struct CatalogueRow {
+  catalogue::Family family{};
+  int row = 0;
+  friend bool operator==(const CatalogueRow&, const CatalogueRow&) = default;
+};
+
+/// A row that cannot be chosen because it lacks something.
+struct IncompleteRow {
+  CatalogueRow part;
+  std::vector<catalogue::Column> missing;  ///< figures that were asked for in vain, prices not among them
+};
+
+/// Whether nothing that a check reads is missing (NaN) - neither of the readings nor `also` nor the mass - and the
+/// price is a number.
+inline bool can_be_added(const Candidate& candidate, std::span<const double> readings, double also = 0.0) {
+  return std::isfinite(candidate.price) && !std::isnan(candidate.mass + also) &&
+         std::none_of(readings.begin(), readings.end(), [](double x) { return std::isnan(x); });
 }
 
 inline double total_of(const Candidate& candidate, Total what) {
@@ -135,11 +150,31 @@ class SlotTable {
   /// Adds a candidate with its readings, as many as fields.
   void add(Candidate candidate, std::span<const double> readings) {
     has_ranges_ = has_ranges_ || candidate.ranges != nullptr;
+    for (const PartUse& part : candidate.parts)
+      if (part.stated.empty()) note(added_, {part.family, part.row}, [](const CatalogueRow& row) { return row; });
     candidates_.push_back(std::move(candidate));
     numbers_.insert(numbers_.end(), readings.begin(), readings.end());
     numbers_.resize(candidates_.size() * width());
     note_totals(candidates_.size() - 1);
   }
+  /// Whether a candidate can be added (can_be_added). Where something is missing its rows are noted as incomplete;
+  /// `missing`: the figures that they do not have.
+  bool admits(const Candidate& candidate,
+              std::span<const double> readings,
+              const std::vector<catalogue::Column>& missing,
+              double also = 0.0) {
+    if (can_be_added(candidate, readings, also)) return true;
+    if (std::isinf(candidate.price)) return false;  // it does not fit
+    for (const PartUse& part : candidate.parts) note_incomplete({{part.family, part.row}, missing});
+    return false;
+  }
+  void note_incomplete(IncompleteRow row) {
+    note(incomplete_, std::move(row), [](const IncompleteRow& each) { return each.part; });
+  }
+  /// Rows that candidates were made of, whether these were kept or not. Some more than once.
+  [[nodiscard]] std::span<const CatalogueRow> added() const { return added_; }
+  /// Rows that the problem would take, but something is missing; of a pair, both. Some more than once.
+  [[nodiscard]] std::span<const IncompleteRow> incomplete() const { return incomplete_; }
   [[nodiscard]] const std::string& name() const { return name_; }
   /// What a candidate puts on the bill of materials. Its total price is changed by add_to_price.
   [[nodiscard]] std::span<PartUse> change_parts(std::size_t row) { return candidates_[row].parts; }
@@ -204,6 +239,14 @@ class SlotTable {
   }
 
  private:
+  /// Next to each other stand one row with a partner and with the next.
+  template <class Note, class Row>
+  static void note(std::vector<Note>& notes, Note next, Row&& row_of) {
+    for (std::size_t back = 1; back <= std::min<std::size_t>(2, notes.size()); ++back)
+      if (row_of(notes[notes.size() - back]) == row_of(next)) return;
+    notes.push_back(std::move(next));
+  }
+
   void note_totals(std::size_t row) {
     double* const totals = numbers_.data() + row * width() + fields_;
     for (std::size_t i = 0; i < total_count; ++i) totals[i] = total_of(candidates_[row], static_cast<Total>(i));
@@ -213,6 +256,8 @@ class SlotTable {
   std::size_t fields_ = 0;
   bool has_ranges_ = false;
   std::vector<Candidate> candidates_;
+  std::vector<CatalogueRow> added_;
+  std::vector<IncompleteRow> incomplete_;
   std::vector<double> numbers_;  ///< row by row; totals stand here again because long tables are read by these alone
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "evaluation/drive_tables.h"
+#include "evaluation/figure_reader.h"
 
 namespace millwright::evaluation {
 
@@ -18,7 +19,8 @@ SlotTable coupling_table(const catalogue::Catalogue& catalogue, const PriceBook&
   SlotTable result("coupling", 9);
   const Table& t = catalogue.table(Family::couplings);
   for (int row = 0; row < t.rows(); ++row) {
-    const auto number = [&](catalogue::Column c) { return t.number(c, row); };
+    std::vector<catalogue::Column> missing;
+    const FigureReader number(t, row, missing);
     const auto range = [&](catalogue::Column c) { return t.range(c, row); };
     const auto readings_of = [](auto figure) {
       return std::array{figure(column(Family::couplings, "inertia")),
@@ -43,7 +45,8 @@ SlotTable coupling_table(const catalogue::Catalogue& catalogue, const PriceBook&
     if (t.has_ranges())
       candidate.ranges =
           candidate_ranges(readings_of(range), candidate.price, {}, range(column(Family::couplings, "mass")));
-    if (is_known(std::span(readings).first(needed), candidate)) result.add(std::move(candidate), readings);
+    if (result.admits(candidate, std::span(readings).first(needed), missing))
+      result.add(std::move(candidate), readings);
   }
   return result;
 }
@@ -59,7 +62,8 @@ SlotTable support_table(const catalogue::Catalogue& catalogue,
     const std::string_view role = t.text(column(Family::support_bearings, "role"), row);
     const bool block = role == "pillow block" || role == "flange block";
     if (fixed ? role != "fixed" : role != "supported" && !block) continue;
-    const auto number = [&](catalogue::Column c) { return t.number(c, row); };
+    std::vector<catalogue::Column> missing;
+    const FigureReader number(t, row, missing);
     const auto range = [&](catalogue::Column c) { return t.range(c, row); };
     const bool stiffness_known = !std::isnan(number(column(Family::support_bearings, "axial_stiffness")));
     const auto readings_of = [&](auto figure) {
@@ -86,7 +90,7 @@ SlotTable support_table(const catalogue::Catalogue& catalogue,
     if (t.has_ranges())
       candidate.ranges =
           candidate_ranges(readings_of(range), candidate.price, {}, range(column(Family::support_bearings, "mass")));
-    if (is_known(readings, candidate)) result.add(std::move(candidate), readings);
+    if (result.admits(candidate, readings, missing)) result.add(std::move(candidate), readings);
   }
   return result;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "evaluation/drive_tables.h"
+#include "evaluation/figure_reader.h"
 
 namespace millwright::evaluation {
 
@@ -20,10 +21,12 @@ SupplyStage::SupplyStage(const std::vector<double>& voltages,
   SlotTable table("supply", 3);
   const catalogue::Table& t = catalogue.table(Family::power_supplies);
   for (int row = 0; row < t.rows(); ++row) {
-    const std::array<double, 3> readings{t.number(column(Family::power_supplies, "power"), row),
-                                         t.number(column(Family::power_supplies, "output_voltage"), row),
-                                         t.number(column(Family::power_supplies, "output_current"), row)};
-    const double mass = t.number(column(Family::power_supplies, "mass"), row);
+    std::vector<catalogue::Column> missing;
+    const FigureReader number(t, row, missing);
+    const std::array<double, 3> readings{number(column(Family::power_supplies, "power")),
+                                         number(column(Family::power_supplies, "output_voltage")),
+                                         number(column(Family::power_supplies, "output_current"))};
+    const double mass = number(column(Family::power_supplies, "mass"));
     Candidate candidate =
         candidate_of({{"supply", Family::power_supplies, row, 1.0, 0.0, prices.line(t, row, 1.0, 0.0), mass}}, 0.0);
     if (t.has_ranges())
@@ -33,7 +36,7 @@ SupplyStage::SupplyStage(const std::vector<double>& voltages,
                                           candidate.price,
                                           {},
                                           t.range(column(Family::power_supplies, "mass"), row));
-    if (std::isnan(candidate.price + mass + readings[0] + readings[1])) continue;
+    if (!table.admits(candidate, std::span(readings).first(2), missing)) continue;
     table.add(std::move(candidate), readings);
   }
   tables_.push_back(std::move(table));

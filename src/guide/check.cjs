@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// node check.cjs [--update] <millwright> <source folder>: does every command of the guide still print what the guide shows,
-// and does every example of a help text run? Commands run in a folder of their own that holds a copy of problems/. With
-// --update the guide is rewritten with what they print now: look at the difference before it is committed.
+// node check.cjs [--update | --readme] <millwright> <source folder>: does every command of the guide still print what the
+// guide shows, and does every example of a help text run? Commands run in a folder of their own that holds a copy of
+// problems/. With --update the guide is rewritten with what they print now: look at the difference before it is
+// committed. With --readme: does every command of README.md print what is shown there?
 "use strict";
 const { spawnSync } = require("child_process");
 const fs = require("fs");
@@ -11,7 +12,8 @@ const { chapters, read, blocks } = require("./chapters.cjs");
 const { help, verbs } = require("./verbs.cjs");
 
 const update = process.argv[2] === "--update";
-const [program, source] = process.argv.slice(update ? 3 : 2).map((each) => path.resolve(each));
+const readme = process.argv[2] === "--readme";
+const [program, source] = process.argv.slice(update || readme ? 3 : 2).map((each) => path.resolve(each));
 let failures = 0;
 let commands = 0;
 
@@ -142,6 +144,44 @@ function check_examples() {
   }
   return examples;
 }
+
+/** Of every command, or of those that stand together, README may leave lines out ("..."). */
+function check_readme() {
+  const lines = fs.readFileSync(path.join(source, "README.md"), "utf8").split("\n");
+  const folder = example_workshop();
+  let checked = 0;
+  for (let begin = 0; begin < lines.length; ++begin) {
+    if (!lines[begin].startsWith("    $ ./dev run ")) continue;
+    const start = begin;
+    let end = begin;
+    while (end < lines.length && (lines[end].startsWith("    ") || lines[end] === "")) ++end;
+    const block = lines.slice(begin, end).map((line) => line.slice(4)).filter((line) => !line.startsWith("time: "));
+    while (block[block.length - 1] === "") block.pop();
+    const words = block.join("\n").replace(/ \\\n +/g, " ").split("\n");  // commands that go on
+    const asked = words.filter((line) => line.startsWith("$ "));
+    begin = end - 1;
+    if (asked.some((line) => /my-parts|parts-20|prices/.test(line))) continue; // the reader's own files
+    const printed = asked.flatMap((line) => run(line.replace("$ ./dev run", "millwright"), folder).lines);
+    let at = 0;
+    let anywhere = true;
+    for (const line of words.filter((each) => !each.startsWith("$ "))) {
+      const found = line === "..." ? at : printed.indexOf(line, at);
+      if (found < 0 || (!anywhere && found !== at)) {
+        fail(`README.md:${start + 1}`, `'${asked.join("; ")}' does not print here:\n${line}\nbut:\n${printed.slice(at, at + 3).join("\n")}`);
+        break;
+      }
+      anywhere = line === "...";
+      at = anywhere ? at : found + 1;
+    }
+    ++checked;
+  }
+  fs.rmSync(folder, { recursive: true });
+  if (checked < 10) fail("README.md", `it has only ${checked} examples`);
+  console.log(`${checked} examples of README: ${failures} failures`);
+  process.exit(failures === 0 ? 0 : 1);
+}
+
+if (readme) check_readme();
 
 for (const chapter of chapters) {
   const folder = workshop();

@@ -34,7 +34,7 @@ std::string alternatives_text(const MachineResult& result, const Style& style) {
   const Design& best = result.designs.front();
   std::string out = style.heading("Alternatives") + "\n";
   if (result.designs.size() == 1)
-    return out + (result.status == Status::limit ? "  None was found before the limit.\n\n"
+    return out + (result.status == Status::limit ? "  None was found before the search was ended.\n\n"
                                                  : "  There is no other compliant build.\n\n");
   TextTable table({{"", Align::right},
                    {best.currency, Align::right},
@@ -56,7 +56,7 @@ std::string alternatives_text(const MachineResult& result, const Style& style) {
   }
   out += table.str(2, style);
   if (result.proved < result.designs.size())
-    out += fmt::format("  ? found before the limit; {} ones may exist\n", better_word(result));
+    out += fmt::format("  ? found before the search was ended; {} ones may exist\n", better_word(result));
   return out + "\n";
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "report/certificate_text.h"
 #include "report/conversion_text.h"
 #include "report/cut_text.h"
 #include "report/design_text.h"

@@ -173,7 +173,7 @@ std::string conflicts_text(const MachineResult& result, const Explanation& expla
   }
   const std::size_t count = explanation.conflicts.size();
   if (count == 0)
-    return out + "Why was not found out before the limit.\n\n" + empty_text(explanation) +
+    return out + "Why was not found out before the search was ended.\n\n" + empty_text(explanation) +
            unmet_text(explanation, style);
   out += count == 1 ? "\n" : fmt::format("There are {} separate conflicts; each must be resolved.\n\n", count);
   for (std::size_t i = 0; i < count; ++i) {

@@ -53,10 +53,15 @@ Json timing_of(const MachineResult& result) {
 }
 
 Json certificate_of(const MachineResult& result) {
+  Json incomplete = Json::array();
+  for (const evaluation::IncompleteParts& each : result.certificate.incomplete)
+    incomplete.push_back(
+        {{"family", each.family}, {"of", each.known}, {"missing", each.missing}, {"parts", each.parts}});
   return Json{{"combinations", number(result.certificate.combinations)},
               {"nodes", result.certificate.nodes},
               {"evaluations", result.certificate.evaluations},
-              {"method", result.certificate.method}};
+              {"method", result.certificate.method},
+              {"incomplete", std::move(incomplete)}};
 }
 
 void add_missing(const MachineResult& result, Json& json) {

@@ -51,7 +51,7 @@ std::string verdict_banner(const MachineResult& result, PageKind kind, const Tex
     return banner(open ? "near" : "good",
                   fill(open ? "banner.front_open" : "banner.front", result.designs.size()) + compared);
   }
-  const bool proved = result.status == Status::optimal || result.proved > 0;
+  const bool proved = best_is_proved(result);
   return banner(proved ? "good" : "near",
                 t(!proved                       ? "banner.best_so_far"
                   : robust_to_something(result) ? "banner.proved_robust"

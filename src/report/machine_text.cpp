@@ -9,7 +9,7 @@
 #include <set>
 #include <span>
 
-#include "report/alternatives.h"
+#include "report/certificate_text.h"
 #include "report/design_difference.h"
 #include "report/design_text.h"
 #include "report/steering.h"
@@ -34,13 +34,6 @@ std::string best_word(const std::string& objective) {
 std::string in_sentence(std::string word) {
   word.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(word.front())));
   return word;
-}
-
-/// "is cheaper"
-std::string better_words(const std::string& objective, const Texts& t) {
-  const auto quantity = machine::objective_named(objective).single();
-  return quantity ? t("certificate.better." + std::string(machine::declaration(*quantity).name))
-                  : fmt::format(fmt::runtime(t("certificate.better.sum")), objective);
 }
 
 /// All totals, that of the objective first; of a weighted sum "435.17 = 360.11 USD + 25 * 3.002 kg" before them.
@@ -107,9 +100,6 @@ std::string ways_out_text(const MachineResult& result) {
   return out;
 }
 
-/// The first build, whatever became of those after it.
-bool best_is_proved(const MachineResult& result) { return result.status == Status::optimal || result.proved > 0; }
-
 /// What has to be known about checks that fail.
 std::string failure_notes(const Design& design, const Style& style) {
   std::set<std::string> notes;
@@ -164,20 +154,6 @@ std::string end_text(const MachineResult& result,
          parts_text(result, design, style) + governing_text(result, design, style);
 }
 
-/// What preferred parts cost more than the best build without regard to them, as far as that is proved: no build costs
-/// less than the bound of what was compared.
-std::string premium_text(const MachineResult& result, const Texts& t) {
-  const Design& design = result.designs.front();
-  // What is proved is about builds that are compliant with every tolerance, not about the cheapest of all.
-  if (!best_is_proved(result) || result.robust || result.objectives.front() != "cost")
-    return fmt::format(fmt::runtime(t("certificate.preferred")), preference_divisor(result));
-  const double more = design.cost - std::min(design.preference->compared_cost, result.lower_bound);
-  constexpr double shown = 0.005;  // less is printed as nothing
-  return more >= shown
-             ? fmt::format(fmt::runtime(t("certificate.premium")), fmt::format("{:.2f} {}", more, design.currency))
-             : t("certificate.no_premium");
-}
-
 /// What the page leaves out.
 std::string more_text(const Design& design) {
   const std::string outside = design.outside_validity.empty()
@@ -230,51 +206,6 @@ std::string nothing_text(const MachineResult& result, const Style& style) {
                                              : ""));
 }
 
-std::string certificate_text(const MachineResult& result, const Style& style, const Texts& t) {
-  const Certificate& certificate = result.certificate;
-  std::string out = style.heading(t("certificate")) + "\n";
-  const auto fill = [&](const char* key, auto&&... values) { return fmt::format(fmt::runtime(t(key)), values...); };
-  const auto line = [&](const std::string& text) { out += "  " + wrapped(text, style.width - 2, 2) + "\n"; };
-  const Design* design = result.designs.empty() ? nullptr : &result.designs.front();
-  const bool preferred = preference_counts(result);
-  const std::string divisor = preferred ? preference_divisor(result) : std::string();
-  if (result.status == Status::infeasible) {
-    line(t(result.robust ? "certificate.none_robust" : "certificate.none"));
-  } else if (result.objectives.size() == 1 && design != nullptr) {
-    const std::string& objective = result.objectives.front();
-    std::string better = better_words(objective, t);
-    if (preferred) better = fill("certificate.divided", better, divisor);
-    if (const auto gap = proof_gap(result)) better = fill("certificate.within", better, *gap);
-    line(best_is_proved(result) ? fill(robust_to_something(result) ? "certificate.best_robust"
-                                       : result.steering.empty()   ? "certificate.best"
-                                                                   : "certificate.best_asked",
-                                       better)
-                                : fill("certificate.open",
-                                       objective_text(objective, result.lower_bound, design->currency),
-                                       fmt::format("{:.2f}", 100.0 * result.gap)));
-    if (const std::string others = alternatives_certificate(result, t); !others.empty()) line(others);
-    if (preferred) line(premium_text(result, t));
-  } else if (result.objectives.size() > 1) {
-    const double tolerance = certificate.front_tolerance;
-    line(result.status != Status::optimal ? t("certificate.front_open")
-         : tolerance > 0.0                ? fill("certificate.front_within", fmt::format("{:.3g}", 100.0 * tolerance))
-                                          : t("certificate.front"));
-    if (preferred) line(fill("certificate.preferred", divisor));
-  }
-  if (design != nullptr && !design->all_fewest_bars) line(t("certificate.bars"));
-  line(fill("certificate.combinations", scalar::format_number(certificate.combinations, 3)));
-  if (!certificate.method.empty()) line(t.clauses(certificate.method));
-  if (design != nullptr) line(t("certificate.again"));
-  // Lines of effort begin with "time": they differ from run to run.
-  return out +
-         fill("certificate.effort",
-              fmt::format("{:.2f}", result.timing.read),
-              fmt::format("{:.2f}", result.timing.solve),
-              certificate.nodes,
-              certificate.evaluations) +
-         "\n";
-}
-
 std::string objective_text(const std::string& objective, double value, const std::string& currency) {
   if (const auto quantity = machine::objective_named(objective).single())
     return quantity_text(*quantity, value, currency);
@@ -295,11 +226,12 @@ std::string solve_text(const MachineResult& result, const Style& style) {
   }
   const Design& design = result.designs.front();
   const std::string& objective = result.objectives.front();
-  out += best_is_proved(result) ? style.heading(build_words(result) + ": " + all_totals(objective, design)) + "\n\n"
-                                : style.heading("Best build found before the limit: " + all_totals(objective, design)) +
-                                      fmt::format("\n  proved so far: not below {}, gap {:.2f} %\n\n",
-                                                  objective_text(objective, result.lower_bound, design.currency),
-                                                  100.0 * result.gap);
+  out += best_is_proved(result)
+             ? style.heading(build_words(result) + ": " + all_totals(objective, design)) + "\n\n"
+             : style.heading("Best build found before the search was ended: " + all_totals(objective, design)) +
+                   fmt::format("\n  proved so far: not below {}, gap {:.2f} %\n\n",
+                               objective_text(objective, result.lower_bound, design.currency),
+                               100.0 * result.gap);
   if (result.fixed_objective && result.status == Status::optimal)
     out += "  Moves state their times, so every build takes as long: this is the cheapest.\n\n";
   out += parts_text(result, design, style) + dimensions_text(design, style) + alternatives_text(result, style);
@@ -321,7 +253,7 @@ std::string front_text(const MachineResult& result, const Style& style) {
   out += style.heading(fmt::format("{} build{} that no other{} beats in {}{}",
                                    result.designs.size(),
                                    result.designs.size() == 1 ? "" : "s",
-                                   result.status == Status::limit ? " found before the limit" : "",
+                                   result.status == Status::limit ? " found before the search was ended" : "",
                                    objectives_text(result.objectives),
                                    preference_words(result))) +
          "\n";

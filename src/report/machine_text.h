@@ -26,11 +26,6 @@ std::string title_text(const MachineResult& result, const Style& style);
 /// Why there is no build: slots without candidates, checks that fail whatever is chosen, ways out.
 std::string nothing_text(const MachineResult& result, const Style& style);
 
-/// What is proved, and how the answer was found.
-std::string certificate_text(const MachineResult& result,
-                             const Style& style,
-                             const Texts& t = Texts(Language::english));
-
 /// "612.34 USD", "41.200 kg", "12.500 s": a value of an objective; of a weighted sum only its number.
 std::string objective_text(const std::string& objective, double value, const std::string& currency);
 

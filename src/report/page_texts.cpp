@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/page_texts.h"
 
+#include "report/page_texts_certificate.h"
 #include "report/page_texts_sweep_audit.h"
 
 namespace millwright::report {
@@ -37,8 +38,8 @@ std::vector<PageText> report_texts() {
        "Memenuhi semua syarat untuk setiap nilai dalam toleransi yang dinyatakan, dan terbukti terbaik dari katalog "
        "ini."},
       {"banner.best_so_far",
-       "Compliant; the best build found before the limit, not proved to be the best.",
-       "Memenuhi syarat; terbaik yang ditemukan sebelum batas, belum terbukti terbaik."},
+       "Compliant; the best build found before the search was ended, not proved to be the best.",
+       "Memenuhi syarat; terbaik yang ditemukan sebelum pencarian dihentikan, belum terbukti terbaik."},
       {"banner.satisfied", "It satisfies every check.", "Semua pemeriksaan terpenuhi."},
       {"banner.failed", "It fails {} of {} checks.", "Gagal pada {} dari {} pemeriksaan."},
       {"banner.none", "No compliant build exists.", "Tidak ada rancangan yang memenuhi syarat."},
@@ -47,8 +48,8 @@ std::vector<PageText> report_texts() {
        "Pencarian dihentikan sebelum rancangan yang memenuhi syarat ditemukan."},
       {"banner.front", "{} builds that no other build beats.", "{} rancangan yang tidak terkalahkan."},
       {"banner.front_open",
-       "{} builds found before the limit; points may be missing.",
-       "{} rancangan ditemukan sebelum batas; mungkin belum lengkap."},
+       "{} builds found before the search was ended; points may be missing.",
+       "{} rancangan ditemukan sebelum pencarian dihentikan; mungkin belum lengkap."},
       {"quantity.cost", "Cost", "Biaya"},
       {"quantity.mass", "Mass", "Massa"},
       {"quantity.cycle_time", "Cycle time", "Waktu siklus"},
@@ -307,80 +308,7 @@ std::vector<PageText> report_texts() {
       {"catalogues.place", "Catalogue", "Katalog"},
       {"catalogues.file", "File", "Berkas"},
       {"catalogues.files", "Files", "Berkas"},
-      {"catalogues.rows", "Rows", "Baris"},
-      {"certificate.none",
-       "Proved: no combination is compliant.",
-       "Terbukti: tidak ada kombinasi yang memenuhi syarat."},
-      {"certificate.none_robust",
-       "Proved: no combination is compliant for every value within the stated tolerances.",
-       "Terbukti: tidak ada kombinasi yang memenuhi syarat untuk setiap nilai dalam toleransi yang dinyatakan."},
-      {"certificate.best_robust",
-       "Proved: no build of these catalogues (with what was asked for) that is compliant for every value within the "
-       "stated tolerances {}.",
-       "Terbukti: tidak ada rancangan dari katalog ini (dengan permintaan yang diajukan) yang memenuhi syarat untuk "
-       "setiap nilai dalam toleransi yang dinyatakan yang {}."},
-      {"certificate.best",
-       "Proved: no compliant build of these catalogues {}.",
-       "Terbukti: tidak ada rancangan yang memenuhi syarat dari katalog ini yang {}."},
-      {"certificate.best_asked",
-       "Proved: no compliant build of these catalogues, with what was asked for above, {}.",
-       "Terbukti: tidak ada rancangan yang memenuhi syarat dari katalog ini, dengan permintaan di atas, yang {}."},
-      {"certificate.better.cost", "is cheaper", "lebih murah"},
-      {"certificate.better.mass", "is lighter", "lebih ringan"},
-      {"certificate.better.cycle_time", "is faster", "lebih cepat"},
-      {"certificate.better.energy",
-       "takes less energy, as it is estimated",
-       "memakai energi lebih sedikit menurut perkiraan"},
-      {"certificate.better.position_error", "is more exact", "lebih teliti"},
-      {"certificate.better.sum", "has less {}", "memiliki {} lebih kecil"},
-      {"certificate.divided",
-       "{}, the prices of preferred parts divided by {}",
-       "{}, dengan harga komponen pilihan dibagi {}"},
-      {"certificate.premium",
-       "With its preferred parts it costs at most {} more than the cheapest compliant build.",
-       "Dengan komponen pilihannya, harganya paling banyak {} di atas rancangan termurah yang memenuhi syarat."},
-      {"certificate.no_premium",
-       "At real prices no compliant build is cheaper, either.",
-       "Menurut harga sebenarnya pun tidak ada rancangan yang memenuhi syarat yang lebih murah."},
-      {"certificate.preferred",
-       "Builds were compared with the prices of preferred parts divided by {}; what is shown are the real prices.",
-       "Rancangan dibandingkan dengan harga komponen pilihan dibagi {}; yang ditampilkan adalah harga sebenarnya."},
-      {"certificate.open",
-       "Not proved: a build of {} or more may still exist (gap {} %).",
-       "Belum terbukti: rancangan dengan {} atau lebih mungkin masih ada (celah {} %)."},
-      {"certificate.one_build",
-       "Proved: there is only 1 compliant build, each set of parts counted once.",
-       "Terbukti: hanya ada 1 rancangan yang memenuhi syarat, tiap set komponen dihitung sekali."},
-      {"certificate.few_builds",
-       "Proved: there are only {} compliant builds, each set of parts counted once.",
-       "Terbukti: hanya ada {} rancangan yang memenuhi syarat, tiap set komponen dihitung sekali."},
-      {"certificate.cheapest",
-       "Proved: these are the {} cheapest builds, each set of parts counted once.",
-       "Terbukti: inilah {} rancangan termurah, tiap set komponen dihitung sekali."},
-      {"certificate.lightest",
-       "Proved: these are the {} lightest builds, each set of parts counted once.",
-       "Terbukti: inilah {} rancangan teringan, tiap set komponen dihitung sekali."},
-      {"certificate.some",
-       "Of {} builds asked for, proved before the limit: {}.",
-       "Dari {} rancangan yang diminta, terbukti sebelum batas: {}."},
-      {"certificate.front_within",
-       "Proved: the front is covered to {} %, as said below.",
-       "Terbukti: garis depan tercakup sampai {} %, seperti diterangkan di bawah."},
-      {"certificate.front", "Proved: the front is complete and exact.", "Terbukti: garis depan lengkap dan tepat."},
-      {"certificate.front_open",
-       "Not proved: the search was ended, points may be missing.",
-       "Belum terbukti: pencarian dihentikan, mungkin ada titik yang belum ditemukan."},
-      {"certificate.bars",
-       "Not proved of every build: that pieces cut from bars need so many bars; of some sets of pieces fewer may do.",
-       "Tidak terbukti untuk setiap rancangan: bahwa potongan memerlukan batang sebanyak itu; untuk sebagian kumpulan "
-       "potongan lebih sedikit mungkin cukup."},
-      {"certificate.combinations", "{} combinations of parts.", "{} kombinasi komponen."},
-      {"certificate.again",
-       "Every figure above was computed again from scratch for the build shown.",
-       "Setiap angka di atas dihitung ulang dari awal untuk rancangan yang ditampilkan."},
-      {"certificate.effort",
-       "time: {} s reading, {} s solving, {} nodes, {} evaluations",
-       "waktu: {} s membaca, {} s mencari, {} simpul, {} evaluasi"}};
+      {"catalogues.rows", "Rows", "Baris"}};
   return all;
 }
 
@@ -389,8 +317,8 @@ std::vector<PageText> report_texts() {
 const std::vector<PageText>& page_texts() {
   static const std::vector<PageText> texts = [] {
     std::vector<PageText> all = report_texts();
-    const std::vector<PageText> more = sweep_and_audit_texts();
-    all.insert(all.end(), more.begin(), more.end());
+    for (const std::vector<PageText>& more : {certificate_texts(), sweep_and_audit_texts()})
+      all.insert(all.end(), more.begin(), more.end());
     return all;
   }();
   return texts;

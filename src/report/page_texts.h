@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every word of the report page that is ours, in each language it is written in: one table, page_texts.cpp with
-// page_texts_engineering.cpp and page_texts_meanings.cpp. What catalogues say of themselves stays in English.
+// page_texts_certificate.cpp and the like. What catalogues say of themselves stays in English.
 #pragma once
 
 #include <optional>

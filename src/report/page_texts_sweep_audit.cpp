@@ -34,8 +34,10 @@ std::vector<PageText> sweep_and_audit_texts() {
        "with the figures as they stand the best is {} worse at real prices, which is not how builds were compared",
        "dengan data apa adanya yang terbaik {} lebih buruk menurut harga sebenarnya, bukan cara pembandingannya"},
       {"tolerances.stopped",
-       "Not settled before the limit whether it is compliant for every value within the stated tolerances of {}.",
-       "Belum pasti sebelum batas tercapai apakah memenuhi syarat untuk setiap nilai dalam toleransi yang disebut dari "
+       "Not settled before the search was ended whether it is compliant for every value within the stated tolerances "
+       "of {}.",
+       "Belum pasti sebelum pencarian dihentikan apakah memenuhi syarat untuk setiap nilai dalam toleransi yang "
+       "disebut dari "
        "{}."},
       {"tolerances.front_stopped",
        "Of these builds the limit left no time to settle it: {}.",

@@ -249,7 +249,7 @@ bool is_one_build(const Json& json, const std::shared_ptr<const SourceText>& tex
   if (json.contains("build")) return true;
   return refuse(fmt::format("this result holds no build: {}",
                             command == "check"          ? "its bill of materials could not be evaluated"
-                            : word("status") == "limit" ? "none was found before the limit"
+                            : word("status") == "limit" ? "none was found before the search was ended"
                                                         : "no build is compliant"),
                 "'millwright explain' says why nothing is compliant");
 }

@@ -36,10 +36,12 @@ std::string preference_divisor(const MachineResult& result) {
   return fmt::format("{:.4g}", 1.0 + result.designs.front().preference->premium);
 }
 
+bool best_is_proved(const MachineResult& result) { return result.status == Status::optimal || result.proved > 0; }
+
 std::optional<std::string> proof_gap(const MachineResult& result) {
   constexpr double rounding = 1e-5;  // the usual gap is 1e-6
-  const bool proved = result.status == Status::optimal || result.proved > 0;
-  if (result.designs.empty() || result.objectives.size() != 1 || !proved || !(result.gap > rounding)) return {};
+  if (result.designs.empty() || result.objectives.size() != 1 || !best_is_proved(result) || !(result.gap > rounding))
+    return {};
   return fmt::format("{:.3g}", 100.0 * result.gap);
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "catalogue/inventory.h"
+#include "evaluation/incomplete_parts.h"
 #include "evaluation/ledger.h"
 #include "evaluation/ways_out.h"
 #include "machine/problem.h"
@@ -49,7 +50,8 @@ struct Certificate {
   std::uint64_t nodes = 0;
   std::uint64_t evaluations = 0;
   std::string method;
-  double front_tolerance = 0.0;  ///< relative, to which a front is covered; 0 = exact
+  double front_tolerance = 0.0;                              ///< relative, to which a front is covered; 0 = exact
+  std::vector<evaluation::IncompleteParts> incomplete = {};  ///< parts that could not be looked at
 };
 
 /// Seconds.
@@ -96,6 +98,9 @@ struct MachineResult {
 bool preference_counts(const MachineResult& result);
 /// "1.05", by which the prices of preferred parts were divided then.
 std::string preference_divisor(const MachineResult& result);
+
+/// Whether the first build is proved to be the best, whatever became of those after it.
+bool best_is_proved(const MachineResult& result);
 
 /// To so many percent the best build is proved, where --gap let that be more than rounding: another one may be so much
 /// better. None where the proof is exact, or there is none.

@@ -45,7 +45,7 @@ std::string no_build_reason(const SweepPoint& point) {
   if (!point.solved) return "time was up";
   if (point.design() != nullptr) return {};
   const MachineResult& result = point.result;
-  if (result.status == Status::limit) return "no build was found before the limit";
+  if (result.status == Status::limit) return "no build was found before the search was ended";
   std::vector<std::string> parts;
   for (const MissingSlot& slot : result.missing)
     parts.push_back(fmt::format("no candidate for {}.{} ({})", slot.axis, slot.slot, slot.reason));

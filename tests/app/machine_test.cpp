@@ -411,5 +411,50 @@ TEST_CASE("An empty problem says where to begin") {
   }
 }
 
+TEST_CASE("A part that lacks a figure is in no build, and the certificate says so") {
+  const Workshop shop;
+  shop.write("m.toml", one_slide);
+  const auto write = [&](const char* inertia) {
+    shop.write("mine/steppers/mine.csv",
+               "manufacturer,part_number,frame,frame_size [mm],shaft_diameter [mm],step_angle [deg],holding_torque "
+               "[N.m],rated_current [A],phase_resistance [ohm],phase_inductance [mH],rotor_inertia [g.cm2],mass "
+               "[kg],price,currency,source,confidence\nAcme,Bargain,NEMA17,42.3,5,1.8,0.5,1.5,1.5,2.8," +
+                   std::string(inertia) + ",0.28,0.5,USD,a flyer,high\n");
+  };
+  const std::vector<std::string> solve{"solve", "m.toml", "--catalogue", "mine"};
+  const auto with = [&](const char* more) {
+    std::vector<std::string> words = solve;
+    words.emplace_back(more);
+    return words;
+  };
+  write("");
+  for (const auto& [words, names] : {std::pair{solve, false}, std::pair{with("--full"), true}}) {
+    const Outcome outcome = shop.run(words);
+    CHECK(outcome.exit_code == 0);
+    CHECK(outcome.prints("Not looked at, because a figure or price that is needed is missing: "));
+    CHECK(outcome.prints("1 of "));
+    CHECK(outcome.prints("steppers (rotor_inertia)"));
+    CHECK(outcome.prints("steppers, rotor_inertia: Acme Bargain\n") == names);
+  }
+  CHECK(shop.run({"pareto", "m.toml", "--catalogue", "mine"}).prints("steppers (rotor_inertia)"));
+  shop.run({"solve", "m.toml", "--catalogue", "mine", "--json", "r.json", "--report", "r.html", "--language", "id"});
+  CHECK(shop.read("r.html").find("Tidak diperiksa") != std::string::npos);
+  const auto steppers = [&] {
+    std::vector<Json> result;
+    const Json json = Json::parse(shop.read("r.json"));
+    for (const Json& each : json.at("certificate").at("incomplete"))
+      if (each.at("family") == "steppers") result.push_back(each);
+    return result;
+  };
+  REQUIRE(steppers().size() == 1);
+  CHECK(steppers()[0].at("parts") == Json{"Acme Bargain"});
+  CHECK(steppers()[0].at("missing") == Json{"rotor_inertia"});
+
+  write("54");
+  const Outcome complete = shop.run({"solve", "m.toml", "--catalogue", "mine", "--json", "r.json"});
+  CHECK(complete.prints("Acme Bargain"));
+  CHECK(steppers().empty());
+}
+
 }  // namespace
 }  // namespace millwright::app::machine_test

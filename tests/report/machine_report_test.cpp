@@ -273,7 +273,7 @@ TEST_CASE("A limit is said with the gap") {
   result.lower_bound = 6.0;
   result.gap = 0.2;
   const std::string text = solve_text(result, {});
-  CHECK(text.find("Best build found before the limit: 7.50 USD") != std::string::npos);
+  CHECK(text.find("Best build found before the search was ended: 7.50 USD") != std::string::npos);
   CHECK(text.find("not below 6.00 USD, gap 20.00 %") != std::string::npos);
   CHECK(text.find("Not proved") != std::string::npos);
 }

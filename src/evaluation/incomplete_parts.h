@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Parts that no build of a machine has because a figure that a check reads, or a price, is missing in the catalogues.
+// What is proved is proved without them.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "evaluation/machine_model.h"
+
+namespace millwright::evaluation {
+
+/// Parts of one family that lack the same.
+struct IncompleteParts {
+  std::string family;
+  /// Columns that were asked for in vain, while all of the family that can be chosen in their place has a figure there;
+  /// those of another family as "materials.yield_strength". None: what is missing stands in no column (a rate for its
+  /// currency), or its every partner lacks something.
+  std::vector<std::string> missing;
+  std::vector<std::string> parts;  ///< "Mean Well LRS-50-24", in ascending order
+  std::size_t known = 0;           ///< parts of the whole family in the catalogues
+};
+
+/// By families in their order, those without any left out; within a family the more frequent first. Only parts that the
+/// problem's wishes permit are told, and of those that can only be bought as a pair (a screw, and a nut that runs on
+/// it) also those whose every partner lacks something. Not told: what has all figures for one slot and lacks some for
+/// another.
+std::vector<IncompleteParts> incomplete_parts(const MachineModel& model);
+
+}  // namespace millwright::evaluation
