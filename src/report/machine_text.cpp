@@ -9,6 +9,7 @@
 #include <set>
 #include <span>
 
+#include "report/alternatives.h"
 #include "report/certificate_text.h"
 #include "report/design_difference.h"
 #include "report/design_text.h"

@@ -2,11 +2,13 @@
 #include "solver/cover.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <utility>
 
 #include "solver/box_slopes.h"
+#include "solver/cover_points.h"
 #include "solver/leaf_point.h"
 #include "solver/point_comparison.h"
 #include "solver/relaxation.h"
@@ -20,12 +22,14 @@ constexpr std::size_t cover_boxes = 20000;
 constexpr std::size_t proof_boxes = 30;
 constexpr std::size_t label_asked_after = 64;  // boxes after which it is asked whether the label leaves them undecided
 constexpr std::size_t ipopt_after = 401;       // boxes after which Ipopt is asked if no feasible point is known
+constexpr std::size_t around_every = 64;       // boxes after which points beside one are looked for
+constexpr double undecided_reach = 16.0;       // of the tolerance, for what only an inexact label leaves undecided
 
 /// Covers the useful designs of a box of priced variables by feasible points.
 class Cover {
  public:
   Cover(const LeafQuestion& question, Desk& desk)
-      : question_(question), desk_(desk), design_(question, desk), relief_(design_) {}
+      : question_(question), desk_(desk), design_(question, desk), relief_(design_), points_(question) {}
 
   LeafAnswer run() {
     const auto& variables = question_.region->variables;
@@ -47,8 +51,7 @@ class Cover {
         divide(box);
     }
     for (const VariableBox& box : heap_.all()) leave_undecided(box);
-    drop_unused();
-    if (question_.refined_later) add_points_to_boxes();
+    answer_.points = std::move(points_).take(answer_.undecided || !stand_ins_.empty());
     std::move(stand_ins_.begin(), stand_ins_.end(), std::back_inserter(answer_.points));
     return std::move(answer_);
   }
@@ -140,7 +143,7 @@ class Cover {
       if (!(width > narrowest * range) || parts >= Relief::most_parts) continue;
       const double share = width / (box.side[v].upper - box.side[v].lower);
       const double change =
-          share * slopes.change_over(v, box.bounds, !has_looked_ || !answer_.points.empty() || leaves_to_later());
+          share * slopes.change_over(v, box.bounds, !has_looked_ || !points_.empty() || leaves_to_later());
       // The more parts there are, the more it costs; the widest, where nothing changes.
       const double worth =
           change > 0.0 ? change / (1.0 + static_cast<double>(parts) / few_parts) : -1.0 + 1e-3 * width / range;
@@ -162,75 +165,47 @@ class Cover {
     std::vector<double> low;
     for (std::size_t v = 0; v < center.size(); ++v) low.push_back(relief_.has(v) ? center[v] : box.side[v].lower);
     add(low);
-    const bool with_ipopt = boxes == ipopt_after && answer_.points.empty();
+    const bool with_ipopt = boxes == ipopt_after && points_.empty();
     if (thoroughly || with_ipopt) {
       if (const auto found = design_.small_worth(box.side, center, with_ipopt)) add(*found);
     }
+    if (boxes % around_every == around_every - 1) look_around(center);
     return relief_.settle(box, center);
+  }
+
+  /// Where designs are feasible only just, nothing in the boxes that come up is, however small they are: beside them,
+  /// ever nearer and farther.
+  void look_around(std::span<const double> center) {
+    constexpr std::array reach = {1e-3, 1e-5, 1e-2, 1e-4, 1e-6};  // of the ranges
+    const double share = reach[looked_around_++ % reach.size()];
+    const std::vector<Interval>& whole = question_.region->variables;
+    std::vector<Interval> around;
+    for (std::size_t v = 0; v < whole.size(); ++v) {
+      const double by = share * (whole[v].upper - whole[v].lower);
+      around.emplace_back(std::max(whole[v].lower, center[v] - by), std::min(whole[v].upper, center[v] + by));
+    }
+    std::vector<double> start(center.begin(), center.end());
+    if (const auto inside = design_.least_violation(around, start)) start = *inside;
+    add(start);
+    if (const auto best = design_.small_worth(around, start, false)) add(*best);
   }
 
   /// Keeps a feasible point unless a known one is as good.
   void add(std::span<const double> variables) {
     StagePoint point;
     // Where more is better what is more than later stages can bear must not stand for less.
-    if (!design_.take(variables, point) || !bearable(*question_.plan, point.state)) return;
-    for (const StagePoint& known : answer_.points) {
-      if (as_good(question_, score_of(known), known.state, point.score_lower, point.enclosure, {0.0, {}, {}})) return;
-    }
-    std::vector<double> score = point.score_lower;
-    const bool used = replace_dominated(point);
-    points_score_.push_back(std::move(score));
-    answer_.points.push_back(std::move(point));
-    used_.push_back(used);
-  }
-
-  /// Removes the points that a new one is as good as. It covers what they covered, so it takes over what they stand
-  /// for; without this the list would grow with every step of the descent and each box would be compared with all of
-  /// it.
-  bool replace_dominated(StagePoint& point) {
-    const std::vector<double> own_score = point.score_lower;
-    bool used = false;
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < answer_.points.size(); ++i) {
-      if (dominated_by(*question_.plan, points_score_[i], answer_.points[i].state, own_score, point.state)) {
-        if (!used_[i]) continue;
-        used = true;
-        point.boxes.insert(point.boxes.end(), answer_.points[i].boxes.begin(), answer_.points[i].boxes.end());
-        point.exact = point.exact && answer_.points[i].exact;
-        for (std::size_t k = 0; k < point.score_lower.size(); ++k)
-          point.score_lower[k] = std::min(point.score_lower[k], answer_.points[i].score_lower[k]);
-        for (std::size_t c = 0; c < point.enclosure.size(); ++c)
-          stand_for(*question_.plan, point.enclosure[c], answer_.points[i].enclosure[c], c);
-        continue;
-      }
-      if (kept != i) {
-        answer_.points[kept] = std::move(answer_.points[i]);
-        points_score_[kept] = std::move(points_score_[i]);
-        used_[kept] = used_[i];
-      }
-      ++kept;
-    }
-    answer_.points.resize(kept);
-    points_score_.resize(kept);
-    used_.resize(kept);
-    return used;
+    if (design_.take(variables, point) && bearable(*question_.plan, point.state)) points_.add(std::move(point));
   }
 
   [[nodiscard]] Slack slack() const { return {question_.tolerance, label_score_, label_state_}; }
 
-  [[nodiscard]] const std::vector<double>& score_of(const StagePoint& known) const {
-    return points_score_[static_cast<std::size_t>(&known - answer_.points.data())];
-  }
-
   bool covered(std::span<const Interval> side, OpenBox::Origin origin, const Bounds& bounds) {
-    for (std::size_t i = 0; i < answer_.points.size(); ++i) {
-      StagePoint& point = answer_.points[i];
-      if (!as_good(question_, points_score_[i], point.state, bounds.score, bounds.handed_on, slack())) continue;
-      used_[i] = true;
-      take_over(side, origin, bounds, point);
-      return true;
-    }
-    return false;
+    return covered(side, origin, bounds, slack());
+  }
+  bool covered(std::span<const Interval> side, OpenBox::Origin origin, const Bounds& bounds, const Slack& within) {
+    StagePoint* const point = points_.cover(bounds, within);
+    if (point != nullptr) take_over(side, origin, bounds, *point);
+    return point != nullptr;
   }
 
   void take_over(std::span<const Interval> side,
@@ -287,8 +262,7 @@ class Cover {
     read_bounds(
         plan, desk_.bound(*plan.stage, plan.shared, question_.label->enclosure, *question_.region, there), bounds);
     if (bounds.utilisation > 1.0) return false;
-    for (const StagePoint& known : answer_.points)
-      if (as_good(question_, score_of(known), known.state, bounds.score, bounds.handed_on, slack())) return false;
+    if (points_.has_as_good(bounds, slack())) return false;
     std::vector<double> best;
     for (std::size_t c = 0; c < bounds.handed_on.size(); ++c)
       best.push_back(plan.after[c] == Direction::larger_is_better ? bounds.handed_on[c].upper
@@ -341,36 +315,14 @@ class Cover {
     heap_.push(std::move(box));
   }
 
+  /// What an inexact label stands for moves what its designs must be, and that may move what they cost by more than the
+  /// tolerance: then no division decides which of them are feasible, with whatever tolerance. A point may stand for
+  /// them even so, for as much as the next finer search would ask of it; what it comes to is counted in the end.
   void leave_undecided(const VariableBox& box) {
+    const bool by_label = !question_.label->exact && !question_.refined_later;
+    if (by_label && covered(box.side, box.origin, box.bounds, {undecided_reach * question_.tolerance, {}, {}})) return;
     answer_.leave_undecided(box.bounds.score);
     if (question_.refined_later) answer_.undecided_boxes.push_back({relief_.as_given(box.side), box.origin});
-  }
-
-  /// A point may lie in boxes that another one stands for; where it lies in none it has been settled before.
-  void add_points_to_boxes() {
-    const auto inside = [](const std::vector<Interval>& sides, const StagePoint& point) {
-      return std::equal(sides.begin(), sides.end(), point.variables.begin(), [](const Interval& side, double value) {
-        return side.lower <= value && value <= side.upper;
-      });
-    };
-    for (StagePoint& point : answer_.points) {
-      const auto holds_it = [&](const OpenBox& box) { return inside(box.sides, point); };
-      if (std::any_of(point.boxes.begin(), point.boxes.end(), holds_it)) continue;
-      const std::vector<Interval> itself(point.variables.begin(), point.variables.end());
-      for (const OpenBox& box : question_.among)
-        if (inside(box.sides, point)) point.boxes.push_back({itself, box.origin});
-    }
-  }
-
-  /// Points that cover nothing are not needed.
-  void drop_unused() {
-    std::vector<StagePoint> kept;
-    for (std::size_t i = 0; i < answer_.points.size(); ++i) {
-      StagePoint& point = answer_.points[i];
-      if (!used_[i] && !answer_.undecided && stand_ins_.empty()) continue;
-      kept.push_back(std::move(point));
-    }
-    answer_.points = std::move(kept);
   }
 
   const LeafQuestion& question_;
@@ -379,9 +331,9 @@ class Cover {
   Relief relief_;
   BoxHeap heap_;
   LeafAnswer answer_;
-  std::vector<std::vector<double>> points_score_;  ///< own share of each point itself
-  std::vector<bool> used_;
+  CoverPoints points_;
   bool has_looked_ = true;              ///< for points; false: not yet
+  std::size_t looked_around_ = 0;       ///< so often
   std::vector<VariableBox> set_aside_;  ///< that cannot be divided, and in which points have not been looked for
   std::vector<StagePoint> stand_ins_;   ///< points that break a constraint, for what an inexact label stands for
   std::vector<std::vector<double>> stand_ins_score_;

@@ -157,4 +157,47 @@ TEST_CASE("Broken structure: free screw diameters are as good as any that were t
   check_tally(compare_many(Variant::free_diameter, {2, 3, 3, 0}, 24), 24);
 }
 
+/// The front as least costs under limits of mass, which another search finds.
+void compare_with_limits(const Stack& stack, const std::vector<Build>& front) {
+  constexpr double within = 1.0 + 1e-3 + 1e-5;
+  for (const std::size_t place : {front.size() / 5, front.size() / 2, 4 * front.size() / 5}) {
+    Problem limited = stack.problem;
+    limited.resources[1].limit = front[place].resources[1] * (1.0 + 1e-4);
+    const Summary cheapest = solve(limited, {});
+    REQUIRE(cheapest.status == Status::optimal);
+    CAPTURE(place, cheapest.builds[0].resources[0], front[place].resources[0]);
+    CHECK(cheapest.builds[0].resources[0] <= front[place].resources[0] * (1.0 + 1e-6));
+    CHECK(std::any_of(front.begin(), front.end(), [&](const Build& build) {
+      return build.resources[0] <= cheapest.builds[0].resources[0] * within &&
+             build.resources[1] <= cheapest.builds[0].resources[1] * within;
+    }));
+  }
+}
+
+// Designs of these are feasible only just where they are best, and what an inexact label stands for moves that.
+TEST_CASE("Broken structure: fronts with free screw diameters come to an end") {
+  struct Instance {
+    int screws, motors;
+    std::uint64_t seed;
+  };
+  std::vector<Instance> instances{{60, 20, 127}, {60, 20, 299}};
+  if (!millwright::sanitized)
+    for (const Instance& more : {Instance{60, 20, 377}, {200, 50, 64}, {200, 50, 219}, {200, 50, 338}, {200, 50, 348}})
+      instances.push_back(more);
+  for (const Instance& each : instances) {
+    CAPTURE(each.screws, each.seed);
+    const stack::Instance instance = stack::random_instance(3, each.screws, each.motors, each.seed);
+    const Columns none = random_belts(0, each.seed);
+    const Surroundings given = surroundings(instance, Variant::free_diameter, none, 1.0);
+    const Stack stack(instance, Variant::free_diameter, none, given);
+    Options options;
+    options.objectives = {0, 1};
+    const Summary front = solve(stack.problem, options);
+    REQUIRE(front.status == Status::optimal);
+    Enumeration everything(instance, Variant::free_diameter, none, given);
+    for (const Build& build : front.builds) checked(everything, build);
+    compare_with_limits(stack, front.builds);
+  }
+}
+
 }  // namespace broken_structure_test
