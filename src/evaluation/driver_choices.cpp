@@ -31,9 +31,10 @@ DriverChoices::DriverChoices(const catalogue::Table& drivers,
   const catalogue::Table& t = drivers;
   for (int row = 0; row < t.rows(); ++row) {
     if (t.flag(column(Family::drivers, "closed_loop"), row).value_or(false)) continue;  // needs a motor with an encoder
-    if (!(t.number(column(Family::drivers, "maximum_microsteps"), row) >= axis.motor.microsteps)) continue;
     std::vector<catalogue::Column> missing;
     const FigureReader number(t, row, missing);
+    const double microsteps = number(column(Family::drivers, "maximum_microsteps"));
+    if (microsteps < axis.motor.microsteps) continue;
     const Driver d{row,
                    number(column(Family::drivers, "peak_current")),
                    number(column(Family::drivers, "maximum_voltage")),
@@ -42,7 +43,8 @@ DriverChoices::DriverChoices(const catalogue::Table& drivers,
                    number(column(Family::drivers, "mass")),
                    prices.preference(t, row),
                    prices.charging_supplier(t, row)};
-    const bool is_known = !std::isnan(d.peak_current + d.largest_voltage + d.least_voltage + d.price + d.mass);
+    const bool is_known =
+        !std::isnan(microsteps + d.peak_current + d.largest_voltage + d.least_voltage + d.price + d.mass);
     is_known ? drivers_.push_back(d) : incomplete_.push_back({{Family::drivers, row}, std::move(missing)});
   }
 }

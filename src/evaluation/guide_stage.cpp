@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "evaluation/guide_stage.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "evaluation/figure_reader.h"
 
@@ -28,6 +28,9 @@ GuideStage::GuideStage(const machine::Axis& axis,
   SlotTable table("guide", machine::guide_reading_fields);
   const catalogue::Table& t = catalogue.table(Family::linear_guides);
   const machine::GuideChoice& choice = *axis.guide;
+  constexpr std::array soft_columns{column(Family::linear_guides, "friction_coefficient"),
+                                    column(Family::linear_guides, "radial_stiffness")};
+  const auto soft = std::span(soft_columns).first(place.tool ? 1 : 2);
   for (int row = 0; row < t.rows(); ++row) {
     const std::string_view kind = t.text(column(Family::linear_guides, "kind"), row);
     if (!wanted(choice.kinds, kind)) continue;
@@ -57,7 +60,7 @@ GuideStage::GuideStage(const machine::Axis& axis,
     };
     constexpr std::size_t carriages_field = 6, rails_field = 7, length_field = 8;
     std::vector<catalogue::Column> missing;
-    const std::array<double, machine::guide_reading_fields> readings = readings_of(FigureReader(t, row, missing));
+    const std::array<double, machine::guide_reading_fields> readings = readings_of(FigureReader(t, row, missing, soft));
     const double carriages = readings[carriages_field], rails = readings[rails_field];
     const double rail_length = readings[length_field];
     // Carriage and rail are one line: the carriages by piece, each rail cut to length.

@@ -5,10 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <map>
+#include <set>
 #include <span>
 #include <string_view>
 #include <utility>
+
+#include "evaluation/held_parts.h"
 
 namespace millwright::evaluation {
 namespace {
@@ -17,38 +21,19 @@ using catalogue::Column;
 using catalogue::Family;
 using catalogue::Table;
 
-/// Which rows of every family.
-class RowsOfFamilies {
- public:
-  explicit RowsOfFamilies(const catalogue::Catalogue& catalogue) {
-    for (const catalogue::FamilyDeclaration& family : catalogue::families)
-      rows_.emplace_back(static_cast<std::size_t>(catalogue.table(family.family).rows()));
-  }
-  void add(const CatalogueRow& part) {
-    rows_[static_cast<std::size_t>(part.family)][static_cast<std::size_t>(part.row)] = true;
-  }
-  [[nodiscard]] const std::vector<bool>& of(Family family) const { return rows_[static_cast<std::size_t>(family)]; }
-
- private:
-  std::vector<std::vector<bool>> rows_;
-};
-
-/// Rows by maker and part number; of the offers of a part, the first.
-using Names = std::map<std::pair<std::string_view, std::string_view>, int>;
-
-Names names_of(const Table& table, const std::vector<bool>& rows) {
-  Names names;
-  for (int row = 0; row < table.rows(); ++row)
-    if (rows[static_cast<std::size_t>(row)]) names.try_emplace({table.manufacturer(row), table.part_number(row)}, row);
-  return names;
-}
-
 /// Prices that everything for sale in a family has.
 std::vector<Column> prices_of(Family family) {
   std::vector<Column> prices;
   if (catalogue::declaration(family).priced_per_piece) prices.push_back(catalogue::column(family, "price"));
   if (catalogue::declaration(family).priced_per_length) prices.push_back(catalogue::column(family, "price_per_length"));
   return prices;
+}
+
+/// "inertia"; "materials.yield_strength" of another family.
+std::string column_name(Column column, Family family) {
+  const std::string_view name = catalogue::declaration(column).name;
+  if (column.family == family) return std::string(name);
+  return fmt::format("{}.{}", catalogue::declaration(column.family).name, name);
 }
 
 /// What is missing of the rows that were left out of one slot's table.
@@ -67,7 +52,7 @@ class MissingFigures {
   }
 
  private:
-  /// Whether something that can be chosen there does without it: soft checks read it.
+  /// Whether something that can be chosen there does without it.
   bool is_dispensable(Column column) {
     const auto [found, is_new] = known_.try_emplace({column.family, column.index});
     const std::span<const double> numbers = catalogue_.table(column.family).numbers(column);
@@ -83,53 +68,99 @@ class MissingFigures {
   std::map<std::pair<Family, std::uint8_t>, bool> known_;
 };
 
-/// "inertia"; "materials.yield_strength" of another family.
-std::string name_of(Column column, Family family) {
-  const std::string_view name = catalogue::declaration(column).name;
-  if (column.family == family) return std::string(name);
-  return fmt::format("{}.{}", catalogue::declaration(column.family).name, name);
+/// Parts with what they lack, gathered slot by slot.
+class Gathered {
+ public:
+  explicit Gathered(const catalogue::Catalogue& catalogue) : catalogue_(catalogue) {}
+
+  void add(const SlotTable& slot) {
+    if (slot.incomplete().empty()) return;
+    const std::set<Part> usable = usable_parts(slot);
+    MissingFigures figures(catalogue_, slot);
+    for (const IncompleteRow& row : slot.incomplete()) {
+      const Part part = part_of(row.part);
+      if (usable.contains(part)) continue;
+      std::vector<std::string>& lacks = lacking_[part];
+      for (const Column column : figures.of(row)) {
+        std::string name = column_name(column, row.part.family);
+        if (std::find(lacks.begin(), lacks.end(), name) == lacks.end()) lacks.push_back(std::move(name));
+      }
+    }
+  }
+
+  [[nodiscard]] std::vector<IncompleteParts> by_what_is_missing() const {
+    std::vector<IncompleteParts> all;
+    for (const auto& [part, lacks] : lacking_) {
+      const std::string family(catalogue::declaration(part.family).name);
+      auto group = std::find_if(all.begin(), all.end(), [&, &missing = lacks](const IncompleteParts& each) {
+        return each.family == family && each.missing == missing;
+      });
+      if (group == all.end()) group = all.insert(group, {family, lacks, {}, parts_of(catalogue_.table(part.family))});
+      group->parts.push_back(fmt::format("{} {}", part.maker, part.number));
+    }
+    std::stable_sort(all.begin(), all.end(), [](const IncompleteParts& a, const IncompleteParts& b) {
+      const auto first = catalogue::find_family(a.family), second = catalogue::find_family(b.family);
+      return first != second ? first < second : a.parts.size() > b.parts.size();
+    });
+    return all;
+  }
+
+ private:
+  struct Part {
+    Family family;
+    std::string_view maker, number;
+    friend auto operator<=>(const Part&, const Part&) = default;
+  };
+  [[nodiscard]] Part part_of(const CatalogueRow& row) const {
+    const Table& table = catalogue_.table(row.family);
+    return {row.family, table.manufacturer(row.row), table.part_number(row.row)};
+  }
+  /// Of the families of which something was left out.
+  [[nodiscard]] std::set<Part> usable_parts(const SlotTable& slot) const {
+    std::map<Family, std::vector<bool>> rows;  // most stand in many pairs
+    for (const IncompleteRow& row : slot.incomplete())
+      rows[row.part.family].resize(static_cast<std::size_t>(catalogue_.table(row.part.family).rows()));
+    for (const CatalogueRow& row : slot.added())
+      if (const auto found = rows.find(row.family); found != rows.end())
+        found->second[static_cast<std::size_t>(row.row)] = true;
+    std::set<Part> parts;
+    for (const auto& [family, added] : rows)
+      for (std::size_t row = 0; row < added.size(); ++row)
+        if (added[row]) parts.insert(part_of({family, static_cast<int>(row)}));
+    return parts;
+  }
+  /// How many there are, the offers of one counted once.
+  static std::size_t parts_of(const Table& table) {
+    std::set<std::pair<std::string_view, std::string_view>> parts;
+    for (int row = 0; row < table.rows(); ++row) parts.insert({table.manufacturer(row), table.part_number(row)});
+    return parts.size();
+  }
+
+  const catalogue::Catalogue& catalogue_;
+  std::map<Part, std::vector<std::string>> lacking_;
+};
+
+bool is_fixed(const MachineModel& model, const std::string& axis, const SlotTable& slot) {
+  return std::ranges::all_of(slots_of(slot), [&](const std::string& name) {
+    return std::ranges::any_of(model.options().fixed.lines,
+                               [&](const machine::BomLine& line) { return line.axis == axis && line.slot == name; });
+  });
 }
 
 }  // namespace
 
 std::vector<IncompleteParts> incomplete_parts(const MachineModel& model) {
-  const catalogue::Catalogue& catalogue = model.catalogue();
-  RowsOfFamilies incomplete(catalogue), complete(catalogue);
-  std::map<std::pair<Family, int>, std::vector<Column>> missing;
-  for (const StageEntry& entry : model.entries()) {
-    for (const SlotTable& slot : entry.tables()) {
-      MissingFigures figures(catalogue, slot);
-      for (const IncompleteRow& row : slot.incomplete()) {
-        incomplete.add(row.part);
-        std::vector<Column>& known = missing[{row.part.family, row.part.row}];
-        for (const Column column : figures.of(row))
-          if (std::find(known.begin(), known.end(), column) == known.end()) known.push_back(column);
-      }
-      for (const CatalogueRow& part : slot.added()) complete.add(part);
-    }
-  }
-  std::vector<IncompleteParts> result;
-  for (const catalogue::FamilyDeclaration& family : catalogue::families) {
-    const Table& table = catalogue.table(family.family);
-    const Names left_out = names_of(table, incomplete.of(family.family));
-    if (left_out.empty()) continue;
-    const Names usable = names_of(table, complete.of(family.family));
-    const std::size_t known = names_of(table, std::vector<bool>(incomplete.of(family.family).size(), true)).size();
-    std::vector<IncompleteParts> groups;
-    for (const auto& [name, row] : left_out) {
-      if (usable.contains(name)) continue;
-      std::vector<std::string> lacks;
-      for (const Column column : missing[{family.family, row}]) lacks.push_back(name_of(column, family.family));
-      auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& each) { return each.missing == lacks; });
-      if (group == groups.end()) group = groups.insert(group, {std::string(family.name), std::move(lacks), {}, known});
-      group->parts.push_back(fmt::format("{} {}", name.first, name.second));
-    }
-    std::stable_sort(groups.begin(), groups.end(), [](const IncompleteParts& a, const IncompleteParts& b) {
-      return a.parts.size() > b.parts.size();
-    });
-    result.insert(result.end(), groups.begin(), groups.end());
-  }
-  return result;
+  Gathered gathered(model.catalogue());
+  for (const StageEntry& entry : model.entries())
+    for (const SlotTable& slot : entry.tables())
+      if (!is_fixed(model, entry.axis, slot)) gathered.add(slot);
+  return gathered.by_what_is_missing();
+}
+
+std::vector<IncompleteParts> incomplete_parts(const catalogue::Catalogue& catalogue, const SlotTable& slot) {
+  Gathered gathered(catalogue);
+  gathered.add(slot);
+  return gathered.by_what_is_missing();
 }
 
 }  // namespace millwright::evaluation

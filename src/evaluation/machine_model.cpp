@@ -9,6 +9,7 @@
 #include "evaluation/axis_stages.h"
 #include "evaluation/fixed_choices.h"
 #include "evaluation/held_parts.h"
+#include "evaluation/incomplete_parts.h"
 #include "evaluation/machine_stages.h"
 #include "evaluation/motor_shortage.h"
 #include "evaluation/preferred_parts.h"
@@ -348,14 +349,28 @@ void MachineModel::add_axis(std::size_t index, const PriceBook& prices) {
 
 namespace {
 
-EmptySlot empty_slot(const MachineModel& model, const std::string& axis, const std::string& slot) {
+EmptySlot empty_slot(const MachineModel& model, const std::string& axis, const SlotTable& table) {
+  const std::string& slot = table.name();
   for (const machine::Axis& each : model.machine().axes)
     if (each.name == axis && slot == "motor") {
       const MotorShortage shortage = motor_shortage(model.catalogue(), each, model.machine().supply_voltages);
       return {axis, shortage.slot, shortage.reason};
     }
   if (std::string reason = short_bars(model, axis, slot); !reason.empty()) return {axis, slot, std::move(reason)};
-  return {axis, slot, fmt::format("no catalogue row fits what axis '{}' asks of its {}", axis, slot)};
+  std::vector<std::string> lacking;
+  for (const IncompleteParts& each : incomplete_parts(model.catalogue(), table))
+    lacking.push_back(
+        fmt::format("{} {} lack {}",
+                    each.parts.size(),
+                    each.family,
+                    each.missing.empty() ? "a partner or a rate" : fmt::format("{}", fmt::join(each.missing, ", "))));
+  return {axis,
+          slot,
+          fmt::format("no catalogue row fits what axis '{}' asks of its {}{}{}",
+                      axis,
+                      slot,
+                      lacking.empty() ? "" : "; ",
+                      fmt::join(lacking, ", "))};
 }
 
 }  // namespace
@@ -364,7 +379,7 @@ std::vector<EmptySlot> MachineModel::empty_slots() const {
   std::vector<EmptySlot> result;
   for (const StageEntry& entry : entries_)
     for (const SlotTable& table : entry.tables())
-      if (table.rows() == 0) result.push_back(empty_slot(*this, entry.axis, table.name()));
+      if (table.rows() == 0) result.push_back(empty_slot(*this, entry.axis, table));
   for (const StageEntry& entry : entries_)
     if (const auto* member = std::get_if<std::unique_ptr<MemberStage>>(&entry.stage);
         member != nullptr && !(*member)->missing().empty())

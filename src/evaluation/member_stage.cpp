@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "evaluation/figure_reader.h"
 
@@ -102,11 +102,13 @@ void MemberStage::take_sections(const catalogue::Catalogue& catalogue, const Pri
         return std::array{
             figure(area), figure(x), figure(y), figure(height), figure(width), figure(mass), figure(torsion)};
       };
-      std::vector<catalogue::Column> missing;
-      const std::array<double, machine::section_reading_fields> readings = readings_of(FigureReader(t, row, missing));
-      // A portal frame is cut of one length: two columns and a beam.
       const bool twisted =
           place_.tool && place_.tool->height_arm + place_.tool->across_arm + place_.tool->along_arm > 0.0;
+      const std::span<const catalogue::Column> soft(&torsion, twisted ? 0 : 1);
+      std::vector<catalogue::Column> missing;
+      const std::array<double, machine::section_reading_fields> readings =
+          readings_of(FigureReader(t, row, missing, soft));
+      // A portal frame is cut of one length: two columns and a beam.
       const double piece = m.kind == MemberKind::portal_frame ? m.length + 2.0 * m.column_height : m.length;
       const double length = m.count * piece;
       const std::vector<CutPieces> pieces =

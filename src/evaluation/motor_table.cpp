@@ -2,6 +2,7 @@
 //
 // Motors with the drivers that are worth keeping for them and the currents that may be set there.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -156,7 +157,8 @@ bool is_wanted(const Table& motors, int row, const machine::Axis& axis) {
 /// Nothing if a figure is missing; then it is noted.
 std::optional<Motor> motor_of(const Table& motors, int row, const PriceBook& prices, SlotTable& table) {
   std::vector<catalogue::Column> missing;
-  const FigureReader number(motors, row, missing);
+  constexpr std::array soft{column(Family::steppers, "frame_size")};
+  const FigureReader number(motors, row, missing, soft);
   number("step_angle");  // of which rotor_teeth is made
   const machine::MotorFigures<double> f = motor_figures(motors, row, number);
   const Motor motor{

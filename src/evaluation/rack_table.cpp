@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "evaluation/drive_tables.h"
 #include "evaluation/figure_reader.h"
@@ -21,8 +22,9 @@ SlotTable rack_table(const catalogue::Catalogue& catalogue, const machine::Axis&
   const double travel = axis.stroke + 2.0 * axis.require(machine::Requirement::overtravel);
   const bool error_counts = axis.require.known(machine::Requirement::position_error);
   for (int row = 0; row < t.rows(); ++row) {
+    constexpr std::array soft{column(Family::racks, "pitch_error_per_1000mm")};
     std::vector<catalogue::Column> missing;
-    const FigureReader number(t, row, missing);
+    const FigureReader number(t, row, missing, std::span(soft).first(error_counts ? 0 : 1));
     const double module = number(column(Family::racks, "module"));
     const double piece = number(column(Family::racks, "piece_length"));
     // At both ends of the travel a tooth beyond the pinion's axis is in mesh.

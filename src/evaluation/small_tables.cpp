@@ -3,6 +3,7 @@
 // Couplings, support bearings.
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "evaluation/drive_tables.h"
 #include "evaluation/figure_reader.h"
@@ -16,11 +17,14 @@ using catalogue::Table;
 SlotTable coupling_table(const catalogue::Catalogue& catalogue, const PriceBook& prices) {
   // The misalignments are read by soft checks only: a coupling without them stays.
   constexpr std::size_t needed = 6;
+  constexpr std::array soft{column(Family::couplings, "parallel_misalignment"),
+                            column(Family::couplings, "angular_misalignment"),
+                            column(Family::couplings, "axial_misalignment")};
   SlotTable result("coupling", 9);
   const Table& t = catalogue.table(Family::couplings);
   for (int row = 0; row < t.rows(); ++row) {
     std::vector<catalogue::Column> missing;
-    const FigureReader number(t, row, missing);
+    const FigureReader number(t, row, missing, soft);
     const auto range = [&](catalogue::Column c) { return t.range(c, row); };
     const auto readings_of = [](auto figure) {
       return std::array{figure(column(Family::couplings, "inertia")),
@@ -57,13 +61,17 @@ SlotTable support_table(const catalogue::Catalogue& catalogue,
                         bool fixed,
                         bool stiffness_needed) {
   SlotTable result(slot, 5);
+  // A free end takes no thrust: no constraint reads its axial load or stiffness.
+  constexpr std::array of_thrust{column(Family::support_bearings, "axial_stiffness"),
+                                 column(Family::support_bearings, "permissible_axial_load")};
+  const auto soft = std::span(of_thrust).first(!fixed ? 2 : stiffness_needed ? 0 : 1);
   const Table& t = catalogue.table(Family::support_bearings);
   for (int row = 0; row < t.rows(); ++row) {
     const std::string_view role = t.text(column(Family::support_bearings, "role"), row);
     const bool block = role == "pillow block" || role == "flange block";
     if (fixed ? role != "fixed" : role != "supported" && !block) continue;
     std::vector<catalogue::Column> missing;
-    const FigureReader number(t, row, missing);
+    const FigureReader number(t, row, missing, soft);
     const auto range = [&](catalogue::Column c) { return t.range(c, row); };
     const bool stiffness_known = !std::isnan(number(column(Family::support_bearings, "axial_stiffness")));
     const auto readings_of = [&](auto figure) {
@@ -73,7 +81,6 @@ SlotTable support_table(const catalogue::Catalogue& catalogue,
                                 figure(column(Family::support_bearings, "axial_stiffness")),
                                 figure(column(Family::support_bearings, "maximum_speed")),
                                 T(block ? 1.0 : 0.0)};
-      // A free end takes no thrust: no constraint reads its axial load or stiffness.
       if (!fixed) readings[1] = readings[2] = T(0.0);
       if (!stiffness_needed && !stiffness_known) readings[2] = T(0.0);
       return readings;

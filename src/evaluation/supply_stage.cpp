@@ -2,7 +2,7 @@
 #include "evaluation/supply_stage.h"
 
 #include <array>
-#include <cmath>
+#include <span>
 
 #include "evaluation/drive_tables.h"
 #include "evaluation/figure_reader.h"
@@ -22,7 +22,8 @@ SupplyStage::SupplyStage(const std::vector<double>& voltages,
   const catalogue::Table& t = catalogue.table(Family::power_supplies);
   for (int row = 0; row < t.rows(); ++row) {
     std::vector<catalogue::Column> missing;
-    const FigureReader number(t, row, missing);
+    constexpr std::array soft{column(Family::power_supplies, "output_current")};
+    const FigureReader number(t, row, missing, soft);
     const std::array<double, 3> readings{number(column(Family::power_supplies, "power")),
                                          number(column(Family::power_supplies, "output_voltage")),
                                          number(column(Family::power_supplies, "output_current"))};

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// node check.cjs [--update | --readme] <millwright> <source folder>: does every command of the guide still print what the
-// guide shows, and does every example of a help text run? Commands run in a folder of their own that holds a copy of
-// problems/. With --update the guide is rewritten with what they print now: look at the difference before it is
-// committed. With --readme: does every command of README.md print what is shown there?
+// node check.cjs [--update | --readme] <millwright> <source folder>: does every command of the guide still print what
+// the guide shows, and does every example of a help text run? Commands run in a folder of their own that holds a copy
+// of problems/. With --update the guide is rewritten with what they print now: look at the difference before it is
+// committed. With --readme: does every command of README.md that needs no file of the reader's print what is shown
+// there?
 "use strict";
 const { spawnSync } = require("child_process");
 const fs = require("fs");
@@ -161,18 +162,26 @@ function check_readme() {
     const asked = words.filter((line) => line.startsWith("$ "));
     begin = end - 1;
     if (asked.some((line) => /my-parts|parts-20|prices/.test(line))) continue; // the reader's own files
-    const printed = asked.flatMap((line) => run(line.replace("$ ./dev run", "millwright"), folder).lines);
+    const printed = [];
+    for (const line of asked) {
+      const result = run(line.replace("$ ./dev run", "millwright"), folder);
+      if (![0, 1].includes(result.code)) fail(`README.md:${start + 1}`, `'${line}' ended with ${result.code}`);
+      printed.push(...result.lines);
+    }
     let at = 0;
-    let anywhere = true;
+    let anywhere = false;
     for (const line of words.filter((each) => !each.startsWith("$ "))) {
       const found = line === "..." ? at : printed.indexOf(line, at);
       if (found < 0 || (!anywhere && found !== at)) {
-        fail(`README.md:${start + 1}`, `'${asked.join("; ")}' does not print here:\n${line}\nbut:\n${printed.slice(at, at + 3).join("\n")}`);
+        const there = printed.slice(at, at + 3).join("\n");
+        fail(`README.md:${start + 1}`, `'${asked.join("; ")}' does not print here:\n${line}\nbut:\n${there}`);
+        anywhere = true;
         break;
       }
       anywhere = line === "...";
       at = anywhere ? at : found + 1;
     }
+    if (!anywhere && at > 0 && at < printed.length) fail(`README.md:${start + 1}`, `goes on with:\n${printed[at]}`);
     ++checked;
   }
   fs.rmSync(folder, { recursive: true });

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "report/alternatives.h"
-#include "report/design_text.h"
 #include "report/machine_text.h"
 #include "report/tolerance_text.h"
 #include "scalar/unit.h"

@@ -13,6 +13,7 @@
 #include "report/certificate_text.h"
 #include "report/design_difference.h"
 #include "report/design_text.h"
+#include "report/page_texts.h"
 #include "report/steering.h"
 #include "report/tolerance_text.h"
 #include "scalar/unit.h"

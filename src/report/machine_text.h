@@ -4,7 +4,6 @@
 
 #include <string>
 
-#include "report/page_texts.h"
 #include "report/result.h"
 #include "report/text_table.h"
 

@@ -37,11 +37,10 @@ std::vector<PageText> sweep_and_audit_texts() {
        "Not settled before the search was ended whether it is compliant for every value within the stated tolerances "
        "of {}.",
        "Belum pasti sebelum pencarian dihentikan apakah memenuhi syarat untuk setiap nilai dalam toleransi yang "
-       "disebut dari "
-       "{}."},
+       "disebut dari {}."},
       {"tolerances.front_stopped",
-       "Of these builds the limit left no time to settle it: {}.",
-       "Untuk rancangan ini batas tidak menyisakan waktu untuk memastikannya: {}."},
+       "Of these builds it was not settled before the search was ended: {}.",
+       "Untuk rancangan ini belum dipastikan sebelum pencarian dihentikan: {}."},
 
       {"audit.count", "{} printed results were recomputed.", "{} hasil cetak dihitung ulang."},
       {"audit.results", "Printed against recomputed", "Cetak dibandingkan hitung ulang"},

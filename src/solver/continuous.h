@@ -10,10 +10,11 @@
 //    one best point (least_state.h). What that leaves undecided is covered like the rest:
 // 3. Variables that move scores or state (the diameter of a shaft): branch and bound on the box until every design in
 //    it is proved infeasible, hopeless, or covered: a known feasible point is, in every score and every state component
-//    with a direction, at most `tolerance` (relative) worse than the box can be; where that is refined later, also by
-//    what an inexact label leaves open itself. What a point covers becomes the enclosure of its label. Points come from
-//    SLSQP (and Ipopt where SLSQP finds none), so few boxes are needed. Several variables beside them that only decide
-//    feasibility are settled, and divided, in groups that share no constraint (relief.h).
+//    with a direction, at most `tolerance` (relative) worse than the box can be; of an inexact label also by some
+//    tolerances more, where that leaves open what is feasible, or by what it leaves open itself, where that is refined
+//    later. What a point covers becomes the enclosure of its label. Points come from SLSQP (and Ipopt where SLSQP finds
+//    none), so few boxes are needed. Several variables beside them that only decide feasibility are settled, and
+//    divided, in groups that share no constraint (relief.h).
 //
 // Guarantee: a point counts as feasible only if `evaluate` in double gives every utilisation <= 1. A feasible set
 // narrower than 1e-12 of a variable's range may be overlooked. What the box limit leaves undecided is returned as

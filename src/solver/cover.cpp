@@ -10,6 +10,7 @@
 #include "solver/box_slopes.h"
 #include "solver/cover_points.h"
 #include "solver/leaf_point.h"
+#include "solver/leaf_precision.h"
 #include "solver/point_comparison.h"
 #include "solver/relaxation.h"
 #include "solver/relief.h"
@@ -23,7 +24,7 @@ constexpr std::size_t proof_boxes = 30;
 constexpr std::size_t label_asked_after = 64;  // boxes after which it is asked whether the label leaves them undecided
 constexpr std::size_t ipopt_after = 401;       // boxes after which Ipopt is asked if no feasible point is known
 constexpr std::size_t around_every = 64;       // boxes after which points beside one are looked for
-constexpr double undecided_reach = 16.0;       // of the tolerance, for what only an inexact label leaves undecided
+constexpr double undecided_reach = 1.0 / refined_part;  // of the tolerance, where an inexact label leaves open
 
 /// Covers the useful designs of a box of priced variables by feasible points.
 class Cover {
@@ -169,7 +170,7 @@ class Cover {
     if (thoroughly || with_ipopt) {
       if (const auto found = design_.small_worth(box.side, center, with_ipopt)) add(*found);
     }
-    if (boxes % around_every == around_every - 1) look_around(center);
+    if (boxes % around_every == around_every - 1 && !question_.refined_later) look_around(center);
     return relief_.settle(box, center);
   }
 
@@ -317,7 +318,8 @@ class Cover {
 
   /// What an inexact label stands for moves what its designs must be, and that may move what they cost by more than the
   /// tolerance: then no division decides which of them are feasible, with whatever tolerance. A point may stand for
-  /// them even so, for as much as the next finer search would ask of it; what it comes to is counted in the end.
+  /// them even so, a good deal worse: a label that is open in the end is counted by its bounds, and a finer search with
+  /// this reach stays within the tolerance of the first one.
   void leave_undecided(const VariableBox& box) {
     const bool by_label = !question_.label->exact && !question_.refined_later;
     if (by_label && covered(box.side, box.origin, box.bounds, {undecided_reach * question_.tolerance, {}, {}})) return;

@@ -31,7 +31,7 @@ void CoverPoints::add(StagePoint point) {
 void CoverPoints::replace_dominated(Known& known) {
   const StagePlan& plan = *question_.plan;
   StagePoint& point = known.point;
-  std::erase_if(known_, [&](Known& old) {
+  std::erase_if(known_, [&](const Known& old) {
     if (!dominated_by(plan, old.score, old.point.state, known.score, point.state)) return false;
     if (!old.needed) return true;
     known.needed = true;

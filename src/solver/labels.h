@@ -3,7 +3,7 @@
 // A label is a complete choice for the first stages: what they cost together (scores) and what they hand on (state).
 // The stages after it need to know nothing else, so two labels can be compared (dominance.h) and one forgotten.
 //
-// When a continuous variable moves scores or state, one label stands for many designs that differ by less than the
+// When a continuous variable moves scores or state, one label stands for many designs that differ by about the
 // tolerance. It is then a point (a real, feasible design) and an enclosure: lower bounds of the scores, and intervals
 // of the state, of everything it stands for. Without such variables point and enclosure are the same. While a search is
 // to be refined (leaf_precision.h) the point may be infeasible where others in the enclosure may not be.

@@ -21,8 +21,7 @@ bool may_be_finer(const LeafPrecision& precision, double tolerance) {
 }
 
 LeafPrecision finer(const LeafPrecision& precision, UndecidedDesigns undecided) {
-  constexpr double part = 1.0 / 16.0;
-  return {part * precision.tolerance, precision.refinements + 1, precision.refined_later, std::move(undecided)};
+  return {refined_part * precision.tolerance, precision.refinements + 1, precision.refined_later, std::move(undecided)};
 }
 
 }  // namespace millwright::solver

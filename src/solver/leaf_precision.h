@@ -14,8 +14,11 @@
 
 namespace millwright::solver {
 
+/// The tolerance of a finer search, of the one before it.
+inline constexpr double refined_part = 1.0 / 16.0;
+
 struct LeafPrecision {
-  double tolerance = 1e-6;      ///< by which a point may be worse than what it stands for
+  double tolerance = 1e-6;      ///< by which a point may be worse than what it stands for, where its label is exact
   int refinements = 0;          ///< of the first search
   bool refined_later = false;   ///< a search with a finer tolerance will look at what this one leaves undecided
   UndecidedDesigns among = {};  ///< what an earlier search has left; no other design is looked at

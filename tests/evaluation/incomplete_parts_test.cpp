@@ -129,8 +129,7 @@ TEST_CASE("A part is told as incomplete just when the figure that is taken away 
         // A figure that says what goes with what (a belt's width, a pulley's bore) leaves a part without partners.
         const bool is_partner = !usable.contains(part) && !found;
         if (is_partner) {
-          CHECK(std::set<std::string>{"width", "belt_width", "teeth", "maximum_microsteps"}.contains(
-              std::string(declared.name)));
+          CHECK(std::set<std::string>{"width", "belt_width"}.contains(std::string(declared.name)));
           continue;
         }
         CHECK(found.has_value() == !usable.contains(part));
@@ -174,6 +173,70 @@ TEST_CASE("What a part lacks is named, but not what other parts do without") {
   CHECK(all[0].known == 2);
   CHECK(all[0].parts == std::vector<std::string>{"tiny K8"});
   CHECK(all[0].missing == std::vector<std::string>{"inertia"});
+}
+
+TEST_CASE("What no hard check reads is not said to be missing, though every other part has it") {
+  const TinyCatalogue tiny;
+  catalogue::Catalogue parts = tiny.parts();
+  without_figure(parts, Family::steppers, 0, "rotor_inertia");
+  without_figure(parts, Family::steppers, 0, "frame_size");
+  without_figure(parts, Family::power_supplies, 0, "power");
+  without_figure(parts, Family::power_supplies, 0, "output_current");
+  without_figure(parts, Family::support_bearings, 2, "maximum_speed");  // S6, which states no thrust
+  const machine::Problem problem = problem_of_text(machine_of_everything());
+  const MachineModel model(problem, parts);
+  CHECK(told(model, Family::steppers, "M17") == std::vector<std::string>{"rotor_inertia"});
+  CHECK(told(model, Family::power_supplies, "P24-100") == std::vector<std::string>{"power"});
+  CHECK(told(model, Family::support_bearings, "S6") == std::vector<std::string>{"maximum_speed"});
+}
+
+TEST_CASE("A part is told that one axis could take and another could not, but not for a slot that is fixed") {
+  const TinyCatalogue tiny;
+  catalogue::Catalogue parts = tiny.parts();
+  without_figure(parts, Family::support_bearings, 0, "axial_stiffness");  // F6
+  const auto two_axes = [](const std::string& error) {
+    std::string text = "[currency]\nUSD = 1.0\n[supply]\nvoltage = \"24 V\"\n";
+    for (const char* name : {"x", "y"})
+      text += fmt::format(R"(
+[[axis]]
+name = "{}"
+stroke = "300 mm"
+structure_mass = "3 kg"
+acceleration_time = "0.2 s"
+mechanism = {{ kind = "screw", screw = ["ball_screws", "lead_screws"], ends = "fixed-supported" }}
+motor = {{ microsteps = 8 }}
+[[axis.moves]]
+distance = "200 mm"
+time = "4 s"
+{}
+)",
+                          name,
+                          *name == 'x' ? error : "");
+    return problem_of_text(text);
+  };
+  const machine::Problem loose = two_axes("");
+  const machine::Problem exact = two_axes("[axis.require]\nposition_error = \"200 um\"");
+  CHECK(evaluation::incomplete_parts(MachineModel(loose, parts)).empty());
+  const MachineModel model(exact, parts);
+  CHECK(usable_parts(model).contains({"support_bearings", "F6"}));  // on y
+  CHECK(told(model, Family::support_bearings, "F6") == std::vector<std::string>{"axial_stiffness"});
+
+  evaluation::ModelOptions options;
+  machine::BomLine line;
+  line.axis = "x";
+  line.slot = "support_fixed";
+  line.manufacturer = "tiny";
+  line.part_number = "F10";
+  options.fixed.lines.push_back(line);
+  CHECK(evaluation::incomplete_parts(MachineModel(exact, parts, {}, options)).empty());
+
+  // Where nothing is left it is the reason.
+  without_figure(parts, Family::support_bearings, 1, "axial_stiffness");
+  const MachineModel none(exact, parts);
+  REQUIRE(none.empty_slots().size() == 1);
+  CHECK(none.empty_slots()[0].axis == "x");
+  CHECK(none.empty_slots()[0].reason ==
+        "no catalogue row fits what axis 'x' asks of its support_fixed; 2 support_bearings lack axial_stiffness");
 }
 
 TEST_CASE("Of a screw and a nut that one is told which lacks something") {
