@@ -204,6 +204,7 @@ std::optional<double> QuantityReader::of_node(
     const bool general = fault.hint.starts_with("write for example ") || fault.hint.starts_with("at most ");
     return general && !example.empty() ? usual_hint() : fault.hint;
   };
+  if (node.is_number() && diagnostics_.has_error_at(node.span())) return std::nullopt;  // not a finite number
   if (node.is_number()) {
     if (plain && check_magnitude(*node.as_number(), unit, sign, fault)) return node.as_number();
     if (!plain) {

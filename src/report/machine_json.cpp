@@ -120,12 +120,11 @@ Json objective_of(const MachineResult& result) {
   const Design* design = result.designs.empty() ? nullptr : &result.designs.front();
   Json json{{"name", name},
             {"value", nullptr},
-            {"unit", single ? unit_of(*single, "") : "1"},
+            {"unit", single ? unit_of(*single, result.currency) : "1"},
             {"lower_bound", nullptr},
             {"gap", nullptr}};
   if (design != nullptr) {
     json["value"] = number(design->total(objective));
-    if (single) json["unit"] = unit_of(*single, design->currency);
     json["gap"] = number(result.gap);
     if (result.fixed_objective) json["fixed"] = true;
     if (!single) json["terms"] = terms_of(objective, *design);

@@ -101,6 +101,13 @@ bool Diagnostics::only_counted(Severity severity, const SourceText* text) {
   return true;
 }
 
+bool Diagnostics::has_error_at(const SourceSpan& where) const {
+  return std::any_of(kept_.begin(), kept_.end(), [&](const Diagnostic& each) {
+    return each.severity == Severity::error && each.where.text == where.text && each.where.line == where.line &&
+           each.where.column == where.column;
+  });
+}
+
 bool Diagnostics::is_full(const SourceText* text) const {
   const auto found = texts_.find(text);
   return found != texts_.end() && found->second.kept_errors >= limit_ && found->second.kept_errors > 0;

@@ -52,6 +52,9 @@ class Diagnostics {
   /// Number of everything reported.
   std::size_t count() const { return error_count_ + warning_count_ + note_count_; }
 
+  /// Whether an error begins at this place, among those that are kept: one more about the same words helps nobody.
+  bool has_error_at(const SourceSpan& where) const;
+
   /// Whether no further error of this text will be kept. Readers of long files ask this before they work out a place.
   bool is_full(const SourceText* text) const;
 

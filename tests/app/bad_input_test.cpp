@@ -41,6 +41,17 @@ TEST_CASE("A bare number needs a unit") {
   refuses("force = \"20 N\"", "force = 20", "hint: write \"20 N\"");
 }
 
+TEST_CASE("A number that is none is complained about once") {
+  for (const char* word : {"nan", "-inf"}) {
+    const Workshop shop;
+    shop.write("m.toml", one_slide_with("\"5 kg\"", word));
+    const Outcome outcome = shop.run({"solve", "m.toml"});
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.says("m.toml:10:18: error: not a finite number"));
+    CHECK(outcome.says("\n1 error, "));
+  }
+}
+
 TEST_CASE("An unknown unit is named with the nearest one") {
   refuses("\"5 kg\"",
           "\"5 kgg\"",

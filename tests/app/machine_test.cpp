@@ -399,6 +399,14 @@ TEST_CASE("No build of a front is dearer for a mass that is smaller only as far 
   }
 }
 
+TEST_CASE("The unit of the objective is told where there is no build, too") {
+  const Workshop shop;
+  shop.write("m.toml", one_slide);
+  const Json none = Json::parse(shop.run({"solve", "m.toml", "--limit", "cost=1", "--json", "-"}).out);
+  CHECK(none.at("status") == "infeasible");
+  CHECK(none.at("objective").at("unit") == "USD");
+}
+
 TEST_CASE("An empty problem says where to begin") {
   const Workshop shop;
   for (const char* text : {"", "# nothing yet\n"}) {

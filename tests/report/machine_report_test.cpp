@@ -66,6 +66,7 @@ MachineResult result_of_three_checks() {
   design.cost = 7.5;  // 2.5 more than the parts: a member made to measure
   design.mass = 0.5;
   MachineResult result;
+  result.currency = design.currency;
   result.title = "Small";
   result.file = "small.toml";
   result.axes = {"x"};
