@@ -19,13 +19,23 @@
 namespace millwright::evaluation {
 
 struct ScrewTable {
+  /// A row's shaft and nut.
+  struct Pair {
+    std::uint32_t shaft = 0, nut = 0;  ///< in `shafts` and `nuts`
+  };
   SlotTable table;
-  std::vector<machine::ScrewKind> kinds;               ///< per row
-  std::vector<machine::ScrewFigures<double>> figures;  ///< per row, for the calculation sheet
-  std::array<machine::ScrewSite, 2> sites;             ///< [kind]: what the axis adds
+  std::vector<machine::ScrewKind> kinds;              ///< per row
+  std::vector<Pair> pairs;                            ///< per row: there are many more pairs than shafts and nuts
+  std::vector<machine::ScrewFigures<double>> shafts;  ///< of a ball screw with all that its nut adds
+  std::vector<machine::ScrewFigures<double>> nuts;    ///< of lead nuts: their own figures only
+  std::array<machine::ScrewSite, 2> sites;            ///< [kind]: what the axis adds
   [[nodiscard]] const machine::ScrewSite& site(std::size_t row) const {
     return sites[static_cast<std::size_t>(kinds[row])];
   }
+  /// What does not depend on the nut.
+  [[nodiscard]] const machine::ScrewFigures<double>& shaft(std::size_t row) const { return shafts[pairs[row].shaft]; }
+  /// All figures of a row, for the calculation sheet.
+  [[nodiscard]] machine::ScrewFigures<double> figures(std::size_t row) const;
 };
 ScrewTable screw_table(const catalogue::Catalogue& catalogue, const machine::Axis& axis, const PriceBook& prices);
 

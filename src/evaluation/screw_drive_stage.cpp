@@ -82,11 +82,11 @@ std::vector<double> screw_speed_edges(const machine::Axis& axis,
                                       const ScrewTable& screws,
                                       const ReductionSlot& reduction) {
   double longest = 0.0, shortest = scalar::rounding::infinity;
-  for (const auto& f : screws.figures) {
+  for (const auto& f : screws.shafts) {
     longest = std::max(longest, f.lead);
     shortest = std::min(shortest, f.lead);
   }
-  if (screws.figures.empty()) return {0.0, 1.0};
+  if (screws.pairs.empty()) return {0.0, 1.0};
   const auto [slow, fast] = constant_speed_range(axis);
   constexpr double turn = 2.0 * 3.14159265358979323846;
   return log_spaced(0.999 * slow * turn / longest * reduction.least_ratio(),
@@ -218,7 +218,7 @@ bool ScrewDriveStage::coupling_fits(double shaft, solver::Row coupling) const {
 }
 
 bool ScrewDriveStage::free_support_fits(solver::Row screw, solver::Row support) const {
-  const machine::ScrewFigures<double>& figures = screws_.figures[screw];
+  const machine::ScrewFigures<double>& figures = screws_.shaft(screw);
   const double bore = tables_[*free_slot_].reading(support, 0);
   const bool clamps = tables_[*free_slot_].reading(support, 4) > 0.0 && bore / figures.nominal_diameter <= margin &&
                       figures.nominal_diameter / bore <= margin;
@@ -229,7 +229,7 @@ bool ScrewDriveStage::fits(
     std::span<const solver::Row>, std::size_t slot_a, solver::Row row_a, std::size_t slot_b, solver::Row row_b) const {
   if (slot_a > slot_b) return fits({}, slot_b, row_b, slot_a, row_a);
   if (slot_a == screw_slot && slot_b == fixed_slot_)
-    return tables_[fixed_slot_].reading(row_b, 0) <= screws_.figures[row_a].root_diameter * margin;
+    return tables_[fixed_slot_].reading(row_b, 0) <= screws_.shaft(row_a).root_diameter * margin;
   if (slot_a == screw_slot && slot_b == free_slot_) return free_support_fits(row_a, row_b);
   if (slot_a == motor_slot && slot_b == coupling_slot_ && !reduction_.slot())
     return coupling_fits(motors_->pairs()[row_a].shaft, row_b);
@@ -244,7 +244,7 @@ solver::FitKey ScrewDriveStage::fit_key(std::span<const solver::Row>,
                                         solver::Row row,
                                         std::size_t other) const {
   if (slot == screw_slot) {
-    const machine::ScrewFigures<double>& figures = screws_.figures[row];
+    const machine::ScrewFigures<double>& figures = screws_.shaft(row);
     if (other == fixed_slot_) return {figures.root_diameter, 0.0};
     if (other == free_slot_) return {figures.nominal_diameter, figures.root_diameter};
   }

@@ -56,7 +56,7 @@ class ScrewDriveStage final : public DriveStage<ScrewDriveStage> {
   [[nodiscard]] const ScrewTable& screws() const { return screws_; }
   /// The readings of a screw with its nut, from its figures and not from the table.
   [[nodiscard]] machine::ScrewReading<double> reading_anew(solver::Row screw) const {
-    return machine::screw_reading(screws_.figures[screw], screws_.site(screw));
+    return machine::screw_reading(screws_.figures(screw), screws_.site(screw));
   }
 
   /// Kinds of screws; everything else is read as figures.

@@ -57,6 +57,7 @@ bool finish(ScrewTable& result,
             ScrewKind kind,
             const ScrewFigures<double>& figures,
             const ScrewFigures<Interval>* ranges,
+            ScrewTable::Pair pair,
             Candidate candidate) {
   const machine::ScrewSite& site = result.sites[static_cast<std::size_t>(kind)];
   const machine::ScrewReading<double> reading = screw_reading(figures, site);
@@ -70,8 +71,19 @@ bool finish(ScrewTable& result,
   }
   result.table.add(std::move(candidate), values);
   result.kinds.push_back(kind);
-  result.figures.push_back(figures);
+  result.pairs.push_back(pair);
   return true;
+}
+
+/// Pairs grow with the product of their parts: a table that moves while it grows touches twice the memory.
+void reserve(std::size_t more, ScrewTable& result) {
+  result.table.reserve(result.table.rows() + more);
+  result.kinds.reserve(result.kinds.size() + more);
+  result.pairs.reserve(result.pairs.size() + more);
+}
+
+std::uint32_t next_index(const std::vector<ScrewFigures<double>>& figures) {
+  return static_cast<std::uint32_t>(figures.size());
 }
 
 double supported_length(const machine::Axis& axis, double nut_length) {
@@ -118,6 +130,7 @@ void add_ball_screws(const catalogue::Catalogue& catalogue,
                      const PriceBook& prices,
                      ScrewTable& result) {
   const Table& t = catalogue.table(Family::ball_screws);
+  reserve(static_cast<std::size_t>(t.rows()), result);
   for (int row = 0; row < t.rows(); ++row) {
     std::vector<catalogue::Column> missing;
     const ScrewFigures<double> f = ball_screw_figures(t, row, axis, FigureReader(t, row, missing));
@@ -131,10 +144,13 @@ void add_ball_screws(const catalogue::Catalogue& catalogue,
                ScrewKind::ball,
                f,
                ranges ? &*ranges : nullptr,
+               {next_index(result.shafts), 0},
                candidate_of({{"screw", Family::ball_screws, row, 1.0, cut, shaft_price, f.mass_per_length * cut},
                              {"nut", Family::ball_screws, row, 1.0, 0.0, nut_price, f.nut_mass}},
                             f.nut_mass));
-    if (!added && !std::isinf(shaft_price))
+    if (added)
+      result.shafts.push_back(f);
+    else if (!std::isinf(shaft_price))
       result.table.note_incomplete({{Family::ball_screws, row}, std::move(missing)});
   }
 }
@@ -237,6 +253,7 @@ class LeadNuts {
  public:
   struct Nut {
     int row;
+    std::uint32_t index;            ///< among the figures of all nuts
     ScrewFigures<double> figures;   ///< its own only
     ScrewFigures<Interval> ranges;  ///< where they are asked for
     double price;
@@ -252,15 +269,19 @@ class LeadNuts {
     for (int row = 0; row < nuts.rows(); ++row) {
       const std::string_view material = nuts.text(column(Family::lead_nuts, "material"), row);
       if (!wanted(axis.mechanism.nut_materials, material)) continue;
-      Nut nut{row, {}, {}, prices.line(nuts, row, 1.0, 0.0), {}};
+      Nut nut{row, next_index(figures_), {}, {}, prices.line(nuts, row, 1.0, 0.0), {}};
       add_nut_figures(nut.figures, material, materials, axis, FigureReader(nuts, row, nut.missing));
       if (std::isnan(nut.figures.nut_yield_strength))
         nut.missing.push_back(column(Family::materials, "yield_strength"));
       if (with_ranges)
         add_nut_figures(nut.ranges, material, materials, axis, [&](catalogue::Column c) { return nuts.range(c, row); });
-      of_screw_[nuts.text(column(Family::lead_nuts, "for_screw"), row)].push_back(nut);
+      figures_.push_back(nut.figures);
+      of_screw_[nuts.text(column(Family::lead_nuts, "for_screw"), row)].push_back(std::move(nut));
     }
   }
+
+  /// [index]
+  [[nodiscard]] const std::vector<ScrewFigures<double>>& figures() const { return figures_; }
 
   /// Those that name the screw by its part number or by its designation, by their rows.
   [[nodiscard]] std::vector<const Nut*> for_screw(std::string_view part_number, std::string_view designation) const {
@@ -277,7 +298,23 @@ class LeadNuts {
 
  private:
   std::map<std::string_view, std::vector<Nut>> of_screw_;
+  std::vector<ScrewFigures<double>> figures_;
 };
+
+/// The screws that an axis may use, each with the nuts that run on it.
+struct LeadScrew {
+  int row;
+  std::vector<const LeadNuts::Nut*> nuts;
+};
+
+std::vector<LeadScrew> lead_screws_with(const LeadNuts& nuts, const Table& screws, const machine::Axis& axis) {
+  std::vector<LeadScrew> result;
+  for (int row = 0; row < screws.rows(); ++row)
+    if (wanted(axis.mechanism.thread_forms, screws.text(column(Family::lead_screws, "thread_form"), row)))
+      result.push_back(
+          {row, nuts.for_screw(screws.part_number(row), screws.text(column(Family::lead_screws, "designation"), row))});
+  return result;
+}
 
 void add_lead_screws(const catalogue::Catalogue& catalogue,
                      const machine::Axis& axis,
@@ -286,13 +323,16 @@ void add_lead_screws(const catalogue::Catalogue& catalogue,
   const Table& screws = catalogue.table(Family::lead_screws);
   const bool has_ranges = screws.has_ranges() || catalogue.table(Family::lead_nuts).has_ranges();
   const LeadNuts nuts(catalogue, axis, prices, has_ranges);
-  for (int row = 0; row < screws.rows(); ++row) {
-    if (!wanted(axis.mechanism.thread_forms, screws.text(column(Family::lead_screws, "thread_form"), row))) continue;
+  const std::vector<LeadScrew> with_nuts = lead_screws_with(nuts, screws, axis);
+  std::size_t pairs = 0;
+  for (const LeadScrew& screw : with_nuts) pairs += screw.nuts.size();
+  reserve(pairs, result);
+  for (const auto& [row, of_screw] : with_nuts) {
     std::vector<catalogue::Column> missing;
     const ScrewFigures<double> base = lead_screw_figures(screws, row, FigureReader(screws, row, missing));
+    const std::size_t first = result.pairs.size();
     std::map<double, double> price_of_cut;  // most nuts are as long as some other one
-    for (const LeadNuts::Nut* nut :
-         nuts.for_screw(screws.part_number(row), screws.text(column(Family::lead_screws, "designation"), row))) {
+    for (const LeadNuts::Nut* nut : of_screw) {
       ScrewFigures<double> f = base;
       take_nut_figures(f, nut->figures);
       std::optional<ScrewFigures<Interval>> ranges;
@@ -312,6 +352,7 @@ void add_lead_screws(const catalogue::Catalogue& catalogue,
                  ScrewKind::sliding,
                  f,
                  ranges ? &*ranges : nullptr,
+                 {next_index(result.shafts), nut->index},
                  candidate_of({{"screw", Family::lead_screws, row, 1.0, cut, shaft_price, f.mass_per_length * cut},
                                {"nut", Family::lead_nuts, nut->row, 1.0, 0.0, nut->price, f.nut_mass}},
                               f.nut_mass));
@@ -319,10 +360,18 @@ void add_lead_screws(const catalogue::Catalogue& catalogue,
       result.table.note_incomplete({{Family::lead_screws, row}, missing});
       result.table.note_incomplete({{Family::lead_nuts, nut->row}, nut->missing});
     }
+    if (result.pairs.size() > first) result.shafts.push_back(base);
   }
+  result.nuts = nuts.figures();
 }
 
 }  // namespace
+
+machine::ScrewFigures<double> ScrewTable::figures(std::size_t row) const {
+  ScrewFigures<double> result = shaft(row);
+  if (kinds[row] == ScrewKind::sliding) take_nut_figures(result, nuts[pairs[row].nut]);
+  return result;
+}
 
 bool stiffness_matters(const machine::Axis& axis) {
   using enum machine::Requirement;
@@ -332,8 +381,9 @@ bool stiffness_matters(const machine::Axis& axis) {
 
 ScrewTable screw_table(const catalogue::Catalogue& catalogue, const machine::Axis& axis, const PriceBook& prices) {
   constexpr std::size_t fields = machine::screw_reading_fields + machine::shown_screw_reading_fields;
-  ScrewTable result{
-      SlotTable("screw", fields), {}, {}, {site_of(axis, ScrewKind::ball), site_of(axis, ScrewKind::sliding)}};
+  ScrewTable result;
+  result.table = SlotTable("screw", fields);
+  result.sites = {site_of(axis, ScrewKind::ball), site_of(axis, ScrewKind::sliding)};
   if (axis.mechanism.ball_screws) add_ball_screws(catalogue, axis, prices, result);
   if (axis.mechanism.lead_screws) add_lead_screws(catalogue, axis, prices, result);
   return result;

@@ -147,6 +147,10 @@ class SlotTable {
  public:
   explicit SlotTable(std::string name = {}, std::size_t fields = 0) : name_(std::move(name)), fields_(fields) {}
 
+  void reserve(std::size_t rows) {
+    candidates_.reserve(rows);
+    numbers_.reserve(rows * width());
+  }
   /// Adds a candidate with its readings, as many as fields.
   void add(Candidate candidate, std::span<const double> readings) {
     has_ranges_ = has_ranges_ || candidate.ranges != nullptr;

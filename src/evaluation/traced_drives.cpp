@@ -102,7 +102,7 @@ void write_calculation(const ScrewDriveStage& stage,
   d.kind = element.kind;
   const solver::Row screw = chosen.rows[ScrewDriveStage::screw_slot];
   machine::ScrewFigures<Traced> figures;
-  given.take_all(screw_names, stage.screws().figures[screw], figures, walk_screw_figures);
+  given.take_all(screw_names, stage.screws().figures(screw), figures, walk_screw_figures);
   d.screw = machine::screw_reading(figures, stage.screws().site(screw));
   trace_motor(stage, element, chosen, given, d);
   if (element.data->has_coupling) given.take_all(coupling_names, element.coupling, d.coupling, walk_coupling);
