@@ -12,6 +12,7 @@
 #include <set>
 #include <tuple>
 
+#include "catalogue/part_order.h"
 #include "evaluation/figure_reader.h"
 
 namespace millwright::evaluation {
@@ -78,6 +79,7 @@ class BeltTablesMaker {
   BeltTablesMaker(const catalogue::Catalogue& catalogue, const machine::Axis& axis, const PriceBook& prices)
       : belts_(catalogue.table(Family::belts)),
         pulleys_(catalogue.table(Family::pulleys)),
+        pulley_rows_(catalogue::rows_in_order(pulleys_)),
         axis_(axis),
         prices_(prices),
         span_(axis.stroke + 2.0 * axis.require(machine::Requirement::overtravel) + axis.mechanism.idler_distance) {
@@ -87,7 +89,7 @@ class BeltTablesMaker {
   }
 
   BeltTables make() {
-    for (int row = 0; row < pulleys_.rows(); ++row)
+    for (const int row : pulley_rows_)
       if (is_idler(row))
         add_idler(row);
       else
@@ -95,7 +97,7 @@ class BeltTablesMaker {
     add_pulleys_with_second();
     result_.idlers.add(Candidate{}, std::array<double, BeltTables::idler_fields>{});
     result_.idlers_fit.push_back(BeltFit::same);
-    for (int row = 0; row < belts_.rows(); ++row)
+    for (const int row : catalogue::rows_in_order(belts_))
       if (is_wanted(row)) add_belt(row);
     if (result_.belts.rows() > 0) leave_out_what_no_belt_needs();
     return std::move(result_);
@@ -174,9 +176,9 @@ class BeltTablesMaker {
   /// Once more on a bearing, whoever sells the second one.
   void add_pulleys_with_second() {
     std::map<std::pair<std::string_view, std::string_view>, std::vector<int>> same;
-    for (int row = 0; row < pulleys_.rows(); ++row)
+    for (const int row : pulley_rows_)
       if (!is_idler(row)) same[{pulleys_.manufacturer(row), pulleys_.part_number(row)}].push_back(row);
-    for (int row = 0; row < pulleys_.rows(); ++row)
+    for (const int row : pulley_rows_)
       if (!is_idler(row))
         for (const int second : same[{pulleys_.manufacturer(row), pulleys_.part_number(row)}]) add_pulley(row, second);
   }
@@ -246,6 +248,7 @@ class BeltTablesMaker {
 
   const Table& belts_;
   const Table& pulleys_;
+  std::vector<int> pulley_rows_;  ///< in the order in which they become candidates
   const machine::Axis& axis_;
   const PriceBook& prices_;
   double span_;  ///< m

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "catalogue/part_order.h"
 #include "evaluation/figure_reader.h"
 
 namespace millwright::evaluation {
@@ -29,13 +30,14 @@ DriverChoices::DriverChoices(const catalogue::Table& drivers,
   // Of a dear light one and a cheap heavy one each would be the better.
   if (!axis.cost_counts && !axis.mass_counts) throw std::logic_error("neither cost nor mass counts");
   const catalogue::Table& t = drivers;
-  for (int row = 0; row < t.rows(); ++row) {
+  for (const int row : catalogue::rows_in_order(t)) {
     if (t.flag(column(Family::drivers, "closed_loop"), row).value_or(false)) continue;  // needs a motor with an encoder
     std::vector<catalogue::Column> missing;
     const FigureReader number(t, row, missing);
     const double microsteps = number(column(Family::drivers, "maximum_microsteps"));
     if (microsteps < axis.motor.microsteps) continue;
     const Driver d{row,
+                   drivers_.size(),
                    number(column(Family::drivers, "peak_current")),
                    number(column(Family::drivers, "maximum_voltage")),
                    number(column(Family::drivers, "minimum_voltage")),
@@ -67,7 +69,7 @@ bool DriverChoices::covers(const Driver& a, const Driver& b, double current) con
   if (b.supplier != nullptr && b.supplier->minimum_order > 0.0) return false;
   for (const double v : voltages_)
     if (runs_at(b, v) && !runs_at(a, v)) return false;
-  return worth_a < worth_b || a.price < b.price || a.mass < b.mass || a.row < b.row;
+  return worth_a < worth_b || a.price < b.price || a.mass < b.mass || a.place < b.place;
 }
 
 /// A driver that a bill names is judged, not passed over (C-DR-VOLT, F-DRIVER-VOLTAGE-MIN, C-DR-CURRENT).
@@ -104,7 +106,7 @@ DriverChoices::Choice DriverChoices::choice_at(double current) const {
 void DriverChoices::drop_covered(std::vector<const Driver*>& drivers, std::size_t most, double current) const {
   if (most > drivers.size()) return;
   const auto key = [&](const Driver* d) {
-    return std::tuple(axis_.cost_counts ? 0.0 : d->mass, d->price, d->preference * d->price, d->mass, d->row);
+    return std::tuple(axis_.cost_counts ? 0.0 : d->mass, d->price, d->preference * d->price, d->mass, d->place);
   };
   std::sort(drivers.begin(), drivers.end(), [&](const Driver* a, const Driver* b) { return key(a) < key(b); });
   std::vector<const Driver*> kept;
@@ -114,7 +116,7 @@ void DriverChoices::drop_covered(std::vector<const Driver*>& drivers, std::size_
       if (covers(**a, *driver, current)) ++covering;
     if (covering < most) kept.push_back(driver);
   }
-  std::sort(kept.begin(), kept.end(), [](const Driver* a, const Driver* b) { return a->row < b->row; });
+  std::sort(kept.begin(), kept.end(), [](const Driver* a, const Driver* b) { return a->place < b->place; });
   drivers = std::move(kept);
 }
 

@@ -20,6 +20,7 @@ namespace millwright::evaluation {
 
 struct Driver {
   int row;
+  std::size_t place;  ///< in the order of rows (catalogue::rows_in_order)
   double peak_current, largest_voltage, least_voltage, price, mass;
   double preference = 1.0;                        ///< of its price, where builds are compared
   const catalogue::Supplier* supplier = nullptr;  ///< where an order costs more than the driver
@@ -34,7 +35,7 @@ class DriverChoices {
                 const PriceBook& prices);
 
   struct Choice {
-    std::vector<const Driver*> kept;                   ///< by their rows
+    std::vector<const Driver*> kept;                   ///< by their places
     std::vector<std::vector<std::size_t>> covered_by;  ///< [kept], where covered ones are kept; else empty
   };
   /// For motors that this current [A] is set for; found once, since most motors have the current of some other one.

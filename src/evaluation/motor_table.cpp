@@ -8,6 +8,7 @@
 #include <optional>
 #include <tuple>
 
+#include "catalogue/part_order.h"
 #include "evaluation/drive_tables.h"
 #include "evaluation/driver_choices.h"
 #include "evaluation/figure_reader.h"
@@ -73,7 +74,7 @@ double amplitude(double current, std::string_view kind) {
 template <class Torque>
 Curves read_curves(const Table& t, Torque torque) {
   Curves curves;
-  for (int row = 0; row < t.rows(); ++row) {
+  for (const int row : catalogue::rows_in_order(t)) {
     const Curves::Key key{t.number(column(Family::stepper_curves, "drive_voltage"), row),
                           amplitude(t.number(column(Family::stepper_curves, "phase_current"), row),
                                     t.text(column(Family::stepper_curves, "current_kind"), row))};
@@ -294,7 +295,7 @@ MotorTable motor_table(const catalogue::Catalogue& catalogue,
   const Table& motors = catalogue.table(Family::steppers);
   MotorPairs pairs(catalogue, axis, voltages, prices);
   const auto add_motors = [&](const std::optional<machine::PartName>& only) {
-    for (int row = 0; row < motors.rows(); ++row) {
+    for (const int row : catalogue::rows_in_order(motors)) {
       if (only && !is_part(motors, row, *only)) continue;
       if (!is_wanted(motors, row, axis)) continue;
       if (const auto motor = motor_of(motors, row, prices, pairs.table.table)) pairs.add(*motor);

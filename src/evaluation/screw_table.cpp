@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "catalogue/part_order.h"
 #include "evaluation/cuts.h"
 #include "evaluation/drive_tables.h"
 #include "evaluation/figure_reader.h"
@@ -131,7 +132,7 @@ void add_ball_screws(const catalogue::Catalogue& catalogue,
                      ScrewTable& result) {
   const Table& t = catalogue.table(Family::ball_screws);
   reserve(static_cast<std::size_t>(t.rows()), result);
-  for (int row = 0; row < t.rows(); ++row) {
+  for (const int row : catalogue::rows_in_order(t)) {
     std::vector<catalogue::Column> missing;
     const ScrewFigures<double> f = ball_screw_figures(t, row, axis, FigureReader(t, row, missing));
     std::optional<ScrewFigures<Interval>> ranges;
@@ -266,7 +267,7 @@ class LeadNuts {
            bool with_ranges) {
     const Table& nuts = catalogue.table(Family::lead_nuts);
     const Table& materials = catalogue.table(Family::materials);
-    for (int row = 0; row < nuts.rows(); ++row) {
+    for (const int row : catalogue::rows_in_order(nuts)) {
       const std::string_view material = nuts.text(column(Family::lead_nuts, "material"), row);
       if (!wanted(axis.mechanism.nut_materials, material)) continue;
       Nut nut{row, next_index(figures_), {}, {}, prices.line(nuts, row, 1.0, 0.0), {}};
@@ -283,7 +284,7 @@ class LeadNuts {
   /// [index]
   [[nodiscard]] const std::vector<ScrewFigures<double>>& figures() const { return figures_; }
 
-  /// Those that name the screw by its part number or by its designation, by their rows.
+  /// Those that name the screw by its part number or by its designation, in order.
   [[nodiscard]] std::vector<const Nut*> for_screw(std::string_view part_number, std::string_view designation) const {
     std::vector<const Nut*> result;
     const auto take = [&](std::string_view name) {
@@ -292,7 +293,7 @@ class LeadNuts {
     };
     take(part_number);
     if (designation != part_number) take(designation);
-    std::sort(result.begin(), result.end(), [](const Nut* a, const Nut* b) { return a->row < b->row; });
+    std::sort(result.begin(), result.end(), [](const Nut* a, const Nut* b) { return a->index < b->index; });
     return result;
   }
 
@@ -309,7 +310,7 @@ struct LeadScrew {
 
 std::vector<LeadScrew> lead_screws_with(const LeadNuts& nuts, const Table& screws, const machine::Axis& axis) {
   std::vector<LeadScrew> result;
-  for (int row = 0; row < screws.rows(); ++row)
+  for (const int row : catalogue::rows_in_order(screws))
     if (wanted(axis.mechanism.thread_forms, screws.text(column(Family::lead_screws, "thread_form"), row)))
       result.push_back(
           {row, nuts.for_screw(screws.part_number(row), screws.text(column(Family::lead_screws, "designation"), row))});

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 
+#include "catalogue/part_order.h"
 #include "evaluation/drive_tables.h"
 #include "evaluation/figure_reader.h"
 
@@ -22,7 +23,7 @@ SlotTable coupling_table(const catalogue::Catalogue& catalogue, const PriceBook&
                             column(Family::couplings, "axial_misalignment")};
   SlotTable result("coupling", 9);
   const Table& t = catalogue.table(Family::couplings);
-  for (int row = 0; row < t.rows(); ++row) {
+  for (const int row : catalogue::rows_in_order(t)) {
     std::vector<catalogue::Column> missing;
     const FigureReader number(t, row, missing, soft);
     const auto range = [&](catalogue::Column c) { return t.range(c, row); };
@@ -66,7 +67,7 @@ SlotTable support_table(const catalogue::Catalogue& catalogue,
                                  column(Family::support_bearings, "permissible_axial_load")};
   const auto soft = std::span(of_thrust).first(!fixed ? 2 : stiffness_needed ? 0 : 1);
   const Table& t = catalogue.table(Family::support_bearings);
-  for (int row = 0; row < t.rows(); ++row) {
+  for (const int row : catalogue::rows_in_order(t)) {
     const std::string_view role = t.text(column(Family::support_bearings, "role"), row);
     const bool block = role == "pillow block" || role == "flange block";
     if (fixed ? role != "fixed" : role != "supported" && !block) continue;

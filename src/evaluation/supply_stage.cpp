@@ -4,6 +4,7 @@
 #include <array>
 #include <span>
 
+#include "catalogue/part_order.h"
 #include "evaluation/drive_tables.h"
 #include "evaluation/figure_reader.h"
 
@@ -20,7 +21,7 @@ SupplyStage::SupplyStage(const std::vector<double>& voltages,
   name_ = "machine.supply";
   SlotTable table("supply", 3);
   const catalogue::Table& t = catalogue.table(Family::power_supplies);
-  for (int row = 0; row < t.rows(); ++row) {
+  for (const int row : catalogue::rows_in_order(t)) {
     std::vector<catalogue::Column> missing;
     constexpr std::array soft{column(Family::power_supplies, "output_current")};
     const FigureReader number(t, row, missing, soft);

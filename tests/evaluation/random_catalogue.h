@@ -47,10 +47,10 @@ class RandomCatalogue {
     for (const auto& entry : std::filesystem::directory_iterator(whole.path()))
       read(entry.path().filename().string(), entry.path() / "tiny.csv");
     for (auto& [family, table] : tables_) vary(draw, family, table, most);
-    write(folder_);
+    write(folder_, 1);
     parts_ = catalogue_of({folder_.path()});
     for (auto& [family, table] : tables_) draw.shuffle(table.rows);
-    write(shuffled_folder_);
+    write(shuffled_folder_, 2);
     shuffled_ = catalogue_of({shuffled_folder_.path()});
   }
   [[nodiscard]] const catalogue::Catalogue& parts() const { return parts_; }
@@ -161,12 +161,15 @@ class RandomCatalogue {
     }
   }
 
-  void write(const TemporaryFolder& folder) const {
-    for (const auto& [family, table] : tables_) {
-      std::string text = fmt::format("{}\n", fmt::join(table.header, ","));
-      for (const Cells& row : table.rows) text += fmt::format("{}\n", fmt::join(row, ","));
-      folder.write(family + "/drawn.csv", text);
-    }
+  /// Rows in turn in so many files.
+  void write(const TemporaryFolder& folder, std::size_t files) const {
+    for (const auto& [family, table] : tables_)
+      for (std::size_t file = 0; file < std::min(files, table.rows.size()); ++file) {
+        std::string text = fmt::format("{}\n", fmt::join(table.header, ","));
+        for (std::size_t row = file; row < table.rows.size(); row += files)
+          text += fmt::format("{}\n", fmt::join(table.rows[row], ","));
+        folder.write(fmt::format("{}/drawn-{}.csv", family, file), text);
+      }
   }
 
   std::map<std::string, Table> tables_;

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "catalogue/part_order.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string_view>
+#include <tuple>
+
+namespace millwright::catalogue {
+namespace {
+
+struct NamedRow {
+  std::string_view manufacturer, part_number;
+  int row = 0;
+};
+
+bool is_before(double a, double b) { return std::isnan(b) ? !std::isnan(a) : a < b; }
+
+/// By the cells that are left when the names are the same: other points of one curve, another seller.
+bool cells_are_before(const Table& table, int a, int b) {
+  for (std::size_t index = 0; index < column_count(table.family()); ++index) {
+    const Column column{table.family(), static_cast<std::uint8_t>(index)};
+    if (declaration(column).kind == Kind::text) {
+      if (const int order = table.text(column, a).compare(table.text(column, b)); order != 0) return order < 0;
+    } else {
+      const double of_a = table.number(column, a), of_b = table.number(column, b);
+      if (is_before(of_a, of_b)) return true;
+      if (is_before(of_b, of_a)) return false;
+    }
+  }
+  return table.ownership(a) < table.ownership(b);
+}
+
+}  // namespace
+
+std::vector<int> rows_in_order(const Table& table) {
+  std::vector<NamedRow> named;
+  named.reserve(static_cast<std::size_t>(table.rows()));
+  for (int row = 0; row < table.rows(); ++row) named.push_back({table.manufacturer(row), table.part_number(row), row});
+  std::stable_sort(named.begin(), named.end(), [&](const NamedRow& a, const NamedRow& b) {
+    const auto names = [](const NamedRow& each) { return std::tie(each.manufacturer, each.part_number); };
+    if (names(a) != names(b)) return names(a) < names(b);
+    return cells_are_before(table, a.row, b.row);
+  });
+  std::vector<int> rows;
+  rows.reserve(named.size());
+  for (const NamedRow& each : named) rows.push_back(each.row);
+  return rows;
+}
+
+}  // namespace millwright::catalogue
