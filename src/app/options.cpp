@@ -25,6 +25,8 @@ namespace {
 
 constexpr const char* shared_group = "Common options";
 
+void common(CLI::Option* option, const char* type) { option->type_name(type)->group(shared_group); }
+
 void add_output_options(CLI::App& verb, Options& options) {
   verb.add_option(
           "--json", options.json, "write the result as JSON to FILE; - : to standard output, nothing else there")
@@ -45,10 +47,9 @@ void add_report_options(CLI::App& verb, Options& options) {
                   "every calculation; complete in one file, to read or print")
       ->type_name("FILE.html")
       ->group(shared_group);
-  verb.add_option("--language", options.language, "of the page: en, or id (Indonesian)")
-      ->type_name("CODE")
-      ->check(CLI::IsMember(report::language_codes()))
-      ->group(shared_group);
+  common(verb.add_option("--language", options.language, "of the page: en, or id (Indonesian)")
+             ->check(CLI::IsMember(report::language_codes())),
+         "CODE");
 }
 
 /// CLI11's own tells the largest number there is in 300 digits.
@@ -75,14 +76,13 @@ void add_catalogue_option(CLI::App& verb, Options& options) {
 }
 
 void add_lock_options(CLI::App& verb, Options& options) {
-  verb.add_option("--write-lock",
-                  options.write_lock,
-                  "write the SHA-256 of every file that the result rests on, and prices and figures of its parts")
-      ->type_name("FILE.lock")
-      ->group(shared_group);
-  verb.add_option("--locked", options.locked, "stop, and say what changed, if such a file no longer holds")
-      ->type_name("FILE.lock")
-      ->group(shared_group);
+  common(
+      verb.add_option("--write-lock",
+                      options.write_lock,
+                      "write the SHA-256 of every file that the result rests on, and prices and figures of its parts"),
+      "FILE.lock");
+  common(verb.add_option("--locked", options.locked, "stop, and say what changed, if such a file no longer holds"),
+         "FILE.lock");
 }
 
 void add_machine_options(CLI::App& verb, Options& options, bool with_page = true) {
@@ -103,18 +103,19 @@ void add_machine_options(CLI::App& verb, Options& options, bool with_page = true
                   "NAME=VALUE",
                   "a budget that the whole machine must keep, cost='400 USD' or mass='12 kg' (repeatable)");
   add_list_option(verb, "--without", options.without, "PART", "a part that may not be used anywhere (repeatable)");
-  verb.add_option("--threads", options.threads, "threads to search with; the answer does not depend on it")
-      ->type_name("N")
-      ->check(CLI::Range(1U, 1024U))
-      ->group(shared_group);
-  verb.add_option("--time-limit", options.time_limit, "stop after so many seconds with the best build so far")
-      ->type_name("S")
-      ->check(positive)
-      ->group(shared_group);
-  verb.add_option("--gap", options.gap, "relative gap at which the proof counts as complete (1e-6)")
-      ->type_name("G")
-      ->check(CLI::Range(0.0, 1.0))
-      ->group(shared_group);
+  common(verb.add_option("--threads", options.threads, "threads to search with; the answer does not depend on it")
+             ->check(CLI::Range(1U, 1024U)),
+         "N");
+  common(verb.add_option("--time-limit", options.time_limit, "stop after so many seconds with the best build so far")
+             ->check(positive),
+         "S");
+  common(
+      verb.add_option("--memory-limit", options.memory_limit, "stop when so many GB are taken (80 % of all there is)")
+          ->check(positive),
+      "GB");
+  common(verb.add_option("--gap", options.gap, "relative gap at which the proof counts as complete (1e-6)")
+             ->check(CLI::Range(0.0, 1.0)),
+         "G");
 }
 
 void add_fix_option(CLI::App& verb, Options& options) {

@@ -68,6 +68,7 @@ struct Options {
   unsigned builds = 1;                  ///< of solve: the best, the second best, ...
   double gap = 1e-6;
   double time_limit = std::numeric_limits<double>::infinity();  ///< s
+  double memory_limit = 0.0;                                    ///< GB, 0 = most of what there is
   unsigned threads = 0;                                         ///< 0 = one per core
   std::string bom;                                              ///< written by solve, read by check
   std::string csv;                                              ///< table of a range, empty for none

@@ -48,7 +48,7 @@ report::MachineResult check(const Options& options,
   evaluation::SearchOptions how = search_options(options, result.objectives);
   how.worksheets = !options.report.empty();
   how.tolerances = true;
-  const StopSignal stop;
+  const StopSignal stop(options.memory_limit);
   how.stop = stop.stopped();
   evaluation::BomCheck outcome;
   {

@@ -101,7 +101,7 @@ std::optional<ComparedBuild> evaluated_build(const Options& options,
                                              Diagnostics& diagnostics) {
   const auto bom = machine::read_bill_of_materials(side.text, input.problem, diagnostics);
   if (!bom) return std::nullopt;
-  const StopSignal stop;
+  const StopSignal stop(options.memory_limit);
   evaluation::SearchOptions how = search_options(options, {"cost"});
   how.stop = stop.stopped();
   evaluation::BomCheck outcome = evaluation::check(input.problem, input.catalogue, *bom, options.complete, how);

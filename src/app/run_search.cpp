@@ -83,7 +83,7 @@ int run_search(const Options& options) {
   const double read = watch.seconds();
   report::MachineResult result;
   {
-    const StopSignal stop;
+    const StopSignal stop(options.memory_limit);
     ProgressLine line(options.quiet, objective_unit_of(options, *input));
     result = search_machine(options, *input, *model, stop, line);
     add_ways_out(options, *model, stop, result);

@@ -132,7 +132,7 @@ class Sweeper {
 
   Options options_;
   const SettingRange& range_;
-  StopSignal stop_;
+  StopSignal stop_{options_.memory_limit};
   Stopwatch watch_;
 };
 

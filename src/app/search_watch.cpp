@@ -9,9 +9,14 @@
 #include <csignal>
 #include <cstdio>
 
+#include "app/output.h"
+#include "text/diagnostic.h"
+
 namespace millwright::app {
 
 namespace {
+
+constexpr double gigabyte = 1e9;
 
 std::atomic<bool> stop_requested{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "set from a signal handler");
@@ -29,13 +34,26 @@ void handle(int signal, void (*handler)(int)) {
 
 }  // namespace
 
-StopSignal::StopSignal() {
+StopSignal::StopSignal(double memory_limit) {
   stop_requested.store(false);
   for (const int signal : {SIGINT, SIGTERM}) handle(signal, request_stop);
+  memory_.emplace(static_cast<std::uint64_t>(std::ceil(memory_limit * gigabyte)), [this](const MemoryState& state) {
+    taken_.store(state.taken);
+    stop_requested.store(true);
+  });
 }
 
 StopSignal::~StopSignal() {
+  memory_.reset();
   for (const int signal : {SIGINT, SIGTERM}) handle(signal, SIG_DFL);
+  if (taken_.load() == 0) return;
+  text::Diagnostics diagnostics;
+  diagnostics.warning(
+      {},
+      fmt::format("the search had taken {:.3g} GB of memory and was ended: what is said was known by then",
+                  static_cast<double>(taken_.load()) / gigabyte),
+      "let it choose less (--fix, --limit, fewer dimensions), or more memory: --memory-limit");
+  print(diagnostics);
 }
 
 const std::atomic<bool>* StopSignal::stopped() const { return &stop_requested; }

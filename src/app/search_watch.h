@@ -3,20 +3,29 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
+#include <optional>
 #include <string>
 
+#include "app/memory_watch.h"
 #include "solver/solver.h"
 
 namespace millwright::app {
 
-/// While it lives, Ctrl-C and a request to terminate set `stopped()`; a second Ctrl-C ends the program at once.
+/// While it lives, Ctrl-C, a request to terminate and too much memory set `stopped()`; a second Ctrl-C ends the program
+/// at once. If it was memory it says so in the end, on standard error.
 class StopSignal {
  public:
-  StopSignal();
+  /// GB; 0: what is_too_much finds too much.
+  explicit StopSignal(double memory_limit);
   ~StopSignal();
   StopSignal(const StopSignal&) = delete;
   StopSignal& operator=(const StopSignal&) = delete;
   const std::atomic<bool>* stopped() const;
+
+ private:
+  std::atomic<std::uint64_t> taken_{0};  ///< bytes when it was too much
+  std::optional<MemoryWatch> memory_;
 };
 
 /// A line on standard error that is written over and over: bound, incumbent, gap, elapsed. Silent unless standard
