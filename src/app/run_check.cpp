@@ -66,6 +66,7 @@ report::MachineResult check(const Options& options,
   if (!outcome.problems.empty()) return result;
   result.completed = outcome.completed;
   result.completion_is_optimal = outcome.complete_is_optimal;
+  result.certificate.incomplete = std::move(outcome.incomplete);
   std::vector<evaluation::Design> designs;
   designs.push_back(std::move(outcome.design));
   set_designs(result, input.problem, std::move(designs));

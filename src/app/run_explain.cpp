@@ -11,6 +11,7 @@
 #include "app/output.h"
 #include "app/search_machine.h"
 #include "evaluation/explanation.h"
+#include "evaluation/incomplete_parts.h"
 #include "report/explanation_text.h"
 
 namespace millwright::app {
@@ -46,10 +47,12 @@ int run_explain(const Options& options) {
   text::Diagnostics diagnostics;
   const bool writable = outputs_are_writable(options, diagnostics);
   const auto input = read_machine(options, diagnostics);
+  std::vector<evaluation::IncompleteParts> incomplete;
   if (input) {
     const evaluation::MachineModel model(input->problem, input->catalogue, {}, {.fixed = input->steering.fixed});
     for (const evaluation::BomProblem& problem : model.problems())
       diagnostics.error(problem.where, problem.message, problem.hint);
+    incomplete = evaluation::incomplete_parts(model);
   }
   if (input) verify_lock(options, *input, diagnostics);
   print(diagnostics);
@@ -69,6 +72,7 @@ int run_explain(const Options& options) {
                                       [&](std::size_t solves, const std::string& what) { line.show(solves, what); });
   }
   report::MachineResult result = result_for(*input);
+  result.certificate.incomplete = std::move(incomplete);
   if (wants_inventory(options)) result.catalogues = inventory_of(*input);
   std::vector<const evaluation::Design*> designs;
   if (explanation.design) designs.push_back(&*explanation.design);

@@ -304,6 +304,7 @@ BomCheck check(const machine::Problem& problem,
   result.completed = std::any_of(held.stages.begin(), held.stages.end(), [](const HeldStage& s) {
     return std::find(s.named.begin(), s.named.end(), false) != s.named.end();
   });
+  if (result.completed) result.incomplete = incomplete_parts(model, held);
   const solver::RestrictedProblem restricted(model.problem(), restriction_of(model, held));
   const solver::Summary summary = solver::solve(restricted.problem(), solver_options(model, options));
   if (!summary.builds.empty()) {

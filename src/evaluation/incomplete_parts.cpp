@@ -157,6 +157,16 @@ std::vector<IncompleteParts> incomplete_parts(const MachineModel& model) {
   return gathered.by_what_is_missing();
 }
 
+std::vector<IncompleteParts> incomplete_parts(const MachineModel& model, const HeldParts& held) {
+  Gathered gathered(model.catalogue());
+  for (std::size_t stage = 0; stage < held.stages.size(); ++stage) {
+    const std::vector<SlotTable>& slots = model.entries()[stage].tables();
+    for (std::size_t slot = 0; slot < slots.size(); ++slot)
+      if (!held.stages[stage].named[slot]) gathered.add(slots[slot]);
+  }
+  return gathered.by_what_is_missing();
+}
+
 std::vector<IncompleteParts> incomplete_parts(const catalogue::Catalogue& catalogue, const SlotTable& slot) {
   Gathered gathered(catalogue);
   gathered.add(slot);

@@ -12,6 +12,8 @@
 
 namespace millwright::evaluation {
 
+struct HeldParts;  // held_parts.h
+
 /// Parts of one family that lack the same.
 struct IncompleteParts {
   std::string family;
@@ -28,6 +30,9 @@ struct IncompleteParts {
 /// it. Of those that can only be bought as a pair (a screw, and a nut that runs on it) these are also parts whose every
 /// partner lacks something. A part that several offer is complete if one offer is.
 std::vector<IncompleteParts> incomplete_parts(const MachineModel& model);
+
+/// The same of the slots that a bill of materials leaves open.
+std::vector<IncompleteParts> incomplete_parts(const MachineModel& model, const HeldParts& held);
 
 /// The same of one slot.
 std::vector<IncompleteParts> incomplete_parts(const catalogue::Catalogue& catalogue, const SlotTable& slot);

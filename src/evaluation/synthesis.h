@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "evaluation/incomplete_parts.h"
 #include "evaluation/machine_model.h"
 #include "machine/bill_of_materials.h"
 
@@ -79,6 +80,7 @@ struct BomCheck {
   bool completed = false;              ///< something was chosen by us
   bool complete_is_optimal =
       false;  ///< the completion is the cheapest compliant one (else the cheapest that fits, not compliant)
+  std::vector<IncompleteParts> incomplete;  ///< what could not be looked at for that
 };
 
 /// Evaluates a bill of materials. What it holds is held; an acceleration time or free dimension it leaves open is

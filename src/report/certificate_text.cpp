@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "report/alternatives.h"
+#include "report/incomplete.h"
 #include "report/machine_text.h"
 #include "report/tolerance_text.h"
 #include "scalar/unit.h"
@@ -36,25 +37,6 @@ std::string premium_text(const MachineResult& result, const Texts& t) {
   return more >= shown
              ? fmt::format(fmt::runtime(t("certificate.premium")), fmt::format("{:.2f} {}", more, design.currency))
              : t("certificate.no_premium");
-}
-
-/// "88 of 171 ball_screws (nut_mass, nut_length), 8 of 40 lead_nuts (materials.yield_strength)"
-std::string incomplete_words(const std::vector<evaluation::IncompleteParts>& all, const Texts& t) {
-  std::vector<std::string> words;
-  for (auto group = all.begin(); group != all.end();) {
-    const std::string& family = group->family;
-    const std::size_t known = group->known;
-    std::size_t parts = 0;
-    std::vector<std::string> missing;  // in the order in which they are met
-    for (; group != all.end() && group->family == family; ++group) {
-      parts += group->parts.size();
-      for (const std::string& figure : group->missing)
-        if (std::find(missing.begin(), missing.end(), figure) == missing.end()) missing.push_back(figure);
-    }
-    words.push_back(fmt::format(fmt::runtime(t("certificate.incomplete_of")), parts, known, family));
-    if (!missing.empty()) words.back() += fmt::format(" ({})", fmt::join(missing, ", "));
-  }
-  return fmt::format("{}", fmt::join(words, ", "));
 }
 
 }  // namespace
@@ -91,16 +73,7 @@ std::string certificate_text(const MachineResult& result, const Style& style, co
     if (preferred) line(fill("certificate.preferred", divisor));
   }
   if (design != nullptr && !design->all_fewest_bars) line(t("certificate.bars"));
-  if (!certificate.incomplete.empty()) {
-    line(fill("certificate.incomplete", incomplete_words(certificate.incomplete, t)));
-    if (style.full)
-      for (const evaluation::IncompleteParts& each : certificate.incomplete)
-        line(fmt::format("{}{}{}: {}",
-                         each.family,
-                         each.missing.empty() ? "" : ", ",
-                         fmt::join(each.missing, ", "),
-                         fmt::join(each.parts, "; ")));
-  }
+  out += incomplete_text(certificate.incomplete, style, t);
   line(fill("certificate.combinations", scalar::format_number(certificate.combinations, 3)));
   if (!certificate.method.empty()) line(t.clauses(certificate.method));
   if (design != nullptr) line(t("certificate.again"));

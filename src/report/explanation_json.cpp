@@ -4,6 +4,7 @@
 #include "report/design_json.h"
 #include "report/explanation_checks.h"
 #include "report/explanation_text.h"
+#include "report/incomplete.h"
 #include "report/json_value.h"
 #include "report/steering.h"
 #include "report/tolerance_json.h"
@@ -142,6 +143,7 @@ std::string explanation_json(const MachineResult& result, const Explanation& exp
   for (const NamedCheck& check : named_checks(explanation))
     json["checks"].push_back(
         {{"id", check.id}, {"title", check.title}, {"requirement", check.requirement}, {"source", check.source}});
+  json["incomplete"] = incomplete_of(result.certificate.incomplete);
   json["solves"] = explanation.solves;
   json["timing_s"] = {{"total", explanation.seconds}};
   return text_of(json);

@@ -9,6 +9,7 @@
 #include "report/design_text.h"
 #include "report/explanation_checks.h"
 #include "report/explanation_conflicts.h"
+#include "report/incomplete.h"
 #include "report/machine_text.h"
 #include "report/tolerance_text.h"
 #include "scalar/unit.h"
@@ -236,7 +237,7 @@ std::string explanation_text(const MachineResult& result, const Explanation& exp
              !explanation.empty_slots.empty()) {
     out += conflicts_text(result, explanation, style);
   }
-  out += named_checks_text(explanation, style);
+  out += named_checks_text(explanation, style) + incomplete_text(result.certificate.incomplete, style);
   return out + fmt::format("time: {:.2f} s, solved {} times\n", explanation.seconds, explanation.solves);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/alternatives.h"
 #include "report/design_json.h"
+#include "report/incomplete.h"
 #include "report/json.h"
 #include "report/json_value.h"
 #include "report/steering.h"
@@ -53,15 +54,11 @@ Json timing_of(const MachineResult& result) {
 }
 
 Json certificate_of(const MachineResult& result) {
-  Json incomplete = Json::array();
-  for (const evaluation::IncompleteParts& each : result.certificate.incomplete)
-    incomplete.push_back(
-        {{"family", each.family}, {"of", each.known}, {"missing", each.missing}, {"parts", each.parts}});
   return Json{{"combinations", number(result.certificate.combinations)},
               {"nodes", result.certificate.nodes},
               {"evaluations", result.certificate.evaluations},
               {"method", result.certificate.method},
-              {"incomplete", std::move(incomplete)}};
+              {"incomplete", incomplete_of(result.certificate.incomplete)}};
 }
 
 void add_missing(const MachineResult& result, Json& json) {
@@ -209,6 +206,7 @@ std::string check_json(const MachineResult& result) {
   const bool satisfied = !result.designs.empty() && result.designs.front().satisfied();
   json["satisfied"] = satisfied;
   json["completed"] = result.completed;
+  json["incomplete"] = incomplete_of(result.certificate.incomplete);
   if (!result.designs.empty()) add_design(result, result.designs.front(), json);
   add_missing(result, json);
   json["timing_s"] = timing_of(result);

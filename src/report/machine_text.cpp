@@ -13,6 +13,7 @@
 #include "report/certificate_text.h"
 #include "report/design_difference.h"
 #include "report/design_text.h"
+#include "report/incomplete.h"
 #include "report/page_texts.h"
 #include "report/steering.h"
 #include "report/tolerance_text.h"
@@ -238,6 +239,8 @@ std::string solve_text(const MachineResult& result, const Style& style) {
     out += "  Moves state their times, so every build takes as long: this is the cheapest.\n\n";
   out += parts_text(result, design, style) + dimensions_text(design, style) + alternatives_text(result, style);
   if (style.brief) return out;
+  std::string left_out = incomplete_text(result.certificate.incomplete, style);
+  if (!left_out.empty()) left_out += "\n";
   if (!style.full)
     return out + closest_checks_text(result, design, style) + tolerances_text(result, design, style) +
            certificate_text(result, style) + more_text(design);
@@ -309,12 +312,15 @@ std::string check_text(const MachineResult& result, const Style& style) {
   out += fmt::format("Totals: {}\n\n", totals_text(design));
   out += failures_text(result, design, style);
   if (style.brief) return out;
+  std::string left_out = incomplete_text(result.certificate.incomplete, style);
+  if (!left_out.empty()) left_out += "\n";
   if (!style.full)
     return out + closest_checks_text(result, design, style, false) + parts_text(result, design, style) +
-           dimensions_text(design, style) + tolerances_text(result, design, style) + more_text(design);
+           dimensions_text(design, style) + tolerances_text(result, design, style) + left_out + more_text(design);
   return out + governing_text(result, design, style) + parts_text(result, design, style) +
          dimensions_text(design, style) + checks_text(result, design, style) + tolerances_text(result, design, style) +
-         outside_validity_text(design, style) + requirements_text(result, style) + assumptions_text(design, style);
+         outside_validity_text(design, style) + requirements_text(result, style) + left_out +
+         assumptions_text(design, style);
 }
 
 }  // namespace millwright::report

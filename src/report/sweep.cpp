@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "report/bom_csv.h"
 #include "report/design_difference.h"
 #include "report/design_json.h"
 #include "report/design_text.h"
+#include "report/incomplete.h"
 #include "report/machine_text.h"
 #include "report/steering.h"
 
@@ -56,6 +58,24 @@ std::string no_build_reason(const SweepPoint& point) {
             : fmt::format("{} {}: no part will do", check.axis, check.id));
   if (parts.empty()) return "every combination of parts fails a check";
   return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::vector<evaluation::IncompleteParts> incomplete_in(const Sweep& sweep) {
+  std::vector<evaluation::IncompleteParts> all;
+  for (const SweepPoint& point : sweep.points)
+    for (const evaluation::IncompleteParts& more : point.result.certificate.incomplete) {
+      const auto known = std::find_if(all.begin(), all.end(), [&](const evaluation::IncompleteParts& each) {
+        return each.family == more.family && each.missing == more.missing;
+      });
+      if (known == all.end()) {
+        all.push_back(more);
+        continue;
+      }
+      std::set<std::string> parts(known->parts.begin(), known->parts.end());
+      parts.insert(more.parts.begin(), more.parts.end());
+      known->parts.assign(parts.begin(), parts.end());
+    }
+  return all;
 }
 
 std::vector<std::string> sweep_changes(const Sweep& sweep) {
@@ -126,6 +146,7 @@ std::string sweep_text(const Sweep& sweep, const Style& style) {
   }
   out += table.str(2, style);
   if (style.brief) return out;
+  out += incomplete_text(incomplete_in(sweep), style);
   if (open) out += "  gap: a build may exist that is so much better; none is proved where it says open.\n";
   const bool built = std::any_of(
       sweep.points.begin(), sweep.points.end(), [](const SweepPoint& point) { return point.design() != nullptr; });
@@ -197,6 +218,7 @@ std::string sweep_json(const Sweep& sweep) {
     }
     json["points"].push_back(std::move(line));
   }
+  json["incomplete"] = incomplete_of(incomplete_in(sweep));
   json["timing_s"] = {{"read", sweep.timing.read}, {"solve", sweep.timing.solve}, {"total", sweep.timing.total}};
   return text_of(json);
 }

@@ -37,6 +37,9 @@ struct Sweep {
 /// a build.
 std::string no_build_reason(const SweepPoint& point);
 
+/// What could not be looked at for some of the values: a setting may decide what is asked.
+std::vector<evaluation::IncompleteParts> incomplete_in(const Sweep& sweep);
+
 /// In what each build differs from that of the last value that had one: "x.motor 17HS4401S, ...". Empty for the first.
 std::vector<std::string> sweep_changes(const Sweep& sweep);
 

@@ -8,6 +8,7 @@
 
 #include "report/design_text.h"
 #include "report/html.h"
+#include "report/incomplete.h"
 #include "report/machine_text.h"
 #include "report/page_parts.h"
 #include "report/steering.h"
@@ -247,7 +248,11 @@ std::string sweep_page(const Sweep& sweep, const std::string& json, Language lan
   std::vector<const evaluation::Design*> designs;
   for (const SweepPoint& point : sweep.points)
     if (point.design() != nullptr) designs.push_back(point.design());
-  body += section("sweep", t("sweep"), charts(sweep, t) + table(sweep, t));
+  const std::string incomplete = incomplete_text(incomplete_in(sweep), Style{}, t);
+  body += section("sweep",
+                  t("sweep"),
+                  charts(sweep, t) + table(sweep, t) +
+                      (incomplete.empty() ? "" : "<p class=\"hint\">" + escaped(incomplete) + "</p>\n"));
   body += "</main>\n" + footer(designs, t);
   return document(title + " – Millwright", body, Json{{"language", code(language)}}, json, t);
 }

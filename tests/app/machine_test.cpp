@@ -2,6 +2,7 @@
 // solve, check, pareto and audit from the outside: exit codes, JSON, and the way from solve to check and back.
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "app/program.h"
 #include "catch.h"
@@ -445,6 +446,24 @@ TEST_CASE("A part that lacks a figure is in no build, and the certificate says s
     CHECK(outcome.prints("steppers, rotor_inertia: Acme Bargain\n") == names);
   }
   CHECK(shop.run({"pareto", "m.toml", "--catalogue", "mine"}).prints("steppers (rotor_inertia)"));
+  CHECK(shop.run({"explain", "m.toml", "--catalogue", "mine"}).prints("steppers (rotor_inertia)"));
+  CHECK(shop.run({"solve", "m.toml", "--catalogue", "mine", "--set", "axis.x.moves[0].time=20:21:2 s"})
+            .prints("steppers (rotor_inertia)"));
+  // Of a bill of materials what it leaves open counts.
+  REQUIRE(shop.run({"solve", "m.toml", "--bom", "whole.csv"}).exit_code == 0);
+  std::stringstream whole(shop.read("whole.csv"));
+  std::string without_motor;
+  for (std::string line; std::getline(whole, line);)
+    if (!line.starts_with("x,motor,") && !line.starts_with("x,driver,")) without_motor += line + "\n";
+  REQUIRE(without_motor != shop.read("whole.csv"));
+  shop.write("part.csv", without_motor);
+  const auto completed = [&](const char* bom) {
+    return shop.run({"check", "m.toml", bom, "--complete", "--catalogue", "mine", "--json", "c.json"});
+  };
+  CHECK(completed("part.csv").prints("steppers (rotor_inertia)"));
+  CHECK(Json::parse(shop.read("c.json")).at("incomplete").at(0).at("parts") == Json{"Acme Bargain"});
+  CHECK_FALSE(completed("whole.csv").prints("Not looked at"));
+  CHECK(Json::parse(shop.read("c.json")).at("incomplete").empty());
   shop.run({"solve", "m.toml", "--catalogue", "mine", "--json", "r.json", "--report", "r.html", "--language", "id"});
   CHECK(shop.read("r.html").find("Tidak diperiksa") != std::string::npos);
   const auto steppers = [&] {
