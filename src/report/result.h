@@ -56,8 +56,8 @@ struct Certificate {
 
 /// Seconds.
 struct Timing {
-  double read = 0.0;  ///< files, and the tables of candidates that are made of them
-  double solve = 0.0;
+  double read = 0.0;   ///< files
+  double solve = 0.0;  ///< with the tables of candidates that are made of what was read
   double total = 0.0;
 };
 

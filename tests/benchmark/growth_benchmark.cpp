@@ -54,7 +54,7 @@ void grow_catalogues(const std::vector<std::string>& problems, double seconds, c
   constexpr std::array<int, 4> times{1, 3, 10, 100};
   fmt::print(
       "\nCatalogues; a machine is left at the first size that is not settled in time.\n"
-      "read: files, and the tables of candidates made of them.\n"
+      "read: the files; solve: all the rest, with the tables of candidates made of them.\n"
       "Targets: exponent of solve time in rows <= 1.1, at 100 times the rows solve <= 2 times read\n");
   fmt::print(
       "  {:<16} {:>6} {:>9} {:>9} {:>10} {:>11}\n", "machine", "times", "rows", "read s", "solve s", "solve/read");
