@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <string_view>
-#include <tuple>
 
 namespace millwright::catalogue {
 namespace {
 
 struct NamedRow {
-  std::string_view manufacturer, part_number;
+  std::string_view part_number;
   int row = 0;
 };
 
@@ -35,17 +35,18 @@ bool cells_are_before(const Table& table, int a, int b) {
 }  // namespace
 
 std::vector<int> rows_in_order(const Table& table) {
-  std::vector<NamedRow> named;
-  named.reserve(static_cast<std::size_t>(table.rows()));
-  for (int row = 0; row < table.rows(); ++row) named.push_back({table.manufacturer(row), table.part_number(row), row});
-  std::stable_sort(named.begin(), named.end(), [&](const NamedRow& a, const NamedRow& b) {
-    const auto names = [](const NamedRow& each) { return std::tie(each.manufacturer, each.part_number); };
-    if (names(a) != names(b)) return names(a) < names(b);
-    return cells_are_before(table, a.row, b.row);
-  });
+  std::map<std::string_view, std::vector<NamedRow>> of_maker;
+  for (int row = 0; row < table.rows(); ++row)
+    of_maker[table.manufacturer(row)].push_back({table.part_number(row), row});
   std::vector<int> rows;
-  rows.reserve(named.size());
-  for (const NamedRow& each : named) rows.push_back(each.row);
+  rows.reserve(static_cast<std::size_t>(table.rows()));
+  for (auto& [maker, named] : of_maker) {
+    std::stable_sort(named.begin(), named.end(), [&](const NamedRow& a, const NamedRow& b) {
+      const int order = a.part_number.compare(b.part_number);
+      return order != 0 ? order < 0 : cells_are_before(table, a.row, b.row);
+    });
+    for (const NamedRow& each : named) rows.push_back(each.row);
+  }
   return rows;
 }
 

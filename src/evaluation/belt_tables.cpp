@@ -95,7 +95,7 @@ class BeltTablesMaker {
       else
         add_pulley(row);
     add_pulleys_with_second();
-    result_.idlers.add(Candidate{}, std::array<double, BeltTables::idler_fields>{});
+    result_.idlers.add(CandidateDraft{}, std::array<double, BeltTables::idler_fields>{});
     result_.idlers_fit.push_back(BeltFit::same);
     for (const int row : catalogue::rows_in_order(belts_))
       if (is_wanted(row)) add_belt(row);
@@ -133,7 +133,7 @@ class BeltTablesMaker {
   void add_idler(int row) {
     Missing missing;
     const auto readings = std::array{FigureReader(pulleys_, row, missing)("inertia")};
-    Candidate candidate = candidate_of({use_of("pulley_idle", row, missing)}, 0.0);
+    CandidateDraft candidate = candidate_of({use_of("pulley_idle", row, missing)}, 0.0);
     const PulleySize size = size_of(row, false, missing);
     if (!result_.idlers.admits(candidate, readings, missing, size.diameter)) return;
     if (pulleys_.has_ranges())
@@ -160,7 +160,7 @@ class BeltTablesMaker {
         readings_of([&](catalogue::Column figure, int of) { return FigureReader(pulleys_, of, missing)(figure); });
     std::vector<PartUse> parts{use_of("pulley_drive", row, missing)};
     if (second) parts.push_back(use_of("pulley_idle", *second, missing));
-    Candidate candidate = candidate_of(std::move(parts), 0.0);
+    CandidateDraft candidate = candidate_of(std::move(parts), 0.0);
     const PulleySize size = size_of(row, true, missing);
     if (!result_.pulleys.admits(candidate, readings, missing, size.diameter + size.teeth)) return;
     if (pulleys_.has_ranges())
@@ -207,14 +207,14 @@ class BeltTablesMaker {
         belt_readings(span_, width, drive.teeth, drive.diameter, idler.diameter, FigureReader(belts_, row, missing));
     const double length = readings[BeltTables::belt_length];
     // The belt moves with the carriage (a reading of the drive) and hangs on the parent (its standing mass).
-    Candidate candidate = candidate_of({{"belt",
-                                         Family::belts,
-                                         row,
-                                         1.0,
-                                         length,
-                                         prices_.cut(belts_, row, {{1.0, length}}),
-                                         readings[BeltTables::belt_mass]}},
-                                       0.0);
+    CandidateDraft candidate = candidate_of({{"belt",
+                                              Family::belts,
+                                              row,
+                                              1.0,
+                                              length,
+                                              prices_.cut(belts_, row, {{1.0, length}}),
+                                              readings[BeltTables::belt_mass]}},
+                                            0.0);
     // By numbers of sizes: figures may differ between versions of a machine.
     candidate.form = fmt::format("{} {}", fit.drive, fit.idler);
     if (!result_.belts.admits(candidate, readings, missing)) return;

@@ -120,7 +120,7 @@ void BillLedger::add_parts(const StageEntry& entry, std::span<const solver::Row>
             (1.0 - model_.prices().preference(model_.catalogue().table(use.family), use.row)) * share.price;
     }
     for (const Setting& setting : candidate.settings)
-      design_.dimensions.push_back({entry.axis, setting.name, setting.value, setting.unit});
+      design_.dimensions.push_back({entry.axis, std::string(setting.name), setting.value, std::string(setting.unit)});
     design_.cost += candidate.price;
     design_.mass += candidate.mass;
   }

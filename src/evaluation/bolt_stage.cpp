@@ -61,14 +61,14 @@ BoltStage::BoltStage(const machine::Axis& axis,
                                                          pattern.fitted ? figure("yield_strength") : T(0.0)};
     };
     const std::array<double, machine::bolt_reading_fields> readings = readings_of(number);
-    Candidate candidate = candidate_of({{member.name,
-                                         Family::screws,
-                                         row,
-                                         pieces,
-                                         0.0,
-                                         prices.line(t, row, pieces, 0.0),
-                                         pieces * screw_mass(readings[0])}},
-                                       0.0);
+    CandidateDraft candidate = candidate_of({{member.name,
+                                              Family::screws,
+                                              row,
+                                              pieces,
+                                              0.0,
+                                              prices.line(t, row, pieces, 0.0),
+                                              pieces * screw_mass(readings[0])}},
+                                            0.0);
     if (t.has_ranges())  // the size of a screw is exact, and with it its mass
       candidate.ranges =
           candidate_ranges(readings_of([&](const char* name) { return t.range(column(Family::screws, name), row); }),

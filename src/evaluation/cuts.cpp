@@ -11,7 +11,7 @@ const machine::Axis* axis_named(const machine::Problem& problem, const std::stri
   return nullptr;
 }
 
-const machine::Member* member_named(const machine::Axis& axis, const std::string& name) {
+const machine::Member* member_named(const machine::Axis& axis, std::string_view name) {
   for (const machine::Member& member : axis.members)
     if (member.name == name) return &member;
   return nullptr;

@@ -87,8 +87,8 @@ SlotTable rack_table(const catalogue::Catalogue& catalogue, const machine::Axis&
 /// Fields of machine::PinionReading, in order.
 SlotTable pinion_table(const catalogue::Catalogue& catalogue, const PriceBook& prices);
 
-/// Candidate with these parts; `riding` kg of them move with the axis and `cabinet` kg burden no axis.
-Candidate candidate_of(std::vector<PartUse> parts, double riding, double cabinet = 0.0);
+/// A candidate with these parts; `riding` kg of them move with the axis and `cabinet` kg burden no axis.
+CandidateDraft candidate_of(std::vector<PartUse> parts, double riding, double cabinet = 0.0);
 
 /// Whether a row of the catalogue is this part, whoever sells it.
 bool is_part(const catalogue::Table& table, int row, const machine::PartName& part);

@@ -197,8 +197,8 @@ class ElementStage : public solver::Stage {
     for (std::size_t field = 0; field < table.fields(); ++field)
       readings.push_back(hull_of_ranges(rows, [&](solver::Row row) { return table.range(row, field); }));
     for (std::size_t i = 0; i < total_count; ++i)
-      readings.push_back(hull_of_ranges(
-          rows, [&](solver::Row row) { return range_of_total(table.candidate(row), static_cast<Total>(i)); }));
+      readings.push_back(
+          hull_of_ranges(rows, [&](solver::Row row) { return table.range(row, static_cast<Total>(i)); }));
   }
 
   void evaluate(const solver::Point& point, solver::Answer<double>& answer) const final {

@@ -67,7 +67,7 @@ GuideStage::GuideStage(const machine::Axis& axis,
     // Carriage and rail are one line: the carriages by piece, each rail cut to length.
     const double by_piece = std::isnan(t.price(row).piece) ? 0.0 : prices.line(t, row, choice.carriages, 0.0);
     const double price = by_piece + prices.cut(t, row, {{choice.rails, rail_length}});
-    Candidate candidate = candidate_of(
+    CandidateDraft candidate = candidate_of(
         {{"guide", Family::linear_guides, row, choice.carriages, rail_length, price, carriages + rails}}, carriages);
     if (t.has_ranges()) {
       const auto ranges = readings_of([&](catalogue::Column c) { return t.range(c, row); });

@@ -46,7 +46,7 @@ class Holder {
   }
 
  private:
-  const BomLine* line_for(const std::string& axis, const std::string& slot) const {
+  const BomLine* line_for(std::string_view axis, std::string_view slot) const {
     for (const BomLine* line : lines_)
       if (line->axis == axis && line->slot == slot) return line;
     return nullptr;
@@ -61,7 +61,7 @@ class Holder {
       if (held.allowed[slot].empty() || (apart && slot <= BeltDriveStage::idler_slot)) continue;
       // A belt is as long as the smallest pulleys that are left make it.
       const auto length = [&](solver::Row row) {
-        const std::vector<PartUse>& parts = entry.tables()[slot].candidate(row).parts;
+        const std::span<const PartUse> parts = entry.tables()[slot].candidate(row).parts;
         return parts.empty() ? 0.0 : parts.front().length;
       };
       report_too_little(entry,
@@ -219,7 +219,8 @@ class Holder {
     }
     if (is_stated(table)) {
       std::vector<std::string> names;
-      for (solver::Row row = 0; row < table.rows(); ++row) names.push_back(table.candidate(row).parts.front().stated);
+      for (solver::Row row = 0; row < table.rows(); ++row)
+        names.emplace_back(table.candidate(row).parts.front().stated);
       result_.problems.push_back(
           {given.front()->where,
            fmt::format("axis '{}' states no {} '{}'", entry.axis, table.name(), given.front()->part_number),
@@ -300,7 +301,7 @@ class Holder {
 std::vector<std::string> slots_of(const SlotTable& table) {
   std::vector<std::string> result;
   if (table.rows() > 0)
-    for (const PartUse& part : table.candidate(0).parts) result.push_back(part.slot);
+    for (const PartUse& part : table.candidate(0).parts) result.emplace_back(part.slot);
   if (!result.empty()) return result;
   if (table.name() == "screw") return {"screw", "nut"};
   if (table.name() == "motor") return {"motor", "driver"};

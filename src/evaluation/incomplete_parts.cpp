@@ -90,12 +90,17 @@ class Gathered {
 
   [[nodiscard]] std::vector<IncompleteParts> by_what_is_missing() const {
     std::vector<IncompleteParts> all;
+    std::map<Family, std::size_t> counts;
     for (const auto& [part, lacks] : lacking_) {
       const std::string family(catalogue::declaration(part.family).name);
       auto group = std::find_if(all.begin(), all.end(), [&, &missing = lacks](const IncompleteParts& each) {
         return each.family == family && each.missing == missing;
       });
-      if (group == all.end()) group = all.insert(group, {family, lacks, {}, parts_of(catalogue_.table(part.family))});
+      if (group == all.end()) {
+        const auto [count, is_new] = counts.try_emplace(part.family);
+        if (is_new) count->second = parts_of(catalogue_.table(part.family));
+        group = all.insert(group, {family, lacks, {}, count->second});
+      }
       group->parts.push_back(fmt::format("{} {}", part.maker, part.number));
     }
     std::stable_sort(all.begin(), all.end(), [](const IncompleteParts& a, const IncompleteParts& b) {
@@ -115,7 +120,7 @@ class Gathered {
     const Table& table = catalogue_.table(row.family);
     return {row.family, table.manufacturer(row.row), table.part_number(row.row)};
   }
-  /// Of the families of which something was left out.
+  /// Of those that were left out: another offer of the part may serve.
   [[nodiscard]] std::set<Part> usable_parts(const SlotTable& slot) const {
     std::map<Family, std::vector<bool>> rows;  // most stand in many pairs
     for (const IncompleteRow& row : slot.incomplete())
@@ -123,17 +128,20 @@ class Gathered {
     for (const CatalogueRow& row : slot.added())
       if (const auto found = rows.find(row.family); found != rows.end())
         found->second[static_cast<std::size_t>(row.row)] = true;
-    std::set<Part> parts;
+    std::set<Part> incomplete, parts;
+    for (const IncompleteRow& row : slot.incomplete()) incomplete.insert(part_of(row.part));
     for (const auto& [family, added] : rows)
       for (std::size_t row = 0; row < added.size(); ++row)
-        if (added[row]) parts.insert(part_of({family, static_cast<int>(row)}));
+        if (const Part part = part_of({family, static_cast<int>(row)}); added[row] && incomplete.contains(part))
+          parts.insert(part);
     return parts;
   }
   /// How many there are, the offers of one counted once.
   static std::size_t parts_of(const Table& table) {
-    std::set<std::pair<std::string_view, std::string_view>> parts;
-    for (int row = 0; row < table.rows(); ++row) parts.insert({table.manufacturer(row), table.part_number(row)});
-    return parts.size();
+    std::vector<std::pair<std::string_view, std::string_view>> parts;
+    for (int row = 0; row < table.rows(); ++row) parts.emplace_back(table.manufacturer(row), table.part_number(row));
+    std::sort(parts.begin(), parts.end());
+    return static_cast<std::size_t>(std::unique(parts.begin(), parts.end()) - parts.begin());
   }
 
   const catalogue::Catalogue& catalogue_;

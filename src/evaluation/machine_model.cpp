@@ -295,16 +295,17 @@ void MachineModel::fix() {
   restricted_.emplace(searched_problem(), restriction_);
 }
 
-const Candidate& MachineModel::candidate(std::size_t stage, std::size_t slot, solver::Row row) const {
+Candidate MachineModel::candidate(std::size_t stage, std::size_t slot, solver::Row row) const {
   return entries_[stage].tables()[slot].candidate(restricted_ ? restriction_.stages[stage].allowed[slot][row] : row);
 }
 
 std::vector<solver::Row> MachineModel::covering_rows(std::size_t stage, std::size_t slot, solver::Row row) const {
   const SlotTable& table = entries_[stage].tables()[slot];
-  if (!restricted_) return table.candidate(row).covered_by;
+  const auto covering = table.covered_by(restricted_ ? restriction_.stages[stage].allowed[slot][row] : row);
+  if (!restricted_) return {covering.begin(), covering.end()};
   const std::vector<solver::Row>& allowed = restriction_.stages[stage].allowed[slot];
   std::vector<solver::Row> result;
-  for (const solver::Row by : table.candidate(allowed[row]).covered_by)
+  for (const solver::Row by : covering)
     if (const auto at = std::lower_bound(allowed.begin(), allowed.end(), by); at != allowed.end() && *at == by)
       result.push_back(static_cast<solver::Row>(at - allowed.begin()));
   return result;

@@ -118,7 +118,7 @@ class MachineModel {
   [[nodiscard]] std::vector<EmptySlot> empty_slots() const;
   [[nodiscard]] const ModelOptions& options() const { return options_; }
   /// The candidate of a row of problem().
-  [[nodiscard]] const Candidate& candidate(std::size_t stage, std::size_t slot, solver::Row row) const;
+  [[nodiscard]] Candidate candidate(std::size_t stage, std::size_t slot, solver::Row row) const;
   /// Rows of problem() that are never worse than this one by the objectives (solver/alternatives.h); known with
   /// `every_candidate`.
   [[nodiscard]] std::vector<solver::Row> covering_rows(std::size_t stage, std::size_t slot, solver::Row row) const;

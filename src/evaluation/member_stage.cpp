@@ -116,7 +116,7 @@ void MemberStage::take_sections(const catalogue::Catalogue& catalogue, const Pri
           m.kind == MemberKind::portal_frame
               ? std::vector<CutPieces>{{m.count, m.length}, {2.0 * m.count, m.column_height}}
               : std::vector<CutPieces>{{m.count, m.length}};
-      Candidate candidate =
+      CandidateDraft candidate =
           candidate_of({{m.name, family, row, m.count, piece, prices.cut(t, row, pieces), readings[5] * length}}, 0.0);
       if (t.has_ranges())
         candidate.ranges = candidate_ranges(readings_of([&](catalogue::Column c) { return t.range(c, row); }),

@@ -30,8 +30,8 @@ bool is_part(const catalogue::Table& table, int row, const machine::PartName& pa
          (part.manufacturer.empty() || table.manufacturer(row) == part.manufacturer);
 }
 
-Candidate candidate_of(std::vector<PartUse> parts, double riding, double cabinet) {
-  Candidate candidate;
+CandidateDraft candidate_of(std::vector<PartUse> parts, double riding, double cabinet) {
+  CandidateDraft candidate;
   candidate.parts = std::move(parts);
   for (const PartUse& part : candidate.parts) {
     candidate.price += part.price;
@@ -223,10 +223,11 @@ class MotorPairs {
       pair.at_voltage.push_back(f);
       pair.curve.push_back(governing_curve(curves_, maker, part, v, std::min(driver.peak_current, current)));
     }
-    Candidate candidate = candidate_of({{"motor", Family::steppers, motor.row, 1.0, 0.0, motor.price, motor.mass},
-                                        {"driver", Family::drivers, driver.row, 1.0, 0.0, driver.price, driver.mass}},
-                                       0.0,
-                                       driver.mass);
+    CandidateDraft candidate =
+        candidate_of({{"motor", Family::steppers, motor.row, 1.0, 0.0, motor.price, motor.mass},
+                      {"driver", Family::drivers, driver.row, 1.0, 0.0, driver.price, driver.mass}},
+                     0.0,
+                     driver.mass);
     if (motors_.has_ranges() || driver_table_.has_ranges() || curve_table_.has_ranges())
       add_ranges(motor, driver, current, pair, candidate);
     if (!axis_.motor.currents.empty()) candidate.settings.push_back({"motor_current", current, "A"});
@@ -235,7 +236,8 @@ class MotorPairs {
   }
 
   /// The same with figures that are intervals. Which curve governs hangs on the current that is set.
-  void add_ranges(const Motor& motor, const Driver& driver, double current, MotorPair& pair, Candidate& candidate) {
+  void add_ranges(
+      const Motor& motor, const Driver& driver, double current, MotorPair& pair, CandidateDraft& candidate) {
     using scalar::Interval;
     const auto range = [&](const char* name) { return motors_.range(column(Family::steppers, name), motor.row); };
     MotorRanges of_pair;

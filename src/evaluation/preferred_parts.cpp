@@ -15,7 +15,7 @@ double preference_of(const catalogue::Catalogue& catalogue, const PriceBook& pri
 bool any_preferred(const catalogue::Catalogue& catalogue, const PriceBook& prices, std::span<const SlotTable> tables) {
   for (const SlotTable& table : tables)
     for (std::size_t row = 0; row < table.rows(); ++row) {
-      const std::vector<PartUse>& parts = table.candidate(row).parts;
+      const std::span<const PartUse> parts = table.candidate(row).parts;
       const auto preferred = [&](const PartUse& use) { return preference_of(catalogue, prices, use) < 1.0; };
       if (std::any_of(parts.begin(), parts.end(), preferred)) return true;
     }

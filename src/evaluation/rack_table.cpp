@@ -46,7 +46,7 @@ SlotTable rack_table(const catalogue::Catalogue& catalogue, const machine::Axis&
     };
     const std::array<double, machine::rack_reading_fields> readings = readings_of(number);
     const double mass = readings.back();
-    Candidate candidate = candidate_of(
+    CandidateDraft candidate = candidate_of(
         {{"rack", Family::racks, row, pieces, piece, prices.line(t, row, 0.0, pieces * piece), mass}}, 0.0);
     if (t.has_ranges()) {
       const auto ranges = readings_of([&](catalogue::Column c) { return t.range(c, row); });
@@ -75,7 +75,7 @@ SlotTable pinion_table(const catalogue::Catalogue& catalogue, const PriceBook& p
                         figure(column(Family::pinions, "inertia"))};
     };
     const std::array<double, machine::pinion_reading_fields> readings = readings_of(number);
-    Candidate candidate =
+    CandidateDraft candidate =
         candidate_of({{"pinion", Family::pinions, row, 1.0, 0.0, prices.line(t, row, 1.0, 0.0), mass}}, 0.0);
     if (t.has_ranges())
       candidate.ranges = candidate_ranges(readings_of([&](catalogue::Column c) { return t.range(c, row); }),

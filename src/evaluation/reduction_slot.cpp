@@ -32,14 +32,14 @@ ReductionSlot::ReductionSlot(const machine::Axis& axis, const PriceBook& prices)
     readings_.push_back(readings_of(r));
     PartUse use;
     use.slot = "reduction";
-    use.stated = r.name.empty() ? PartUse::unnamed : r.name;
+    use.stated = r.name.empty() ? PartUse::unnamed : std::string_view(r.name);
     use.price = r.price > 0.0 ? r.price * prices.rate(r.currency) : 0.0;
     use.mass = r.mass;
     // Where the motor rides, the drive's own moved mass has it; the parent bears it either way.
-    Candidate candidate;
+    CandidateDraft candidate;
     candidate.price = use.price;
     candidate.mass = candidate.standing_mass = use.mass;
-    candidate.parts.push_back(std::move(use));
+    candidate.parts.push_back(use);
     table_.add(std::move(candidate), {});
   }
   const auto [least, largest] = std::minmax_element(

@@ -9,18 +9,12 @@ namespace millwright::evaluation {
 
 bool same_candidate(const Candidate& a, const Candidate& b) {
   return a.form == b.form &&
-         std::equal(a.parts.begin(),
-                    a.parts.end(),
-                    b.parts.begin(),
-                    b.parts.end(),
-                    [](const PartUse& x, const PartUse& y) {
-                      return x.slot == y.slot && x.family == y.family && x.row == y.row && x.stated == y.stated;
-                    }) &&
-         std::equal(a.settings.begin(),
-                    a.settings.end(),
-                    b.settings.begin(),
-                    b.settings.end(),
-                    [](const Setting& x, const Setting& y) { return x.name == y.name && x.value == y.value; });
+         std::ranges::equal(a.parts,
+                            b.parts,
+                            [](const PartUse& x, const PartUse& y) {
+                              return x.slot == y.slot && x.family == y.family && x.row == y.row && x.stated == y.stated;
+                            }) &&
+         std::ranges::equal(a.settings, b.settings);
 }
 
 namespace {

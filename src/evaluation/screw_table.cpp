@@ -59,7 +59,7 @@ bool finish(ScrewTable& result,
             const ScrewFigures<double>& figures,
             const ScrewFigures<Interval>* ranges,
             ScrewTable::Pair pair,
-            Candidate candidate) {
+            CandidateDraft candidate) {
   const machine::ScrewSite& site = result.sites[static_cast<std::size_t>(kind)];
   const machine::ScrewReading<double> reading = screw_reading(figures, site);
   const std::vector<double> values = flat(reading);

@@ -10,7 +10,7 @@ namespace {
 
 /// Equal for candidates that differ only in who sells their parts.
 std::string name_of(const catalogue::Catalogue& catalogue, const Candidate& candidate) {
-  std::string name = candidate.form;
+  std::string name(candidate.form);
   for (const PartUse& use : candidate.parts) {
     const catalogue::Table& table = catalogue.table(use.family);
     name += use.stated.empty()

@@ -12,6 +12,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "catalogue/family.h"
@@ -20,9 +21,10 @@
 
 namespace millwright::evaluation {
 
-/// One line that a candidate puts on the bill of materials.
+/// One line that a candidate puts on the bill of materials. There are hundreds of thousands of them: their words are
+/// kept by the table that they stand in.
 struct PartUse {
-  std::string slot;  ///< "screw", "nut", ...
+  std::string_view slot;  ///< "screw", "nut", ...
   catalogue::Family family{};
   int row = 0;            ///< in the catalogue's table
   double quantity = 1.0;  ///< pieces in the machine
@@ -30,19 +32,20 @@ struct PartUse {
   double price = 0.0;     ///< of the line, in the problem's currency
   double mass = 0.0;      ///< kg, of the line
   /// What the problem itself states is of no catalogue: its name there; empty for everything else.
-  std::string stated = {};
+  std::string_view stated = {};
   double spares = 0.0;  ///< pieces bought beside those in the machine: priced, not weighed
   [[nodiscard]] double pieces() const { return quantity + spares; }
   [[nodiscard]] bool is_named() const { return stated != unnamed; }
   /// What stands for the name of the only one there is.
-  static constexpr const char* unnamed = "as the problem states it";
+  static constexpr std::string_view unnamed = "as the problem states it";
 };
 
 /// What is set at a part and neither bought nor weighed: the current of a driver.
 struct Setting {
-  std::string name;
-  double value = 0.0;  ///< SI
-  std::string unit;    ///< SI unit
+  std::string_view name;  ///< lives as long as the program
+  double value = 0.0;     ///< SI
+  std::string_view unit;  ///< SI unit; lives as long as the program
+  friend bool operator==(const Setting&, const Setting&) = default;
 };
 
 /// What is added up over the slots of a stage.
@@ -56,7 +59,8 @@ struct CandidateRanges {
   std::array<scalar::Interval, total_count> totals = {};  ///< by Total
 };
 
-struct Candidate {
+/// A candidate before it stands in a table.
+struct CandidateDraft {
   std::vector<PartUse> parts;  ///< none: nothing is bought here, since another slot's part serves
   std::vector<Setting> settings;
   std::string form;  ///< tells apart what is the same parts: a belt for pulleys of one size or another
@@ -64,10 +68,16 @@ struct Candidate {
   double mass = 0.0;           ///< kg, of all its parts
   double riding_mass = 0.0;    ///< kg that moves with the axis
   double standing_mass = 0.0;  ///< kg on the axis's parent; the rest (a driver in its cabinet) burdens nobody
-  /// Rows of the same table that are never worse, whatever else is chosen; where such rows are left out there are none.
-  std::vector<solver::Row> covered_by;
   /// Null where every figure is what it is: then the numbers above and the readings say all.
   std::shared_ptr<const CandidateRanges> ranges = {};
+};
+
+/// A candidate as it stands in a table, and while that lives and is not changed.
+struct Candidate {
+  std::span<const PartUse> parts;
+  std::span<const Setting> settings;
+  std::string_view form;
+  double price = 0.0, mass = 0.0;
 };
 
 /// A row of a catalogue's table.
@@ -85,31 +95,9 @@ struct IncompleteRow {
 
 /// Whether nothing that a check reads is missing (NaN) - neither of the readings nor `also` nor the mass - and the
 /// price is a number.
-inline bool can_be_added(const Candidate& candidate, std::span<const double> readings, double also = 0.0) {
+inline bool can_be_added(const CandidateDraft& candidate, std::span<const double> readings, double also = 0.0) {
   return std::isfinite(candidate.price) && !std::isnan(candidate.mass + also) &&
          std::none_of(readings.begin(), readings.end(), [](double x) { return std::isnan(x); });
-}
-
-inline double total_of(const Candidate& candidate, Total what) {
-  switch (what) {
-    case Total::price:
-      return candidate.price;
-    case Total::mass:
-      return candidate.mass;
-    case Total::riding_mass:
-      return candidate.riding_mass;
-    case Total::standing_mass:
-      return candidate.standing_mass;
-    case Total::burden:  // on the axis's parent
-      return candidate.riding_mass + candidate.standing_mass;
-  }
-  return 0.0;
-}
-
-/// The interval of a total: the number itself where no range is given.
-inline scalar::Interval range_of_total(const Candidate& candidate, Total what) {
-  return candidate.ranges ? candidate.ranges->totals[static_cast<std::size_t>(what)]
-                          : scalar::Interval(total_of(candidate, what));
 }
 
 /// The ranges of a candidate with these readings: masses [kg] that ride, that stand on the parent, and of the rest.
@@ -124,46 +112,38 @@ inline std::shared_ptr<const CandidateRanges> candidate_ranges(std::span<const s
   return ranges;
 }
 
-/// So many of a candidate.
-inline Candidate times(double count, Candidate candidate) {
-  if (candidate.ranges) {
-    auto ranges = std::make_shared<CandidateRanges>(*candidate.ranges);
-    for (scalar::Interval& total : ranges->totals) total = count * total;
-    candidate.ranges = std::move(ranges);
-  }
-  for (PartUse& part : candidate.parts) {
-    part.quantity *= count;
-    part.price *= count;
-    part.mass *= count;
-  }
-  candidate.price *= count;
-  candidate.mass *= count;
-  candidate.riding_mass *= count;
-  candidate.standing_mass *= count;
-  return candidate;
-}
-
 class SlotTable {
  public:
   explicit SlotTable(std::string name = {}, std::size_t fields = 0) : name_(std::move(name)), fields_(fields) {}
 
   void reserve(std::size_t rows) {
-    candidates_.reserve(rows);
+    parts_end_.reserve(rows);
     numbers_.reserve(rows * width());
   }
   /// Adds a candidate with its readings, as many as fields.
-  void add(Candidate candidate, std::span<const double> readings) {
-    has_ranges_ = has_ranges_ || candidate.ranges != nullptr;
-    for (const PartUse& part : candidate.parts)
-      if (part.stated.empty()) note(added_, {part.family, part.row}, [](const CatalogueRow& row) { return row; });
-    candidates_.push_back(std::move(candidate));
+  void add(CandidateDraft candidate, std::span<const double> readings) {
+    const std::size_t row = rows();
+    for (PartUse& part : candidate.parts) {
+      if (part.stated.empty()) note(added_, {part.family, part.row}, [](const CatalogueRow& each) { return each; });
+      part.slot = kept_word(part.slot);
+      part.stated = kept_word(part.stated);
+      parts_.push_back(part);
+    }
+    parts_end_.push_back(static_cast<std::uint32_t>(parts_.size()));
+    put(forms_, row, std::move(candidate.form));
+    put(settings_, row, std::move(candidate.settings));
     numbers_.insert(numbers_.end(), readings.begin(), readings.end());
-    numbers_.resize(candidates_.size() * width());
-    note_totals(candidates_.size() - 1);
+    numbers_.insert(numbers_.end(),
+                    {candidate.price,
+                     candidate.mass,
+                     candidate.riding_mass,
+                     candidate.standing_mass,
+                     candidate.riding_mass + candidate.standing_mass});
+    put(ranges_, row, std::move(candidate.ranges));
   }
   /// Whether a candidate can be added (can_be_added). Where something is missing its rows are noted as incomplete;
   /// `missing`: the figures that they do not have.
-  bool admits(const Candidate& candidate,
+  bool admits(const CandidateDraft& candidate,
               std::span<const double> readings,
               const std::vector<catalogue::Column>& missing,
               double also = 0.0) {
@@ -181,23 +161,30 @@ class SlotTable {
   [[nodiscard]] std::span<const IncompleteRow> incomplete() const { return incomplete_; }
   [[nodiscard]] const std::string& name() const { return name_; }
   /// What a candidate puts on the bill of materials. Its total price is changed by add_to_price.
-  [[nodiscard]] std::span<PartUse> change_parts(std::size_t row) { return candidates_[row].parts; }
+  [[nodiscard]] std::span<PartUse> change_parts(std::size_t row) {
+    return std::span(parts_).subspan(parts_begin(row), parts_end_[row] - parts_begin(row));
+  }
   /// Makes a candidate dearer, or cheaper.
   void add_to_price(std::size_t row, double more) {
-    Candidate& candidate = candidates_[row];
-    candidate.price += more;
-    if (candidate.ranges) {
-      auto ranges = std::make_shared<CandidateRanges>(*candidate.ranges);
-      scalar::Interval& price = ranges->totals[static_cast<std::size_t>(Total::price)];
-      price = price + scalar::Interval(more);
-      candidate.ranges = std::move(ranges);
-    }
-    note_totals(row);
+    change_total(row, Total::price) += more;
+    if (row >= ranges_.size() || !ranges_[row]) return;
+    auto ranges = std::make_shared<CandidateRanges>(*ranges_[row]);
+    scalar::Interval& price = ranges->totals[static_cast<std::size_t>(Total::price)];
+    price = price + scalar::Interval(more);
+    ranges_[row] = std::move(ranges);
   }
-  /// Says which rows are never worse than this one.
-  void cover(std::size_t row, std::vector<solver::Row> by) { candidates_[row].covered_by = std::move(by); }
-  [[nodiscard]] std::size_t rows() const { return candidates_.size(); }
-  [[nodiscard]] const Candidate& candidate(std::size_t row) const { return candidates_[row]; }
+  /// Says which rows are never worse than this one, whatever else is chosen; where such rows are left out there are
+  /// none.
+  void cover(std::size_t row, std::vector<solver::Row> by) { put(covered_by_, row, std::move(by)); }
+  [[nodiscard]] std::span<const solver::Row> covered_by(std::size_t row) const { return said_of(covered_by_, row); }
+  [[nodiscard]] std::size_t rows() const { return parts_end_.size(); }
+  [[nodiscard]] Candidate candidate(std::size_t row) const {
+    return {std::span(parts_).subspan(parts_begin(row), parts_end_[row] - parts_begin(row)),
+            said_of(settings_, row),
+            said_of(forms_, row),
+            total(row, Total::price),
+            total(row, Total::mass)};
+  }
   /// All numbers of a row, side by side: its readings, then its totals.
   [[nodiscard]] const double* numbers(std::size_t row) const { return numbers_.data() + row * width(); }
   [[nodiscard]] std::size_t width() const { return fields_ + total_count; }
@@ -207,11 +194,15 @@ class SlotTable {
   }
   /// The interval of a reading: the number itself where no range is given.
   [[nodiscard]] scalar::Interval range(std::size_t row, std::size_t field) const {
-    const auto& ranges = candidates_[row].ranges;
-    return ranges ? ranges->readings[field] : scalar::Interval(reading(row, field));
+    return row < ranges_.size() && ranges_[row] ? ranges_[row]->readings[field] : scalar::Interval(reading(row, field));
+  }
+  /// The same of a total.
+  [[nodiscard]] scalar::Interval range(std::size_t row, Total what) const {
+    return row < ranges_.size() && ranges_[row] ? ranges_[row]->totals[static_cast<std::size_t>(what)]
+                                                : scalar::Interval(total(row, what));
   }
   /// Whether a candidate has ranges.
-  [[nodiscard]] bool has_ranges() const { return has_ranges_; }
+  [[nodiscard]] bool has_ranges() const { return !ranges_.empty(); }
   [[nodiscard]] std::size_t fields() const { return fields_; }
   /// Of a reading over rows alive.
   template <class T>
@@ -220,26 +211,40 @@ class SlotTable {
   /// Takes so many of every candidate; the readings stay those of one.
   void multiply(double count) {
     if (count == 1.0) return;
-    for (std::size_t row = 0; row < candidates_.size(); ++row) {
-      candidates_[row] = times(count, std::move(candidates_[row]));
-      note_totals(row);
+    for (PartUse& part : parts_) {
+      part.quantity *= count;
+      part.price *= count;
+      part.mass *= count;
+    }
+    for (std::size_t row = 0; row < rows(); ++row)
+      for (std::size_t i = 0; i < total_count; ++i) change_total(row, static_cast<Total>(i)) *= count;
+    for (auto& each : ranges_) {
+      if (!each) continue;
+      auto ranges = std::make_shared<CandidateRanges>(*each);
+      for (scalar::Interval& total : ranges->totals) total = count * total;
+      each = std::move(ranges);
     }
   }
 
   /// Keeps only the candidates for which keep(row) holds.
   template <class Keep>
   void filter(Keep&& keep) {
-    std::size_t to = 0;
-    for (std::size_t row = 0; row < candidates_.size(); ++row) {
+    SlotTable kept(name_, fields_);
+    kept.added_ = std::move(added_);
+    kept.incomplete_ = std::move(incomplete_);
+    kept.words_ = std::move(words_);
+    for (std::size_t row = 0; row < rows(); ++row) {
       if (!keep(row)) continue;
-      if (to != row) {
-        candidates_[to] = std::move(candidates_[row]);
-        std::copy_n(numbers(row), width(), numbers_.begin() + static_cast<std::ptrdiff_t>(to * width()));
-      }
-      ++to;
+      const std::size_t to = kept.rows();
+      const std::span<const PartUse> parts = candidate(row).parts;
+      kept.parts_.insert(kept.parts_.end(), parts.begin(), parts.end());
+      kept.parts_end_.push_back(static_cast<std::uint32_t>(kept.parts_.size()));
+      kept.numbers_.insert(kept.numbers_.end(), numbers(row), numbers(row) + width());
+      if (row < forms_.size()) put(kept.forms_, to, std::move(forms_[row]));
+      if (row < settings_.size()) put(kept.settings_, to, std::move(settings_[row]));
+      if (row < ranges_.size()) put(kept.ranges_, to, std::move(ranges_[row]));
     }
-    candidates_.resize(to);
-    numbers_.resize(to * width());
+    *this = std::move(kept);
   }
 
  private:
@@ -251,18 +256,44 @@ class SlotTable {
     notes.push_back(std::move(next));
   }
 
-  void note_totals(std::size_t row) {
-    double* const totals = numbers_.data() + row * width() + fields_;
-    for (std::size_t i = 0; i < total_count; ++i) totals[i] = total_of(candidates_[row], static_cast<Total>(i));
+  /// Notes what few rows have; up to the last of them there is a place for each.
+  template <class Said>
+  static void put(std::vector<Said>& of_rows, std::size_t row, Said said) {
+    if (said == Said{}) return;
+    if (of_rows.size() <= row) of_rows.resize(row + 1);
+    of_rows[row] = std::move(said);
+  }
+  template <class Said>
+  static const Said& said_of(const std::vector<Said>& of_rows, std::size_t row) {
+    static const Said nothing{};
+    return row < of_rows.size() ? of_rows[row] : nothing;
+  }
+
+  [[nodiscard]] std::size_t parts_begin(std::size_t row) const { return row == 0 ? 0 : parts_end_[row - 1]; }
+  double& change_total(std::size_t row, Total what) {
+    return numbers_[row * width() + fields_ + static_cast<std::size_t>(what)];
+  }
+  /// The same word, where it lives as long as the table and all its copies.
+  std::string_view kept_word(std::string_view word) {
+    if (word.empty()) return {};
+    for (const auto& known : words_)
+      if (*known == word) return *known;
+    words_.push_back(std::make_shared<const std::string>(word));
+    return *words_.back();
   }
 
   std::string name_;
   std::size_t fields_ = 0;
-  bool has_ranges_ = false;
-  std::vector<Candidate> candidates_;
+  std::vector<std::shared_ptr<const std::string>> words_;
+  std::vector<PartUse> parts_;            ///< row by row
+  std::vector<std::uint32_t> parts_end_;  ///< [row]
+  std::vector<std::string> forms_;
+  std::vector<std::vector<Setting>> settings_;
+  std::vector<std::vector<solver::Row>> covered_by_;
+  std::vector<std::shared_ptr<const CandidateRanges>> ranges_;
   std::vector<CatalogueRow> added_;
   std::vector<IncompleteRow> incomplete_;
-  std::vector<double> numbers_;  ///< row by row; totals stand here again because long tables are read by these alone
+  std::vector<double> numbers_;  ///< row by row: readings, then totals; long tables are read by these alone
 };
 
 /// Rows alive of every slot; a single design has one each.

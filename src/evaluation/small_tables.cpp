@@ -39,14 +39,14 @@ SlotTable coupling_table(const catalogue::Catalogue& catalogue, const PriceBook&
                         figure(column(Family::couplings, "axial_misalignment"))};
     };
     const std::array<double, 9> readings = readings_of(number);
-    Candidate candidate = candidate_of({{"coupling",
-                                         Family::couplings,
-                                         row,
-                                         1.0,
-                                         0.0,
-                                         prices.line(t, row, 1.0, 0.0),
-                                         number(column(Family::couplings, "mass"))}},
-                                       0.0);
+    CandidateDraft candidate = candidate_of({{"coupling",
+                                              Family::couplings,
+                                              row,
+                                              1.0,
+                                              0.0,
+                                              prices.line(t, row, 1.0, 0.0),
+                                              number(column(Family::couplings, "mass"))}},
+                                            0.0);
     if (t.has_ranges())
       candidate.ranges =
           candidate_ranges(readings_of(range), candidate.price, {}, range(column(Family::couplings, "mass")));
@@ -87,14 +87,14 @@ SlotTable support_table(const catalogue::Catalogue& catalogue,
       return readings;
     };
     const std::array<double, 5> readings = readings_of(number);
-    Candidate candidate = candidate_of({{slot,
-                                         Family::support_bearings,
-                                         row,
-                                         1.0,
-                                         0.0,
-                                         prices.line(t, row, 1.0, 0.0),
-                                         number(column(Family::support_bearings, "mass"))}},
-                                       0.0);
+    CandidateDraft candidate = candidate_of({{slot,
+                                              Family::support_bearings,
+                                              row,
+                                              1.0,
+                                              0.0,
+                                              prices.line(t, row, 1.0, 0.0),
+                                              number(column(Family::support_bearings, "mass"))}},
+                                            0.0);
     if (t.has_ranges())
       candidate.ranges =
           candidate_ranges(readings_of(range), candidate.price, {}, range(column(Family::support_bearings, "mass")));

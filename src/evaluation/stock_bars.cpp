@@ -214,7 +214,8 @@ void StockBarsLedger::take(StockBars::Place place,
   const auto stock = bars_.stock_of(place, use);
   if (!stock) return;
   for (const Cut& cut : cuts)
-    for (double piece = 0.5; piece < cut.count; piece += 1.0) pieces_[*stock].push_back({axis, use.slot, cut.length});
+    for (double piece = 0.5; piece < cut.count; piece += 1.0)
+      pieces_[*stock].push_back({axis, std::string(use.slot), cut.length});
 }
 
 void StockBarsLedger::finish() {

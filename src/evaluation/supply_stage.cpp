@@ -29,7 +29,7 @@ SupplyStage::SupplyStage(const std::vector<double>& voltages,
                                          number(column(Family::power_supplies, "output_voltage")),
                                          number(column(Family::power_supplies, "output_current"))};
     const double mass = number(column(Family::power_supplies, "mass"));
-    Candidate candidate =
+    CandidateDraft candidate =
         candidate_of({{"supply", Family::power_supplies, row, 1.0, 0.0, prices.line(t, row, 1.0, 0.0), mass}}, 0.0);
     if (t.has_ranges())
       candidate.ranges = candidate_ranges(std::array{t.range(column(Family::power_supplies, "power"), row),

@@ -35,14 +35,6 @@ void keep_only(Catalogue& catalogue, Keep&& keep) {
   catalogue.drop(dropped);
 }
 
-bool same_settings(const Candidate& a, const Candidate& b) {
-  return std::equal(a.settings.begin(),
-                    a.settings.end(),
-                    b.settings.begin(),
-                    b.settings.end(),
-                    [](const Setting& x, const Setting& y) { return x.name == y.name && x.value == y.value; });
-}
-
 }  // namespace
 
 TolerancedMachine::TolerancedMachine(const MachineModel& model, const solver::Build& build)
@@ -82,7 +74,7 @@ void TolerancedMachine::take_parts(const MachineModel& model, const solver::Buil
       chosen_.back().push_back(candidate);
       for (const PartUse& use : candidate.parts) {
         if (!use.stated.empty()) continue;
-        const std::string place = entry.axis + "." + use.slot;
+        const std::string place = entry.axis + "." + std::string(use.slot);
         take(use.family, use.row, place);
         if (use.family != Family::steppers) continue;
         const Table& motors = model.catalogue().table(Family::steppers);
@@ -141,16 +133,12 @@ solver::Build TolerancedMachine::build_in(const MachineModel& model) const {
       const Candidate& wanted = chosen_[stage][slot];
       const SlotTable& table = model.entries()[stage].tables()[slot];
       const auto is_wanted = [&](const Candidate& candidate) {
-        return same_settings(candidate, wanted) &&
-               std::equal(candidate.parts.begin(),
-                          candidate.parts.end(),
-                          wanted.parts.begin(),
-                          wanted.parts.end(),
-                          [&](const PartUse& here, const PartUse& there) {
-                            if (here.slot != there.slot || here.stated != there.stated) return false;
-                            if (!here.stated.empty()) return true;
-                            return here.family == there.family && here.row == find(there.family, there.row)->row;
-                          });
+        return std::ranges::equal(candidate.settings, wanted.settings) &&
+               std::ranges::equal(candidate.parts, wanted.parts, [&](const PartUse& here, const PartUse& there) {
+                 if (here.slot != there.slot || here.stated != there.stated) return false;
+                 if (!here.stated.empty()) return true;
+                 return here.family == there.family && here.row == find(there.family, there.row)->row;
+               });
       };
       rows.emplace_back();
       for (std::size_t row = 0; row < table.rows(); ++row)

@@ -14,7 +14,7 @@ namespace millwright::evaluation {
 
 class TolerancedMachine {
  public:
-  /// `build` in rows of model.problem().
+  /// `build` in rows of model.problem(). The model has to outlive it.
   TolerancedMachine(const MachineModel& model, const solver::Build& build);
 
   [[nodiscard]] const std::vector<TolerancedFigure>& figures() const { return figures_; }
@@ -49,9 +49,9 @@ class TolerancedMachine {
   [[nodiscard]] const ChosenPart* find(catalogue::Family family, int row) const;
 
   machine::Problem problem_;
-  catalogue::Catalogue parts_;  ///< the chosen ones
-  solver::Build build_;         ///< in rows of the whole machine
-  std::vector<std::vector<Candidate>> chosen_;
+  catalogue::Catalogue parts_;                  ///< the chosen ones
+  solver::Build build_;                         ///< in rows of the whole machine
+  std::vector<std::vector<Candidate>> chosen_;  ///< [stage][slot], of the machine that was given
   std::vector<ChosenPart> chosen_parts_;
   std::vector<TolerancedFigure> figures_;
   std::size_t unstated_ = 0;

@@ -317,7 +317,7 @@ struct Problem {
 };
 
 /// Of the part that is chosen for a slot; both where a slot is named alone and with its axis.
-double spares_of(const Problem& problem, const std::string& axis, const std::string& slot);
+double spares_of(const Problem& problem, std::string_view axis, std::string_view slot);
 
 /// Why a quantity of this problem cannot be summed up, and what to do about it.
 struct Uncountable {

@@ -65,7 +65,7 @@ std::vector<std::string> catalogue_slots(const Axis& axis) {
   return slots;
 }
 
-double spares_of(const Problem& problem, const std::string& axis, const std::string& slot) {
+double spares_of(const Problem& problem, std::string_view axis, std::string_view slot) {
   double pieces = 0.0;
   for (const Spare& spare : problem.spares)
     if (spare.slot == slot && (spare.axis.empty() || spare.axis == axis)) pieces += spare.pieces;

@@ -282,10 +282,11 @@ TEST_CASE("Of motors and drivers that are given no others are looked at, unless 
     for (const evaluation::StageEntry& entry : model.entries())
       for (const evaluation::SlotTable& table : entry.tables())
         for (std::size_t row = 0; row < table.rows() && table.name() == "motor"; ++row) {
-          const std::vector<evaluation::PartUse>& use = table.candidate(row).parts;
+          const auto use = table.candidate(row).parts;
+          REQUIRE(use.size() == 2);
           names.push_back(fmt::format("{} {}",
-                                      parts().table(catalogue::Family::steppers).part_number(use.at(0).row),
-                                      parts().table(catalogue::Family::drivers).part_number(use.at(1).row)));
+                                      parts().table(catalogue::Family::steppers).part_number(use[0].row),
+                                      parts().table(catalogue::Family::drivers).part_number(use[1].row)));
         }
     std::sort(names.begin(), names.end());
     return names;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <numeric>
 #include <random>
+#include <utility>
 
 #include "catch.h"
 #include "evaluation/machines.h"
@@ -128,7 +129,7 @@ TEST_CASE("The torque table holds of every motor what it does in each range, and
 TEST_CASE("Tables of candidates keep readings and totals of every row through all changes") {
   evaluation::SlotTable table("slot", 2);
   const auto add = [&](double price, double riding, double standing, double a, double b) {
-    evaluation::Candidate candidate;
+    evaluation::CandidateDraft candidate;
     candidate.price = price;
     candidate.mass = riding + standing;
     candidate.riding_mass = riding;
@@ -154,6 +155,58 @@ TEST_CASE("Tables of candidates keep readings and totals of every row through al
     CHECK(table.total(row, standing_mass) == expected[row][5]);
     CHECK(table.total(row, burden) == expected[row][6]);
     CHECK(table.candidate(row).price == expected[row][2]);
+  }
+}
+
+TEST_CASE("Tables of candidates keep what few of them have, and the words that others gave them") {
+  evaluation::SlotTable table("slot", 0);
+  {
+    const std::string slot = "a slot with a name that is too long to stand in a string itself",
+                      stated = "by the problem";
+    for (int row = 0; row < 6; ++row) {
+      evaluation::CandidateDraft candidate;
+      for (int part = 0; part < row % 3; ++part) {
+        evaluation::PartUse use;
+        use.slot = slot;
+        use.row = 10 * row + part;
+        use.price = use.mass = row;
+        if (row == 4) use.stated = stated;
+        candidate.parts.push_back(use);
+      }
+      if (row == 2) candidate.form = "form";
+      if (row == 4) candidate.settings = {{"current", 2.0, "A"}};
+      if (row == 4) candidate.ranges = evaluation::candidate_ranges({}, 1.0, {1.0, 2.0}, scalar::Interval(3.0));
+      table.add(std::move(candidate), {});
+    }
+  }
+  CHECK(table.candidate(5).parts.size() == 2);
+  table.cover(4, {1, 2});
+  CHECK(table.covered_by(4).size() == 2);
+  CHECK(table.covered_by(3).empty());
+  CHECK(table.covered_by(5).empty());
+  table.multiply(3.0);
+  table.filter([](std::size_t row) { return row >= 2 && row != 3; });
+  const evaluation::SlotTable copy = std::exchange(table, evaluation::SlotTable());
+  REQUIRE(copy.rows() == 3);
+  CHECK(copy.has_ranges());
+  const std::size_t parts[] = {2, 1, 2}, rows[] = {2, 4, 5};
+  for (std::size_t row = 0; row < 3; ++row) {
+    INFO(row);
+    const evaluation::Candidate candidate = copy.candidate(row);
+    REQUIRE(candidate.parts.size() == parts[row]);
+    for (std::size_t part = 0; part < parts[row]; ++part) {
+      const evaluation::PartUse& use = candidate.parts[part];
+      CHECK(use.slot == "a slot with a name that is too long to stand in a string itself");
+      CHECK(use.row == static_cast<int>(10 * rows[row] + part));
+      CHECK(use.stated == (rows[row] == 4 ? "by the problem" : ""));
+      CHECK(use.quantity == 3.0);
+      CHECK(use.price == 3.0 * static_cast<double>(rows[row]));
+    }
+    CHECK(candidate.form == (rows[row] == 2 ? "form" : ""));
+    CHECK(candidate.settings.size() == (rows[row] == 4 ? 1U : 0U));
+    const scalar::Interval riding = copy.range(row, evaluation::Total::riding_mass);
+    CHECK(riding.lower == Approx(rows[row] == 4 ? 3.0 : 0.0));
+    CHECK(riding.upper == Approx(rows[row] == 4 ? 6.0 : 0.0));
   }
 }
 

@@ -37,7 +37,7 @@ struct Shelf {
   }
 };
 
-using Spares = std::function<double(const std::string& axis, const std::string& slot)>;
+using Spares = std::function<double(const std::string& axis, std::string_view slot)>;
 
 /// What a build costs less than the parts in it by themselves: less than nothing with spares.
 Discount saving(const MachineModel& model, const Shelf& shelf, const Spares& spares) {
@@ -109,7 +109,7 @@ TEST_CASE("With spare parts the cheapest build and the front equal those of all 
     machine::Problem everything = two_axes(load, lead_screws, "");
     for (machine::Axis& axis : everything.axes) axis.keep_every_candidate = true;
     const MachineModel plain(everything, tiny.parts());
-    const Exhaustive all(plain, saving(plain, shelf, [&](const std::string& axis, const std::string& slot) {
+    const Exhaustive all(plain, saving(plain, shelf, [&](const std::string& axis, std::string_view slot) {
                            if (slot == "motor") return motors;
                            if (slot == "coupling" && axis == "x") return couplings;
                            if (slot == "screw" && axis == "y") return screws;

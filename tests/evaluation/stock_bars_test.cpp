@@ -99,7 +99,7 @@ force = "40 N"
 }
 
 /// How many pieces a slot takes of its length.
-double count_of(const std::string& slot, double spares) { return (slot == "guide" ? 2.0 : 1.0) + spares; }
+double count_of(std::string_view slot, double spares) { return (slot == "guide" ? 2.0 : 1.0) + spares; }
 
 using Factors = std::map<std::string, double>;  ///< by part number: of its price, where builds are compared
 
@@ -308,7 +308,10 @@ Discount saving_with_shop(const MachineModel& model, const TermsOf& terms, const
         for (const evaluation::PartUse& use : model.candidate(stage, slot, rows[stage][slot]).parts) {
           if (!(use.length > 0.0)) continue;
           const catalogue::Table& table = model.catalogue().table(use.family);
-          lines.push_back({std::string(table.part_number(use.row)), use.slot, use.length, table.price(use.row).length});
+          lines.push_back({std::string(table.part_number(use.row)),
+                           std::string(use.slot),
+                           use.length,
+                           table.price(use.row).length});
           usual += count_of(use.slot, 0.0) * use.length * lines.back().metre;
         }
     double least = std::numeric_limits<double>::infinity();
