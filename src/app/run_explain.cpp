@@ -59,11 +59,11 @@ int run_explain(const Options& options) {
   if (!input || !writable || diagnostics.has_errors()) return exit_bad_input;
   const machine::Asked asked{input->problem, input->steering.fixed, input->steering.without, input->steering.limits};
   const catalogue::Catalogue& parts = input->whole_catalogue ? *input->whole_catalogue : input->catalogue;
-  const StopSignal stop(options.memory_limit);
   evaluation::SearchOptions how = search_options(options, objectives_of(options, *input));
-  how.stop = stop.stopped();
   evaluation::Explanation explanation;
   {
+    const StopSignal stop(options.memory_limit);
+    how.stop = stop.stopped();
     TrialsLine line(options.quiet);
     explanation = evaluation::explain(asked,
                                       parts,

@@ -5,6 +5,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
@@ -37,10 +38,11 @@ void handle(int signal, void (*handler)(int)) {
 StopSignal::StopSignal(double memory_limit) {
   stop_requested.store(false);
   for (const int signal : {SIGINT, SIGTERM}) handle(signal, request_stop);
-  memory_.emplace(static_cast<std::uint64_t>(std::ceil(memory_limit * gigabyte)), [this](const MemoryState& state) {
-    taken_.store(state.taken);
-    stop_requested.store(true);
-  });
+  memory_.emplace(static_cast<std::uint64_t>(std::ceil(std::min(memory_limit * gigabyte, 1e18))),
+                  [this](const MemoryState& state) {
+                    taken_.store(state.taken);
+                    stop_requested.store(true);
+                  });
 }
 
 StopSignal::~StopSignal() {
@@ -50,7 +52,7 @@ StopSignal::~StopSignal() {
   text::Diagnostics diagnostics;
   diagnostics.warning(
       {},
-      fmt::format("the search had taken {:.3g} GB of memory and was ended: what is said was known by then",
+      fmt::format("the search had taken {:.3g} GB of memory and was told to end: what is said was known by then",
                   static_cast<double>(taken_.load()) / gigabyte),
       "let it choose less (--fix, --limit, fewer dimensions), or more memory: --memory-limit");
   print(diagnostics);

@@ -13,7 +13,7 @@
 namespace millwright::catalogue {
 namespace {
 
-constexpr std::string_view file_name = "stock.csv";
+constexpr std::string_view stock_file_name = "stock.csv";
 namespace stock_fields {
 enum Field : std::size_t { manufacturer, part_number, owned, available };
 constexpr KnownColumn columns[] = {{"manufacturer"}, {"part_number", "", true}, {"owned"}, {"available"}};
@@ -27,7 +27,7 @@ class StockReader {
         catalogue_(catalogue),
         stock_(stock),
         diagnostics_(diagnostics),
-        reader_(csv, file_name, stock_fields::columns, diagnostics) {}
+        reader_(csv, stock_file_name, stock_fields::columns, diagnostics) {}
 
   void read() {
     if (!reader_.match_header()) return;
@@ -155,11 +155,11 @@ bool is_preferred(const Table& table, int row, const Stock& stock) {
   return table.text(column(table.family(), "availability"), row) == preferred;
 }
 
-bool is_stock_file(const std::filesystem::path& file) { return is_named(file, file_name); }
+bool is_stock_file(const std::filesystem::path& file) { return is_named(file, stock_file_name); }
 
 std::optional<std::filesystem::path> stock_file(const std::filesystem::path& place) {
   if (is_stock_file(place)) return place;
-  return named_in(place, file_name);
+  return named_in(place, stock_file_name);
 }
 
 void read_stock(const std::filesystem::path& file,

@@ -68,6 +68,30 @@ class MissingFigures {
   std::map<std::pair<Family, std::uint8_t>, bool> known_;
 };
 
+/// What parts lack, by family and name.
+using Lacking = std::map<std::pair<Family, std::string>, std::vector<std::string>>;
+
+std::vector<IncompleteParts> grouped(const Lacking& lacking, const std::map<Family, std::size_t>& known) {
+  std::vector<IncompleteParts> all;
+  for (const auto& [part, lacks] : lacking) {
+    const std::string family(catalogue::declaration(part.first).name);
+    auto group = std::find_if(all.begin(), all.end(), [&, &missing = lacks](const IncompleteParts& each) {
+      return each.family == family && each.missing == missing;
+    });
+    if (group == all.end()) group = all.insert(group, {family, lacks, {}, known.at(part.first)});
+    group->parts.push_back(part.second);
+  }
+  std::stable_sort(all.begin(), all.end(), [](const IncompleteParts& a, const IncompleteParts& b) {
+    const auto first = catalogue::find_family(a.family), second = catalogue::find_family(b.family);
+    return first != second ? first < second : a.parts.size() > b.parts.size();
+  });
+  return all;
+}
+
+void add_new(std::vector<std::string>& words, const std::string& word) {
+  if (std::find(words.begin(), words.end(), word) == words.end()) words.push_back(word);
+}
+
 /// Parts with what they lack, gathered slot by slot.
 class Gathered {
  public:
@@ -81,33 +105,19 @@ class Gathered {
       const Part part = part_of(row.part);
       if (usable.contains(part)) continue;
       std::vector<std::string>& lacks = lacking_[part];
-      for (const Column column : figures.of(row)) {
-        std::string name = column_name(column, row.part.family);
-        if (std::find(lacks.begin(), lacks.end(), name) == lacks.end()) lacks.push_back(std::move(name));
-      }
+      for (const Column column : figures.of(row)) add_new(lacks, column_name(column, row.part.family));
     }
   }
 
   [[nodiscard]] std::vector<IncompleteParts> by_what_is_missing() const {
-    std::vector<IncompleteParts> all;
-    std::map<Family, std::size_t> counts;
+    Lacking lacking;
+    std::map<Family, std::size_t> known;
     for (const auto& [part, lacks] : lacking_) {
-      const std::string family(catalogue::declaration(part.family).name);
-      auto group = std::find_if(all.begin(), all.end(), [&, &missing = lacks](const IncompleteParts& each) {
-        return each.family == family && each.missing == missing;
-      });
-      if (group == all.end()) {
-        const auto [count, is_new] = counts.try_emplace(part.family);
-        if (is_new) count->second = parts_of(catalogue_.table(part.family));
-        group = all.insert(group, {family, lacks, {}, count->second});
-      }
-      group->parts.push_back(fmt::format("{} {}", part.maker, part.number));
+      lacking[{part.family, fmt::format("{} {}", part.maker, part.number)}] = lacks;
+      if (const auto [count, is_new] = known.try_emplace(part.family); is_new)
+        count->second = parts_of(catalogue_.table(part.family));
     }
-    std::stable_sort(all.begin(), all.end(), [](const IncompleteParts& a, const IncompleteParts& b) {
-      const auto first = catalogue::find_family(a.family), second = catalogue::find_family(b.family);
-      return first != second ? first < second : a.parts.size() > b.parts.size();
-    });
-    return all;
+    return grouped(lacking, known);
   }
 
  private:
@@ -173,6 +183,19 @@ std::vector<IncompleteParts> incomplete_parts(const MachineModel& model, const H
       if (!held.stages[stage].named[slot]) gathered.add(slots[slot]);
   }
   return gathered.by_what_is_missing();
+}
+
+std::vector<IncompleteParts> united(std::span<const IncompleteParts> all) {
+  Lacking lacking;
+  std::map<Family, std::size_t> known;
+  for (const IncompleteParts& each : all) {
+    const Family family = catalogue::find_family(each.family).value();
+    known[family] = each.known;
+    for (const std::string& part : each.parts)
+      for (std::vector<std::string>& lacks = lacking[{family, part}]; const std::string& figure : each.missing)
+        add_new(lacks, figure);
+  }
+  return grouped(lacking, known);
 }
 
 std::vector<IncompleteParts> incomplete_parts(const catalogue::Catalogue& catalogue, const SlotTable& slot) {

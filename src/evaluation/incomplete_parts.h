@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,8 +32,11 @@ struct IncompleteParts {
 /// partner lacks something. A part that several offer is complete if one offer is.
 std::vector<IncompleteParts> incomplete_parts(const MachineModel& model);
 
-/// The same of the slots that a bill of materials leaves open.
+/// The same of the slots that a bill of materials leaves open. A pair is open as long as one of both is.
 std::vector<IncompleteParts> incomplete_parts(const MachineModel& model, const HeldParts& held);
+
+/// What several of these say together: each part once, with all that it lacks in one of them.
+std::vector<IncompleteParts> united(std::span<const IncompleteParts> all);
 
 /// The same of one slot.
 std::vector<IncompleteParts> incomplete_parts(const catalogue::Catalogue& catalogue, const SlotTable& slot);

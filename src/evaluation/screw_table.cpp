@@ -78,7 +78,7 @@ bool finish(ScrewTable& result,
 
 /// Pairs grow with the product of their parts: a table that moves while it grows touches twice the memory.
 void reserve(std::size_t more, ScrewTable& result) {
-  result.table.reserve(result.table.rows() + more);
+  result.table.reserve(result.table.rows() + more, 2);
   result.kinds.reserve(result.kinds.size() + more);
   result.pairs.reserve(result.pairs.size() + more);
 }
@@ -328,12 +328,13 @@ void add_lead_screws(const catalogue::Catalogue& catalogue,
   std::size_t pairs = 0;
   for (const LeadScrew& screw : with_nuts) pairs += screw.nuts.size();
   reserve(pairs, result);
-  for (const auto& [row, of_screw] : with_nuts) {
+  for (const LeadScrew& screw : with_nuts) {
+    const int row = screw.row;
     std::vector<catalogue::Column> missing;
     const ScrewFigures<double> base = lead_screw_figures(screws, row, FigureReader(screws, row, missing));
     const std::size_t first = result.pairs.size();
     std::map<double, double> price_of_cut;  // most nuts are as long as some other one
-    for (const LeadNuts::Nut* nut : of_screw) {
+    for (const LeadNuts::Nut* nut : screw.nuts) {
       ScrewFigures<double> f = base;
       take_nut_figures(f, nut->figures);
       std::optional<ScrewFigures<Interval>> ranges;

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -116,12 +117,15 @@ class SlotTable {
  public:
   explicit SlotTable(std::string name = {}, std::size_t fields = 0) : name_(std::move(name)), fields_(fields) {}
 
-  void reserve(std::size_t rows) {
+  /// Room for so many candidates, of so many parts each.
+  void reserve(std::size_t rows, std::size_t parts) {
     parts_end_.reserve(rows);
+    parts_.reserve(rows * parts);
     numbers_.reserve(rows * width());
   }
-  /// Adds a candidate with its readings, as many as fields.
+  /// Adds a candidate with its readings. Throws std::logic_error unless these are as many as fields.
   void add(CandidateDraft candidate, std::span<const double> readings) {
+    if (readings.size() != fields_) throw std::logic_error("not as many readings as " + name_ + " has fields");
     const std::size_t row = rows();
     for (PartUse& part : candidate.parts) {
       if (part.stated.empty()) note(added_, {part.family, part.row}, [](const CatalogueRow& each) { return each; });
@@ -216,8 +220,11 @@ class SlotTable {
       part.price *= count;
       part.mass *= count;
     }
-    for (std::size_t row = 0; row < rows(); ++row)
-      for (std::size_t i = 0; i < total_count; ++i) change_total(row, static_cast<Total>(i)) *= count;
+    for (std::size_t row = 0; row < rows(); ++row) {
+      for (const Total each : {Total::price, Total::mass, Total::riding_mass, Total::standing_mass})
+        change_total(row, each) *= count;
+      change_total(row, Total::burden) = total(row, Total::riding_mass) + total(row, Total::standing_mass);
+    }
     for (auto& each : ranges_) {
       if (!each) continue;
       auto ranges = std::make_shared<CandidateRanges>(*each);

@@ -44,7 +44,12 @@ void StockBars::find(std::size_t stage, const std::string& axis, std::span<const
   for (std::size_t slot = 0; slot < tables.size(); ++slot)
     for (std::size_t row = 0; row < tables[slot].rows(); ++row)
       for (const PartUse& use : tables[slot].candidate(row).parts)
-        if (is_cut(use)) found_[{use.family, use.row}][{stage, slot}].push_back(lengths_of(use, axis));
+        if (is_cut(use)) {
+          const Key key{use.family, use.row};
+          const auto [found, is_new] = found_.try_emplace(key);
+          if (is_new) in_order_.push_back(key);
+          found->second[{stage, slot}].push_back(lengths_of(use, axis));
+        }
   for (auto& [row, places] : found_)
     for (auto& [place, lengths] : places) {
       std::sort(lengths.begin(), lengths.end());
@@ -53,7 +58,7 @@ void StockBars::find(std::size_t stage, const std::string& axis, std::span<const
 }
 
 std::size_t StockBars::settle(std::size_t first_state) {
-  for (const auto& [row, places] : found_) settle_row(row, first_state);
+  for (const Key& row : in_order_) settle_row(row, first_state);
   packed_.clear();
   return components_;
 }

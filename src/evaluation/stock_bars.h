@@ -102,6 +102,7 @@ class StockBars {
   const machine::Problem& problem_;
   std::vector<std::string> axis_of_;  ///< [stage]
   std::map<Key, std::map<Place, std::vector<Lengths>>> found_;
+  std::vector<Key> in_order_;  ///< of found_, as candidates name them: not by where they stand in files
   std::map<std::pair<Key, Place>, Code> codes_;
   std::vector<BarStock> stocks_;
   /// Bars and metres of each code, of digits that several rows have in common.

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "catalogue/companions.h"
+#include "catalogue/part_order.h"
 #include "evaluation/ledger.h"
 #include "evaluation/longer_bars.h"
 #include "evaluation/same_parts.h"
@@ -66,6 +67,7 @@ void TolerancedMachine::take_parts(const MachineModel& model, const solver::Buil
     chosen_parts_.push_back({{family, row}, 0, {place}});
   };
   const Table& curves = model.catalogue().table(Family::stepper_curves);
+  const std::vector<int> curve_rows = catalogue::rows_in_order(curves);
   for (std::size_t stage = 0; stage < model.entries().size(); ++stage) {
     const StageEntry& entry = model.entries()[stage];
     chosen_.emplace_back();
@@ -78,7 +80,7 @@ void TolerancedMachine::take_parts(const MachineModel& model, const solver::Buil
         take(use.family, use.row, place);
         if (use.family != Family::steppers) continue;
         const Table& motors = model.catalogue().table(Family::steppers);
-        for (int row = 0; row < curves.rows(); ++row)
+        for (const int row : curve_rows)
           if (curves.part_number(row) == motors.part_number(use.row) &&
               curves.manufacturer(row) == motors.manufacturer(use.row))
             take(Family::stepper_curves, row, place);

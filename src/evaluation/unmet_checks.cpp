@@ -69,7 +69,7 @@ void name_nearest(const MachineModel& model, std::size_t stage, const LeastUtili
   check.slot = part.slot;
   const catalogue::Table& table = model.catalogue().table(part.family);
   const std::string maker(part.stated.empty() ? table.manufacturer(part.row) : std::string_view());
-  const std::string number(part.stated.empty() ? std::string(table.part_number(part.row)) : part.stated);
+  const std::string number(part.stated.empty() ? table.part_number(part.row) : part.stated);
   check.nearest = maker.empty() ? number : maker + " " + number;
 }
 

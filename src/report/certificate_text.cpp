@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <vector>
 
 #include "report/alternatives.h"
 #include "report/incomplete.h"

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "report/html.h"
+
 namespace millwright::report {
 namespace {
 
@@ -42,6 +44,10 @@ std::string incomplete_text(const std::vector<evaluation::IncompleteParts>& part
                        fmt::join(each.missing, ", "),
                        fmt::join(each.parts, "; ")));
   return out;
+}
+
+std::string incomplete_html(const std::vector<evaluation::IncompleteParts>& parts, const Texts& t) {
+  return parts.empty() ? std::string() : "<p class=\"hint\">" + escaped(incomplete_text(parts, Style{}, t)) + "</p>\n";
 }
 
 Json incomplete_of(const std::vector<evaluation::IncompleteParts>& parts) {

@@ -18,6 +18,9 @@ std::string incomplete_text(const std::vector<evaluation::IncompleteParts>& part
                             const Style& style,
                             const Texts& t = Texts(Language::english));
 
+/// The same in a page; not which.
+std::string incomplete_html(const std::vector<evaluation::IncompleteParts>& parts, const Texts& t);
+
 Json incomplete_of(const std::vector<evaluation::IncompleteParts>& parts);
 
 }  // namespace millwright::report

@@ -8,6 +8,7 @@
 #include "report/alternatives.h"
 #include "report/design_text.h"
 #include "report/html.h"
+#include "report/incomplete.h"
 #include "report/machine_text.h"
 #include "report/page.h"
 #include "report/page_parts.h"
@@ -205,7 +206,7 @@ std::string machine_page(const MachineResult& result,
     charts["axes"] = axis_charts(result, design, t);
   }
   body += catalogues_section(result, t);
-  if (kind != PageKind::check) body += certificate_section(result, t);
+  body += kind == PageKind::check ? incomplete_html(result.certificate.incomplete, t) : certificate_section(result, t);
   body += "</main>\n" + footer(designs_of(result), t);
   return document((result.title.empty() ? result.file : result.title) + " – Millwright", body, charts, json, t);
 }

@@ -239,8 +239,6 @@ std::string solve_text(const MachineResult& result, const Style& style) {
     out += "  Moves state their times, so every build takes as long: this is the cheapest.\n\n";
   out += parts_text(result, design, style) + dimensions_text(design, style) + alternatives_text(result, style);
   if (style.brief) return out;
-  std::string left_out = incomplete_text(result.certificate.incomplete, style);
-  if (!left_out.empty()) left_out += "\n";
   if (!style.full)
     return out + closest_checks_text(result, design, style) + tolerances_text(result, design, style) +
            certificate_text(result, style) + more_text(design);

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "report/bom_csv.h"
 #include "report/design_difference.h"
@@ -44,7 +43,7 @@ const char* status_word(const SweepPoint& point) { return point.solved ? to_stri
 }  // namespace
 
 std::string no_build_reason(const SweepPoint& point) {
-  if (!point.solved) return "time was up";
+  if (!point.solved) return "the search was ended before this value";
   if (point.design() != nullptr) return {};
   const MachineResult& result = point.result;
   if (result.status == Status::limit) return "no build was found before the search was ended";
@@ -62,20 +61,11 @@ std::string no_build_reason(const SweepPoint& point) {
 
 std::vector<evaluation::IncompleteParts> incomplete_in(const Sweep& sweep) {
   std::vector<evaluation::IncompleteParts> all;
-  for (const SweepPoint& point : sweep.points)
-    for (const evaluation::IncompleteParts& more : point.result.certificate.incomplete) {
-      const auto known = std::find_if(all.begin(), all.end(), [&](const evaluation::IncompleteParts& each) {
-        return each.family == more.family && each.missing == more.missing;
-      });
-      if (known == all.end()) {
-        all.push_back(more);
-        continue;
-      }
-      std::set<std::string> parts(known->parts.begin(), known->parts.end());
-      parts.insert(more.parts.begin(), more.parts.end());
-      known->parts.assign(parts.begin(), parts.end());
-    }
-  return all;
+  for (const SweepPoint& point : sweep.points) {
+    const auto& more = point.result.certificate.incomplete;
+    all.insert(all.end(), more.begin(), more.end());
+  }
+  return evaluation::united(all);
 }
 
 std::vector<std::string> sweep_changes(const Sweep& sweep) {

@@ -19,7 +19,7 @@ struct SweepPoint {
   std::string text;         ///< "0.2 s"
   MachineResult result;     ///< of solve at this value
   double cycle_time = 0.0;  ///< s, of the build; NaN without one
-  bool solved = true;       ///< false: time was up before it was its turn
+  bool solved = true;       ///< false: the search was ended before it was its turn
   const evaluation::Design* design() const { return result.designs.empty() ? nullptr : &result.designs.front(); }
   /// The answer, be it a build or that there is none, is proved.
   bool proved() const { return solved && result.status != Status::limit; }

@@ -248,11 +248,7 @@ std::string sweep_page(const Sweep& sweep, const std::string& json, Language lan
   std::vector<const evaluation::Design*> designs;
   for (const SweepPoint& point : sweep.points)
     if (point.design() != nullptr) designs.push_back(point.design());
-  const std::string incomplete = incomplete_text(incomplete_in(sweep), Style{}, t);
-  body += section("sweep",
-                  t("sweep"),
-                  charts(sweep, t) + table(sweep, t) +
-                      (incomplete.empty() ? "" : "<p class=\"hint\">" + escaped(incomplete) + "</p>\n"));
+  body += section("sweep", t("sweep"), charts(sweep, t) + table(sweep, t) + incomplete_html(incomplete_in(sweep), t));
   body += "</main>\n" + footer(designs, t);
   return document(title + " – Millwright", body, Json{{"language", code(language)}}, json, t);
 }

@@ -285,4 +285,27 @@ TEST_CASE("What the problem does not ask for is not incomplete, and neither is w
   CHECK(told(unknown, Family::linear_guides, "R12") == std::vector<std::string>{"block_length"});
 }
 
+TEST_CASE("What several ranges of parts say together names each part once") {
+  const std::vector<IncompleteParts> several{{"couplings", {"price"}, {"A 1", "B 2"}, 9},
+                                             {"linear_guides", {"mass"}, {"C 3"}, 7},
+                                             {"couplings", {"inertia"}, {"A 1", "B 1"}, 9},
+                                             {"couplings", {"price"}, {"B 2", "B 3"}, 9}};
+  const std::vector<IncompleteParts> all = evaluation::united(several);
+  REQUIRE(all.size() == 4);
+  CHECK(all[0].family == "couplings");
+  CHECK(all[0].missing == std::vector<std::string>{"price"});
+  CHECK(all[0].parts == std::vector<std::string>{"B 2", "B 3"});
+  CHECK(all[3].family == "linear_guides");
+  CHECK(all[3].parts == std::vector<std::string>{"C 3"});
+  CHECK(all[3].known == 7);
+  std::size_t both = 0;
+  for (const IncompleteParts& each : all)
+    if (each.missing == std::vector<std::string>{"price", "inertia"}) {
+      ++both;
+      CHECK(each.parts == std::vector<std::string>{"A 1"});
+    }
+  CHECK(both == 1);
+  CHECK(evaluation::united({}).empty());
+}
+
 }  // namespace incomplete_parts_test
