@@ -122,6 +122,22 @@ FoundParts Catalogue::find_named(std::string_view name) const {
   return found;
 }
 
+Catalogue Catalogue::only(const std::vector<Part>& parts) const {
+  std::vector<std::vector<int>> rows(family_count);
+  for (const Part& part : parts) rows[static_cast<std::size_t>(part.family)].push_back(part.row);
+  Catalogue result;
+  for (std::size_t family = 0; family < family_count; ++family) {
+    std::sort(rows[family].begin(), rows[family].end());
+    result.tables_[family] = tables_[family].only(rows[family]);
+  }
+  result.layers_ = layers_;
+  result.stock_ = stock_;
+  result.suppliers_ = suppliers_;
+  result.has_offers_ = has_offers_;
+  result.add_offers();
+  return result;
+}
+
 void Catalogue::drop(const std::vector<Part>& parts) {
   for (Table& table : tables_) {
     std::vector<bool> keep(static_cast<std::size_t>(table.rows()), true);

@@ -70,6 +70,9 @@ class Catalogue {
   /// The same for one text: a part number, or maker and part number with a blank between ("Mean Well LRS-50-24").
   FoundParts find_named(std::string_view name) const;
 
+  /// A catalogue of these parts and no others; rows of a family keep their order. With the same stock, suppliers and
+  /// offers.
+  Catalogue only(const std::vector<Part>& parts) const;
   /// Takes parts out, as if they were in none of the places.
   void drop(const std::vector<Part>& parts);
 

@@ -100,6 +100,7 @@ std::vector<PartLine> list_parts(const Table& table) {
                              table.part_number(row),
                              std::move(figures),
                              table.price(row),
+                             table.is_price_estimate(row),
                              table.confidence(row)});
   }
   return lines;

@@ -43,6 +43,7 @@ struct PartLine {
   std::string_view part_number;
   std::string figures;  ///< "holding_torque 1.26 N.m, rated_current 2.8 A"
   Price price;
+  bool price_estimate = false;
   std::string_view confidence;
 };
 std::vector<PartLine> list_parts(const Table& table);

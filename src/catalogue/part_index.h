@@ -6,32 +6,23 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <string_view>
 #include <vector>
 
 #include "catalogue/row_index.h"
+#include "catalogue/worked_out.h"
 
 namespace millwright::catalogue {
 
 class PartIndex {
  public:
-  PartIndex() = default;
-  /// A copy of a table has the same parts, but shares no lock.
-  PartIndex(const PartIndex& other) : rows_(other.shared()) {}
-  PartIndex& operator=(const PartIndex& other) {
-    if (this != &other) rows_ = other.shared();
-    return *this;
-  }
-  ~PartIndex() = default;
-
   /// The rows changed.
-  void forget() { rows_ = nullptr; }
+  void forget() { rows_.forget(); }
 
   /// The rows whose `part_number(row)` is `wanted`, ascending. Several threads may ask at a time.
   template <class PartNumber>
   std::vector<int> find(std::string_view wanted, int row_count, const PartNumber& part_number) const {
-    const std::shared_ptr<const Rows> rows = gathered(row_count, part_number);
+    const std::shared_ptr<const Rows> rows = rows_.get([&] { return gathered(row_count, part_number); });
     std::vector<int> found;
     const auto same = [&](std::int32_t there) { return part_number(there) == wanted; };
     for (std::int32_t row = rows->first.find(hash_of(wanted), same); row != RowIndex::none;
@@ -49,32 +40,23 @@ class PartIndex {
 
   static std::uint64_t hash_of(std::string_view text) { return std::hash<std::string_view>()(text); }
 
-  [[nodiscard]] std::shared_ptr<const Rows> shared() const {
-    const std::lock_guard lock(mutex_);
-    return rows_;
-  }
-
   template <class PartNumber>
-  std::shared_ptr<const Rows> gathered(int row_count, const PartNumber& part_number) const {
-    const std::lock_guard lock(mutex_);
-    if (rows_) return rows_;
+  static Rows gathered(int row_count, const PartNumber& part_number) {
     const auto count = static_cast<std::size_t>(row_count);
-    auto rows = std::make_shared<Rows>(Rows{RowIndex(count), std::vector<std::int32_t>(count, RowIndex::none)});
+    Rows rows{RowIndex(count), std::vector<std::int32_t>(count, RowIndex::none)};
     std::vector<std::int32_t> last(count, RowIndex::none);
     for (std::int32_t row = 0; row < row_count; ++row) {
       const std::string_view part = part_number(row);
       const auto same = [&](std::int32_t there) { return part_number(there) == part; };
-      const std::int32_t first = rows->first.insert(hash_of(part), row, same);
+      const std::int32_t first = rows.first.insert(hash_of(part), row, same);
       const std::int32_t chain = first == RowIndex::none ? row : first;
-      if (chain != row) rows->next[static_cast<std::size_t>(last[static_cast<std::size_t>(chain)])] = row;
+      if (chain != row) rows.next[static_cast<std::size_t>(last[static_cast<std::size_t>(chain)])] = row;
       last[static_cast<std::size_t>(chain)] = row;
     }
-    rows_ = std::move(rows);
-    return rows_;
+    return rows;
   }
 
-  mutable std::mutex mutex_;
-  mutable std::shared_ptr<const Rows> rows_;
+  WorkedOut<Rows> rows_;
 };
 
 }  // namespace millwright::catalogue

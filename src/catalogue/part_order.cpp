@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/part_order.h"
-
+//
+// The order of a table's rows that does not hang on files.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <map>
 #include <string_view>
+
+#include "catalogue/table.h"
 
 namespace millwright::catalogue {
 namespace {
@@ -32,9 +34,7 @@ bool cells_are_before(const Table& table, int a, int b) {
   return table.ownership(a) < table.ownership(b);
 }
 
-}  // namespace
-
-std::vector<int> rows_in_order(const Table& table) {
+std::vector<int> sorted_rows(const Table& table) {
   std::map<std::string_view, std::vector<NamedRow>> of_maker;
   for (int row = 0; row < table.rows(); ++row)
     of_maker[table.manufacturer(row)].push_back({table.part_number(row), row});
@@ -48,6 +48,12 @@ std::vector<int> rows_in_order(const Table& table) {
     for (const NamedRow& each : named) rows.push_back(each.row);
   }
   return rows;
+}
+
+}  // namespace
+
+std::span<const int> Table::rows_in_order() const {
+  return *order_.get([&] { return sorted_rows(*this); });
 }
 
 }  // namespace millwright::catalogue

@@ -89,14 +89,14 @@ void append_column(std::vector<T>& to, std::vector<T>&& from, std::size_t rows, 
   to.resize(rows + more, filler);
 }
 
+/// Of these rows; a column that is not given, or a single text of all, stays as it is.
 template <class T>
-void keep_in(std::vector<T>& values, const std::vector<bool>& keep) {
-  if (values.empty()) return;
-  std::size_t kept = 0;
-  for (std::size_t row = 0; row < keep.size(); ++row) {
-    if (keep[row]) values[kept++] = std::move(values[row]);
-  }
-  values.resize(kept);
+std::vector<T> values_of(std::span<const int> rows, const std::vector<T>& values, bool single_is_of_all = false) {
+  if (values.empty() || (single_is_of_all && values.size() == 1)) return values;
+  std::vector<T> result;
+  result.reserve(rows.size());
+  for (const int row : rows) result.push_back(values[static_cast<std::size_t>(row)]);
+  return result;
 }
 
 }  // namespace
@@ -178,8 +178,12 @@ Price Table::price(int row) const {
   price.length = number(Column{family_, length}, row);
   price.mass = number(Column{family_, mass}, row);
   price.currency = text(Column{family_, currency}, row);
-  price.estimate = is_estimate(row, Column{family_, piece});
   return price;
+}
+
+bool Table::is_price_estimate(int row) const {
+  constexpr std::uint8_t piece = column(Family::steppers, "price").index;
+  return is_estimate(row, Column{family_, piece});
 }
 
 PiecePrice Table::piece_price(int row) const {
@@ -226,18 +230,28 @@ std::uint64_t Table::part_hash(int row, Identity level) const {
   return hash;
 }
 
+Table Table::only(std::span<const int> rows) const {
+  Table result(family_);
+  for (std::size_t index = 0; index < numbers_.size(); ++index) {
+    result.numbers_[index] = values_of(rows, numbers_[index]);
+    result.tolerances_[index] = values_of(rows, tolerances_[index]);
+    result.texts_[index] = values_of(rows, texts_[index], true);
+    result.figure_sources_[index] = values_of(rows, figure_sources_[index], true);
+    result.figure_confidences_[index] = values_of(rows, figure_confidences_[index], true);
+  }
+  result.offsets_ = values_of(rows, offsets_);
+  result.file_of_ = values_of(rows, file_of_);
+  result.ownership_ = values_of(rows, ownership_);
+  result.files_ = files_;
+  result.note_absent_columns();
+  return result;
+}
+
 void Table::keep_only(const std::vector<bool>& keep) {
-  for (auto& values : numbers_) keep_in(values, keep);
-  for (auto& values : tolerances_) keep_in(values, keep);
-  for (auto* columns : {&texts_, &figure_sources_, &figure_confidences_})
-    for (auto& values : *columns)
-      if (values.size() > 1) keep_in(values, keep);
-  ranges_.clear();
-  keep_in(offsets_, keep);
-  keep_in(file_of_, keep);
-  keep_in(ownership_, keep);
-  note_absent_columns();
-  parts_.forget();
+  std::vector<int> rows;
+  for (int row = 0; row < this->rows(); ++row)
+    if (keep[static_cast<std::size_t>(row)]) rows.push_back(row);
+  *this = only(rows);
 }
 
 void Table::spread_texts() {
@@ -268,7 +282,7 @@ void Table::append(Table&& other) {
   for (SourceFile& file : other.files_) files_.push_back(std::move(file));
   note_absent_columns();
   ranges_.clear();
-  parts_.forget();
+  forget();
 }
 
 void Table::overlay(Table&& upper) {
@@ -307,6 +321,11 @@ void Table::note_absent_columns() {
   for (std::size_t index = 0; index < numbers_.size(); ++index)
     any = any || (numbers_[index].empty() && !is_text(declaration(Column{family_, static_cast<std::uint8_t>(index)})));
   absent_.resize(any ? offsets_.size() : 0, not_known);
+}
+
+void Table::forget() {
+  parts_.forget();
+  order_.forget();
 }
 
 void Table::make_column(std::size_t index) {

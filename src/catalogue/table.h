@@ -17,6 +17,7 @@
 #include "catalogue/part_index.h"
 #include "catalogue/piece_price.h"
 #include "catalogue/standing.h"
+#include "catalogue/worked_out.h"
 #include "scalar/interval.h"
 #include "text/source_text.h"
 
@@ -32,7 +33,6 @@ struct Price {
   double length = std::numeric_limits<double>::quiet_NaN();  ///< per metre
   double mass = std::numeric_limits<double>::quiet_NaN();    ///< per kilogram
   std::string_view currency;
-  bool estimate = false;
 };
 
 /// The rows that answer to a part number, or why there is none.
@@ -139,6 +139,8 @@ class Table {
   std::string_view part_number(int row) const;
   std::string_view confidence(int row) const;
   Price price(int row) const;
+  /// is_estimate() of the price.
+  bool is_price_estimate(int row) const;
   /// Of what is sold by the piece: with price breaks and packs.
   PiecePrice piece_price(int row) const;
 
@@ -182,6 +184,12 @@ class Table {
   /// an alias (materials). On failure the error names the makers, or the nearest part number.
   Found find(std::string_view part_number, std::string_view manufacturer = {}) const;
 
+  /// All rows by manufacturer and part number (bytes, not numbers: "M10" is before "M4"), and those of the same name by
+  /// their other cells, column by column; what is not known comes last. Rows that agree in all of that keep their
+  /// order. Where parts are equally good, which one is named must not hang on where it stands in a file, or in which
+  /// file. Lives until the table changes.
+  std::span<const int> rows_in_order() const;
+
   /// Whether two rows (of this and another table) agree in all columns of that identity or above it.
   bool same_part(int row, const Table& other, int other_row, Identity level) const;
   std::uint64_t part_hash(int row, Identity level) const;
@@ -193,6 +201,8 @@ class Table {
   /// row that it repeats goes on to stand for owned pieces first.
   void append_offers(const std::vector<OfferedRow>& offers);
 
+  /// A table of these rows, ascending, and no others.
+  Table only(std::span<const int> rows) const;
   /// Drops the rows with keep[row] == false.
   void keep_only(const std::vector<bool>& keep);
   /// Appends the rows of another file of the same layer; duplicates are the caller's business.
@@ -202,6 +212,8 @@ class Table {
 
  private:
   void check(Column column, bool wants_text) const;
+  /// Rows or figures changed: what has been worked out of them is of no use any more.
+  void forget();
   /// Gives each row a text of its own where one is that of all, for rows to be added.
   void spread_texts();
   void note_absent_columns();
@@ -232,6 +244,7 @@ class Table {
   std::vector<SourceFile> files_;
   std::vector<Ownership> ownership_;  // empty: usual of all
   PartIndex parts_;                   // by part number alone
+  WorkedOut<std::vector<int>> order_;
 };
 
 }  // namespace millwright::catalogue

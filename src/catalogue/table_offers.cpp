@@ -85,7 +85,7 @@ void Table::append_offers(const std::vector<OfferedRow>& offers) {
     repeat_companions(row);
   }
   note_absent_columns();
-  parts_.forget();
+  forget();
 }
 
 Table& Catalogue::changeable_table(Family family) {

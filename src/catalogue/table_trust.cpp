@@ -58,6 +58,7 @@ void Table::set_number(int row, Column column, double value) {
   check(column, false);
   make_column(column.index);
   numbers_[column.index][static_cast<std::size_t>(row)] = value;
+  forget();
 }
 
 void Table::set_range(int row, Column column, const scalar::Interval& range) {

@@ -12,7 +12,6 @@
 #include <set>
 #include <tuple>
 
-#include "catalogue/part_order.h"
 #include "evaluation/figure_reader.h"
 
 namespace millwright::evaluation {
@@ -79,7 +78,6 @@ class BeltTablesMaker {
   BeltTablesMaker(const catalogue::Catalogue& catalogue, const machine::Axis& axis, const PriceBook& prices)
       : belts_(catalogue.table(Family::belts)),
         pulleys_(catalogue.table(Family::pulleys)),
-        pulley_rows_(catalogue::rows_in_order(pulleys_)),
         axis_(axis),
         prices_(prices),
         span_(axis.stroke + 2.0 * axis.require(machine::Requirement::overtravel) + axis.mechanism.idler_distance) {
@@ -89,7 +87,7 @@ class BeltTablesMaker {
   }
 
   BeltTables make() {
-    for (const int row : pulley_rows_)
+    for (const int row : pulleys_.rows_in_order())
       if (is_idler(row))
         add_idler(row);
       else
@@ -97,7 +95,7 @@ class BeltTablesMaker {
     add_pulleys_with_second();
     result_.idlers.add(CandidateDraft{}, std::array<double, BeltTables::idler_fields>{});
     result_.idlers_fit.push_back(BeltFit::same);
-    for (const int row : catalogue::rows_in_order(belts_))
+    for (const int row : belts_.rows_in_order())
       if (is_wanted(row)) add_belt(row);
     if (result_.belts.rows() > 0) leave_out_what_no_belt_needs();
     return std::move(result_);
@@ -176,9 +174,9 @@ class BeltTablesMaker {
   /// Once more on a bearing, whoever sells the second one.
   void add_pulleys_with_second() {
     std::map<std::pair<std::string_view, std::string_view>, std::vector<int>> same;
-    for (const int row : pulley_rows_)
+    for (const int row : pulleys_.rows_in_order())
       if (!is_idler(row)) same[{pulleys_.manufacturer(row), pulleys_.part_number(row)}].push_back(row);
-    for (const int row : pulley_rows_)
+    for (const int row : pulleys_.rows_in_order())
       if (!is_idler(row))
         for (const int second : same[{pulleys_.manufacturer(row), pulleys_.part_number(row)}]) add_pulley(row, second);
   }
@@ -248,7 +246,6 @@ class BeltTablesMaker {
 
   const Table& belts_;
   const Table& pulleys_;
-  std::vector<int> pulley_rows_;  ///< in the order in which they become candidates
   const machine::Axis& axis_;
   const PriceBook& prices_;
   double span_;  ///< m

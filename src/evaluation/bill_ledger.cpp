@@ -73,11 +73,10 @@ PartLine part_line(const MachineModel& model,
   line.confidence = table.confidence(use.row);
   line.supplier = table.text(catalogue::column(use.family, "supplier"), use.row);
   line.source = table.text(catalogue::column(use.family, "source"), use.row);
-  const catalogue::Price price = table.price(use.row);
-  line.price_estimate = price.estimate;
+  line.price_estimate = table.is_price_estimate(use.row);
   line.paper_only = table.text(catalogue::column(use.family, "evidence"), use.row) == "paper";
   line.preferred = catalogue::is_preferred(table, use.row, model.catalogue().stock());
-  line.estimate = price.estimate || line.confidence == "low";
+  line.estimate = line.price_estimate || line.confidence == "low";
   line.cuts = cuts_of(model.machine(), use, axis);
   add_work(model, table, use, axis, line);
   return line;

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 
-#include "catalogue/part_order.h"
 #include "evaluation/figure_reader.h"
 
 namespace millwright::evaluation {
@@ -47,7 +46,7 @@ BoltStage::BoltStage(const machine::Axis& axis,
   const catalogue::Table& t = catalogue.table(Family::screws);
   const machine::BoltPattern& pattern = member.bolts;
   const double pieces = member.count * pattern.count();
-  for (const int row : catalogue::rows_in_order(t)) {
+  for (const int row : t.rows_in_order()) {
     std::vector<catalogue::Column> missing;
     const FigureReader number(t, row, missing);
     if (!chosen(pattern.sizes, t.text(column(Family::screws, "designation"), row)) ||

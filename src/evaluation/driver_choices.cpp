@@ -6,7 +6,6 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "catalogue/part_order.h"
 #include "evaluation/figure_reader.h"
 
 namespace millwright::evaluation {
@@ -30,7 +29,7 @@ DriverChoices::DriverChoices(const catalogue::Table& drivers,
   // Of a dear light one and a cheap heavy one each would be the better.
   if (!axis.cost_counts && !axis.mass_counts) throw std::logic_error("neither cost nor mass counts");
   const catalogue::Table& t = drivers;
-  for (const int row : catalogue::rows_in_order(t)) {
+  for (const int row : t.rows_in_order()) {
     if (t.flag(column(Family::drivers, "closed_loop"), row).value_or(false)) continue;  // needs a motor with an encoder
     std::vector<catalogue::Column> missing;
     const FigureReader number(t, row, missing);

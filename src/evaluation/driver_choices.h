@@ -20,7 +20,7 @@ namespace millwright::evaluation {
 
 struct Driver {
   int row;
-  std::size_t place;  ///< in the order of rows (catalogue::rows_in_order)
+  std::size_t place;  ///< in the order of rows (Table::rows_in_order)
   double peak_current, largest_voltage, least_voltage, price, mass;
   double preference = 1.0;                        ///< of its price, where builds are compared
   const catalogue::Supplier* supplier = nullptr;  ///< where an order costs more than the driver

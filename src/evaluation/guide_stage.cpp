@@ -5,7 +5,6 @@
 #include <cmath>
 #include <span>
 
-#include "catalogue/part_order.h"
 #include "evaluation/figure_reader.h"
 
 namespace millwright::evaluation {
@@ -32,7 +31,7 @@ GuideStage::GuideStage(const machine::Axis& axis,
   constexpr std::array soft_columns{column(Family::linear_guides, "friction_coefficient"),
                                     column(Family::linear_guides, "radial_stiffness")};
   const auto soft = std::span(soft_columns).first(place.tool ? 1 : 2);
-  for (const int row : catalogue::rows_in_order(t)) {
+  for (const int row : t.rows_in_order()) {
     const std::string_view kind = t.text(column(Family::linear_guides, "kind"), row);
     if (!wanted(choice.kinds, kind)) continue;
     const bool bush = kind.find("bush") != std::string_view::npos;

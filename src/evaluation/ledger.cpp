@@ -210,7 +210,7 @@ void mark_estimated_torque(const DriveStage& stage,
                            const solver::StageChoice& choice,
                            solver::Row voltage,
                            Design& design) {
-  if (stage.motors().pairs()[choice.rows[DriveStage::motor_slot]].curve[voltage] != nullptr) return;
+  if (stage.motors().pairs()[choice.rows[DriveStage::motor_slot]].curve_at(voltage) != nullptr) return;
   const std::string axis = stage.name().substr(0, stage.name().find('.'));
   for (PartLine& part : design.parts)
     if (part.axis == axis && part.slot == "motor") part.estimate = true;
@@ -246,7 +246,7 @@ void add_worksheet(const Stage& stage,
     write_calculation(stage, element, chosen, sheet);
     worksheet.drives.push_back(drawing_of(element, entry.axis));
     const MotorPair& motor = stage.motors().pairs()[chosen.rows[Stage::motor_slot]];
-    worksheet.drives.back().torque_is_estimate = motor.curve[chosen.voltage] == nullptr;
+    worksheet.drives.back().torque_is_estimate = motor.curve_at(chosen.voltage) == nullptr;
     worksheet.drives.back().motor_size = motor.frame_size;
   } else {
     write_calculation(element, sheet);

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <span>
 
-#include "catalogue/part_order.h"
 #include "evaluation/figure_reader.h"
 
 namespace millwright::evaluation {
@@ -95,7 +94,7 @@ void MemberStage::take_sections(const catalogue::Catalogue& catalogue, const Pri
                         catalogue::Column mass,
                         catalogue::Column torsion) {
     const catalogue::Table& t = catalogue.table(family);
-    for (const int row : catalogue::rows_in_order(t)) {
+    for (const int row : t.rows_in_order()) {
       if (family == Family::steel_sections &&
           !wanted(m.section_kinds, t.text(column(Family::steel_sections, "kind"), row)))
         continue;

@@ -19,11 +19,11 @@ MotorSet::MotorSet(std::vector<MotorPair> pairs,
     for (const MotorPair& pair : pairs_) {
       // A margin that the problem states holds for curve and model alike; else the model, an estimate, gets the smaller
       // share.
-      const bool estimate = pair.curve[v] == nullptr;
+      const bool estimate = pair.curve_at(v) == nullptr;
       const double margin =
           require(estimate && !require.given(Requirement::torque_margin) ? Requirement::torque_margin_estimate
                                                                          : Requirement::torque_margin);
-      machine::MotorReading<double> reading = machine::motor_reading(pair.at_voltage[v], margin);
+      machine::MotorReading<double> reading = machine::motor_reading(pair.figures_at(v), margin);
       const auto keep = [&](const double& x) { numbers.push_back(x); };
       visit_motor_reading(reading, keep);
       visit_shown_motor_reading(reading, keep);

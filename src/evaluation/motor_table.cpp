@@ -8,7 +8,6 @@
 #include <optional>
 #include <tuple>
 
-#include "catalogue/part_order.h"
 #include "evaluation/drive_tables.h"
 #include "evaluation/driver_choices.h"
 #include "evaluation/figure_reader.h"
@@ -55,15 +54,17 @@ double both_phases(double phases_on) {
   return phases_on == 1.0 ? std::sqrt(2.0) : std::nan("");
 }
 
-struct Curves {
-  struct Key {
-    double voltage, current;
-    friend bool operator<(const Key& a, const Key& b) {
-      return std::tie(a.voltage, a.current) < std::tie(b.voltage, b.current);
-    }
-  };
-  std::map<std::pair<std::string, std::string>, std::map<Key, std::vector<std::pair<double, double>>>> of_motor;
+/// What is published of a motor's torque at one voltage and current: points (speed, torque).
+struct CurveKey {
+  double voltage, current;
+  friend bool operator<(const CurveKey& a, const CurveKey& b) {
+    return std::tie(a.voltage, a.current) < std::tie(b.voltage, b.current);
+  }
 };
+using CurvePoints = std::vector<mechanics::PullOutCurve::Point>;
+using MotorCurves = std::map<CurveKey, CurvePoints>;
+/// By maker and part number.
+using Curves = std::map<std::pair<std::string_view, std::string_view>, MotorCurves>;
 
 /// Peak amplitude of a current stated as `kind`.
 double amplitude(double current, std::string_view kind) {
@@ -74,42 +75,30 @@ double amplitude(double current, std::string_view kind) {
 template <class Torque>
 Curves read_curves(const Table& t, Torque torque) {
   Curves curves;
-  for (const int row : catalogue::rows_in_order(t)) {
-    const Curves::Key key{t.number(column(Family::stepper_curves, "drive_voltage"), row),
-                          amplitude(t.number(column(Family::stepper_curves, "phase_current"), row),
-                                    t.text(column(Family::stepper_curves, "current_kind"), row))};
-    curves.of_motor[{std::string(t.manufacturer(row)), std::string(t.part_number(row))}][key].emplace_back(
-        t.number(column(Family::stepper_curves, "speed"), row), torque(row));
+  for (const int row : t.rows_in_order()) {
+    const CurveKey key{t.number(column(Family::stepper_curves, "drive_voltage"), row),
+                       amplitude(t.number(column(Family::stepper_curves, "phase_current"), row),
+                                 t.text(column(Family::stepper_curves, "current_kind"), row))};
+    curves[{t.manufacturer(row), t.part_number(row)}][key].push_back(
+        {t.number(column(Family::stepper_curves, "speed"), row), torque(row)});
   }
   return curves;
 }
 
+/// Those of a motor; null where there are none.
+const MotorCurves* curves_of(const Curves& curves, const Table& motors, int row) {
+  const auto found = curves.find({motors.manufacturer(row), motors.part_number(row)});
+  return found == curves.end() ? nullptr : &found->second;
+}
+
 /// The curve that governs: published at no more than this voltage and current; of several the one at the highest
-/// voltage, then current.
-std::optional<Curves::Key> governing_key(
-    const Curves& curves, const std::string& maker, const std::string& part, double voltage, double current) {
-  const auto motor = curves.of_motor.find({maker, part});
-  if (motor == curves.of_motor.end()) return std::nullopt;
-  for (auto curve = motor->second.rbegin(); curve != motor->second.rend(); ++curve) {
+/// voltage, then current. Null where none does.
+const MotorCurves::value_type* governing(const MotorCurves& curves, double voltage, double current) {
+  for (auto curve = curves.rbegin(); curve != curves.rend(); ++curve) {
     if (curve->first.voltage > voltage * (1.0 + 1e-9) || curve->first.current > current * (1.0 + 1e-9)) continue;
-    if (curve->second.size() >= 2) return curve->first;  // a single point is not a curve
+    if (curve->second.size() >= 2) return &*curve;  // a single point is not a curve
   }
-  return std::nullopt;
-}
-
-mechanics::PullOutCurve curve_of(const Curves& curves,
-                                 const std::string& maker,
-                                 const std::string& part,
-                                 const Curves::Key& key) {
-  std::vector<mechanics::PullOutCurve::Point> points;
-  for (const auto& [speed, torque] : curves.of_motor.at({maker, part}).at(key)) points.push_back({speed, torque});
-  return mechanics::PullOutCurve(std::move(points));
-}
-
-std::shared_ptr<const mechanics::PullOutCurve> governing_curve(
-    const Curves& curves, const std::string& maker, const std::string& part, double voltage, double current) {
-  const auto key = governing_key(curves, maker, part, voltage, current);
-  return key ? std::make_shared<const mechanics::PullOutCurve>(curve_of(curves, maker, part, *key)) : nullptr;
+  return nullptr;
 }
 
 /// The currents that may be set for a motor, the largest first.
@@ -181,6 +170,7 @@ class MotorPairs {
       : motors_(catalogue.table(Family::steppers)),
         axis_(axis),
         voltages_(voltages),
+        shared_voltages_(std::make_shared<const std::vector<double>>(voltages)),
         driver_table_(catalogue.table(Family::drivers)),
         curve_table_(catalogue.table(Family::stepper_curves)),
         drivers_(driver_table_, axis, voltages, prices),
@@ -189,6 +179,7 @@ class MotorPairs {
   }
 
   void add(const Motor& motor) {
+    motor_curves_ = curves_of(curves_, motors_, motor.row);
     for (const double current : settable_currents(axis_, motor.figures.rated_current)) {
       const std::size_t first = table.table.rows();
       const DriverChoices::Choice& choice = drivers_.at(current);
@@ -217,12 +208,13 @@ class MotorPairs {
     f.driver_peak_current = driver.peak_current;
     f.driver_largest_voltage = driver.largest_voltage;
     f.driver_least_voltage = driver.least_voltage;
-    const std::string maker(motors_.manufacturer(motor.row)), part(motors_.part_number(motor.row));
-    for (const double v : voltages_) {
-      f.voltage = v;
-      pair.at_voltage.push_back(f);
-      pair.curve.push_back(governing_curve(curves_, maker, part, v, std::min(driver.peak_current, current)));
-    }
+    pair.figures = f;
+    pair.voltages = shared_voltages_;
+    if (motor_curves_ != nullptr)
+      for (const double v : voltages_) {
+        const auto* const curve = governing(*motor_curves_, v, std::min(driver.peak_current, current));
+        pair.curves.push_back(curve == nullptr ? nullptr : made_of(curve->second));
+      }
     CandidateDraft candidate =
         candidate_of({{"motor", Family::steppers, motor.row, 1.0, 0.0, motor.price, motor.mass},
                       {"driver", Family::drivers, driver.row, 1.0, 0.0, driver.price, driver.mass}},
@@ -260,32 +252,44 @@ class MotorPairs {
   }
 
   void take_curves(const Motor& motor, double voltage, const scalar::Interval& current, MotorRanges& of_pair) const {
-    const std::string maker(motors_.manufacturer(motor.row)), part(motors_.part_number(motor.row));
+    of_pair.curves.clear();
+    of_pair.model_may_govern = motor_curves_ == nullptr;
+    if (motor_curves_ == nullptr) return;
     std::vector<double> currents{current.lower, current.upper};
-    if (const auto known = curves_.of_motor.find({maker, part}); known != curves_.of_motor.end())
-      for (const auto& [key, points] : known->second)
-        if (current.lower <= key.current && key.current <= current.upper) currents.push_back(key.current);
+    for (const auto& [key, points] : *motor_curves_)
+      if (current.lower <= key.current && key.current <= current.upper) currents.push_back(key.current);
     const Curves lowest =
         read_curves(curve_table_, [&](int row) { return curve_table_.range(curve_torque, row).lower; });
     const Curves highest =
         read_curves(curve_table_, [&](int row) { return curve_table_.range(curve_torque, row).upper; });
-    of_pair.curves.clear();
-    of_pair.model_may_govern = false;
+    const auto curve_of = [&](const Curves& curves, const CurveKey& key) {
+      return mechanics::PullOutCurve(curves_of(curves, motors_, motor.row)->at(key));
+    };
     for (const double each : currents) {
-      if (const auto key = governing_key(curves_, maker, part, voltage, each))
-        of_pair.curves.push_back({curve_of(lowest, maker, part, *key), curve_of(highest, maker, part, *key)});
+      if (const auto* const curve = governing(*motor_curves_, voltage, each))
+        of_pair.curves.push_back({curve_of(lowest, curve->first), curve_of(highest, curve->first)});
       else
         of_pair.model_may_govern = true;
     }
   }
 
+  /// A curve, made once for all pairs that it governs.
+  std::shared_ptr<const mechanics::PullOutCurve> made_of(const CurvePoints& points) {
+    auto& made = made_[&points];
+    if (made == nullptr) made = std::make_shared<const mechanics::PullOutCurve>(points);
+    return made;
+  }
+
   const Table& motors_;
   const machine::Axis& axis_;
   const std::vector<double>& voltages_;
+  std::shared_ptr<const std::vector<double>> shared_voltages_;
   const Table& driver_table_;
   const Table& curve_table_;
   DriverChoices drivers_;
   Curves curves_;
+  const MotorCurves* motor_curves_ = nullptr;  ///< of the motor that is added; null where there are none
+  std::map<const CurvePoints*, std::shared_ptr<const mechanics::PullOutCurve>> made_;
 };
 
 }  // namespace
@@ -297,7 +301,7 @@ MotorTable motor_table(const catalogue::Catalogue& catalogue,
   const Table& motors = catalogue.table(Family::steppers);
   MotorPairs pairs(catalogue, axis, voltages, prices);
   const auto add_motors = [&](const std::optional<machine::PartName>& only) {
-    for (const int row : catalogue::rows_in_order(motors)) {
+    for (const int row : motors.rows_in_order()) {
       if (only && !is_part(motors, row, *only)) continue;
       if (!is_wanted(motors, row, axis)) continue;
       if (const auto motor = motor_of(motors, row, prices, pairs.table.table)) pairs.add(*motor);

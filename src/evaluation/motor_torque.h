@@ -13,16 +13,15 @@
 namespace millwright::evaluation {
 
 /// Peak amplitude of the current that a motor gets [A]: what is set, or what a weak driver gives.
-inline double driver_current(const MotorPair& pair, std::size_t voltage) {
-  const machine::MotorFigures<double>& figures = pair.at_voltage[voltage];
-  return std::min(figures.driver_peak_current, figures.asked_current);
+inline double driver_current(const MotorPair& pair) {
+  return std::min(pair.figures.driver_peak_current, pair.figures.asked_current);
 }
 
 /// What the winding model reads of a motor.
 template <class T>
 machine::MotorFigures<T> model_figures(const MotorPair& pair, std::size_t voltage) {
   using namespace scalar;
-  const machine::MotorFigures<double>& figures = pair.at_voltage[voltage];
+  const machine::MotorFigures<double> figures = pair.figures_at(voltage);
   machine::MotorFigures<T> f;
   f.holding_torque = in_unit<T>(figures.holding_torque, dimension::torque);
   f.rated_current = in_unit<T>(figures.rated_current, dimension::current);
@@ -39,9 +38,9 @@ T available_torque(const MotorPair& pair, std::size_t voltage, const T& angular_
   using namespace scalar;
   const auto model = [&] {
     return machine::modelled_torque(
-        model_figures<T>(pair, voltage), in_unit<T>(driver_current(pair, voltage), dimension::current), angular_speed);
+        model_figures<T>(pair, voltage), in_unit<T>(driver_current(pair), dimension::current), angular_speed);
   };
-  const mechanics::PullOutCurve* curve = pair.curve[voltage].get();
+  const mechanics::PullOutCurve* curve = pair.curve_at(voltage);
   if (curve == nullptr) return model();
   const T last = in_unit<T>(curve->points().back().torque, dimension::torque);
   // The curve may end above the model: there the torque jumps down.

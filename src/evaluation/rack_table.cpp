@@ -6,7 +6,6 @@
 #include <cmath>
 #include <span>
 
-#include "catalogue/part_order.h"
 #include "evaluation/drive_tables.h"
 #include "evaluation/figure_reader.h"
 #include "machine/rack_drive.h"
@@ -22,7 +21,7 @@ SlotTable rack_table(const catalogue::Catalogue& catalogue, const machine::Axis&
   const Table& t = catalogue.table(Family::racks);
   const double travel = axis.stroke + 2.0 * axis.require(machine::Requirement::overtravel);
   const bool error_counts = axis.require.known(machine::Requirement::position_error);
-  for (const int row : catalogue::rows_in_order(t)) {
+  for (const int row : t.rows_in_order()) {
     constexpr std::array soft{column(Family::racks, "pitch_error_per_1000mm")};
     std::vector<catalogue::Column> missing;
     const FigureReader number(t, row, missing, std::span(soft).first(error_counts ? 0 : 1));
@@ -60,7 +59,7 @@ SlotTable rack_table(const catalogue::Catalogue& catalogue, const machine::Axis&
 SlotTable pinion_table(const catalogue::Catalogue& catalogue, const PriceBook& prices) {
   SlotTable result("pinion", machine::pinion_reading_fields);
   const Table& t = catalogue.table(Family::pinions);
-  for (const int row : catalogue::rows_in_order(t)) {
+  for (const int row : t.rows_in_order()) {
     std::vector<catalogue::Column> missing;
     const FigureReader number(t, row, missing);
     const double mass = number(column(Family::pinions, "mass"));

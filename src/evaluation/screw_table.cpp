@@ -9,7 +9,6 @@
 #include <string_view>
 #include <vector>
 
-#include "catalogue/part_order.h"
 #include "evaluation/cuts.h"
 #include "evaluation/drive_tables.h"
 #include "evaluation/figure_reader.h"
@@ -132,7 +131,7 @@ void add_ball_screws(const catalogue::Catalogue& catalogue,
                      ScrewTable& result) {
   const Table& t = catalogue.table(Family::ball_screws);
   reserve(static_cast<std::size_t>(t.rows()), result);
-  for (const int row : catalogue::rows_in_order(t)) {
+  for (const int row : t.rows_in_order()) {
     std::vector<catalogue::Column> missing;
     const ScrewFigures<double> f = ball_screw_figures(t, row, axis, FigureReader(t, row, missing));
     std::optional<ScrewFigures<Interval>> ranges;
@@ -267,7 +266,7 @@ class LeadNuts {
            bool with_ranges) {
     const Table& nuts = catalogue.table(Family::lead_nuts);
     const Table& materials = catalogue.table(Family::materials);
-    for (const int row : catalogue::rows_in_order(nuts)) {
+    for (const int row : nuts.rows_in_order()) {
       const std::string_view material = nuts.text(column(Family::lead_nuts, "material"), row);
       if (!wanted(axis.mechanism.nut_materials, material)) continue;
       Nut nut{row, next_index(figures_), {}, {}, prices.line(nuts, row, 1.0, 0.0), {}};
@@ -310,7 +309,7 @@ struct LeadScrew {
 
 std::vector<LeadScrew> lead_screws_with(const LeadNuts& nuts, const Table& screws, const machine::Axis& axis) {
   std::vector<LeadScrew> result;
-  for (const int row : catalogue::rows_in_order(screws))
+  for (const int row : screws.rows_in_order())
     if (wanted(axis.mechanism.thread_forms, screws.text(column(Family::lead_screws, "thread_form"), row)))
       result.push_back(
           {row, nuts.for_screw(screws.part_number(row), screws.text(column(Family::lead_screws, "designation"), row))});

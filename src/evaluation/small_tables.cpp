@@ -5,7 +5,6 @@
 #include <cmath>
 #include <span>
 
-#include "catalogue/part_order.h"
 #include "evaluation/drive_tables.h"
 #include "evaluation/figure_reader.h"
 
@@ -23,7 +22,7 @@ SlotTable coupling_table(const catalogue::Catalogue& catalogue, const PriceBook&
                             column(Family::couplings, "axial_misalignment")};
   SlotTable result("coupling", 9);
   const Table& t = catalogue.table(Family::couplings);
-  for (const int row : catalogue::rows_in_order(t)) {
+  for (const int row : t.rows_in_order()) {
     std::vector<catalogue::Column> missing;
     const FigureReader number(t, row, missing, soft);
     const auto range = [&](catalogue::Column c) { return t.range(c, row); };
@@ -67,7 +66,7 @@ SlotTable support_table(const catalogue::Catalogue& catalogue,
                                  column(Family::support_bearings, "permissible_axial_load")};
   const auto soft = std::span(of_thrust).first(!fixed ? 2 : stiffness_needed ? 0 : 1);
   const Table& t = catalogue.table(Family::support_bearings);
-  for (const int row : catalogue::rows_in_order(t)) {
+  for (const int row : t.rows_in_order()) {
     const std::string_view role = t.text(column(Family::support_bearings, "role"), row);
     const bool block = role == "pillow block" || role == "flange block";
     if (fixed ? role != "fixed" : role != "supported" && !block) continue;

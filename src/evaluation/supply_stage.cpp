@@ -4,7 +4,6 @@
 #include <array>
 #include <span>
 
-#include "catalogue/part_order.h"
 #include "evaluation/drive_tables.h"
 #include "evaluation/figure_reader.h"
 
@@ -21,7 +20,7 @@ SupplyStage::SupplyStage(const std::vector<double>& voltages,
   name_ = "machine.supply";
   SlotTable table("supply", 3);
   const catalogue::Table& t = catalogue.table(Family::power_supplies);
-  for (const int row : catalogue::rows_in_order(t)) {
+  for (const int row : t.rows_in_order()) {
     std::vector<catalogue::Column> missing;
     constexpr std::array soft{column(Family::power_supplies, "output_current")};
     const FigureReader number(t, row, missing, soft);

@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "catalogue/companions.h"
-#include "catalogue/part_order.h"
 #include "evaluation/ledger.h"
 #include "evaluation/longer_bars.h"
 #include "evaluation/same_parts.h"
@@ -26,20 +25,10 @@ bool same(const Interval& a, const Interval& b) {
   return equal(a.lower, b.lower) && equal(a.upper, b.upper);
 }
 
-/// Drops every row that keep(family, row) does not want.
-template <class Keep>
-void keep_only(Catalogue& catalogue, Keep&& keep) {
-  std::vector<catalogue::Part> dropped;
-  for (const catalogue::FamilyDeclaration& each : catalogue::families)
-    for (int row = 0; row < catalogue.table(each.family).rows(); ++row)
-      if (!keep(each.family, row)) dropped.push_back({each.family, row});
-  catalogue.drop(dropped);
-}
-
 }  // namespace
 
 TolerancedMachine::TolerancedMachine(const MachineModel& model, const solver::Build& build)
-    : problem_(model.machine()), parts_(model.catalogue()) {
+    : problem_(model.machine()) {
   // What is chosen stays, whatever another driver would cost.
   for (machine::Axis& axis : problem_.axes) axis.keep_every_candidate = axis.keep_covered_candidates = true;
   take_parts(model, build);
@@ -67,7 +56,6 @@ void TolerancedMachine::take_parts(const MachineModel& model, const solver::Buil
     chosen_parts_.push_back({{family, row}, 0, {place}});
   };
   const Table& curves = model.catalogue().table(Family::stepper_curves);
-  const std::vector<int> curve_rows = catalogue::rows_in_order(curves);
   for (std::size_t stage = 0; stage < model.entries().size(); ++stage) {
     const StageEntry& entry = model.entries()[stage];
     chosen_.emplace_back();
@@ -80,16 +68,20 @@ void TolerancedMachine::take_parts(const MachineModel& model, const solver::Buil
         take(use.family, use.row, place);
         if (use.family != Family::steppers) continue;
         const Table& motors = model.catalogue().table(Family::steppers);
-        for (const int row : curve_rows)
+        for (const int row : curves.rows_in_order())
           if (curves.part_number(row) == motors.part_number(use.row) &&
               curves.manufacturer(row) == motors.manufacturer(use.row))
             take(Family::stepper_curves, row, place);
       }
     }
   }
+  std::vector<catalogue::Part> kept;
+  for (const ChosenPart& each : chosen_parts_) kept.push_back(each.part);
   // Materials are looked up by name; they have no tolerances.
-  keep_only(parts_,
-            [&](Family family, int row) { return family == Family::materials || find(family, row) != nullptr; });
+  std::erase_if(kept, [](const catalogue::Part& part) { return part.family == Family::materials; });
+  for (int row = 0; row < model.catalogue().table(Family::materials).rows(); ++row)
+    kept.push_back({Family::materials, row});
+  parts_ = model.catalogue().only(kept);
   for (ChosenPart& each : chosen_parts_)
     each.row = static_cast<int>(std::count_if(chosen_parts_.begin(), chosen_parts_.end(), [&](const ChosenPart& other) {
       return other.part.family == each.part.family && other.part.row < each.part.row;

@@ -31,7 +31,7 @@ float single_below(double x) {
 
 TorqueTable::TorqueTable(std::span<const MotorPair> pairs, std::size_t voltages, std::vector<double> speeds)
     : pairs_(pairs), speeds_(with_outer_ranges(std::move(speeds))), modelled_(speeds_) {
-  const auto current_of = [&](solver::Row row) { return driver_current(pairs_[row], 0); };
+  const auto current_of = [&](solver::Row row) { return driver_current(pairs_[row]); };
   std::size_t of_motor = 0;  // first entry of the motor of the row before
   for (solver::Row row = 0; row < pairs_.size(); ++row) {
     if (row > 0 && pairs_[row].motor != pairs_[row - 1].motor) of_motor = row_of_.size();
@@ -57,8 +57,8 @@ void TorqueTable::work_out(const MotorPair& pair, std::size_t voltage, float* bo
   };
   // Torque never rises with speed: what it is at the edges bounds it between them.
   thread_local std::vector<Interval> at_edges;
-  if (pair.curve[voltage] == nullptr) {
-    modelled_.find(model_figures<Interval>(pair, voltage), driver_current(pair, voltage), at_edges);
+  if (pair.curve_at(voltage) == nullptr) {
+    modelled_.find(model_figures<Interval>(pair, voltage), driver_current(pair), at_edges);
   } else {
     at_edges.clear();
     for (const double speed : speeds_) at_edges.push_back(available_torque<Interval>(pair, voltage, Interval(speed)));

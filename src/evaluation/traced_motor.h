@@ -54,13 +54,13 @@ void trace_motor(
   using scalar::Traced;
   const MotorPair& pair = stage.motors().pairs()[chosen.rows[Stage::motor_slot]];
   machine::MotorFigures<Traced> figures;
-  given.take_all(motor_names, pair.at_voltage[chosen.voltage], figures, walk_motor_figures);
+  given.take_all(motor_names, pair.figures_at(chosen.voltage), figures, walk_motor_figures);
   to.motor = machine::motor_reading(
       figures, given.take({"k_T", "permitted share of the available torque", "1"}, from.motor.torque_margin));
   to.motor_shaft = given.take({"d_m", "shaft of the motor", "mm"}, from.motor_shaft);
   to.motor_mass = given.take({"m_m", "mass of the motor", "kg"}, from.motor_mass);
   const auto available = from.available_torque;
-  const mechanics::PullOutCurve* curve = pair.curve[chosen.voltage].get();
+  const mechanics::PullOutCurve* curve = pair.curve_at(chosen.voltage);
   to.available_torque = [figures, curve, available, current = to.motor.current](const Traced& omega) -> Traced {
     const auto read_off = [&](double value) {
       return Traced::leaf("T_po", value, scalar::Unit::of("N.m"));  // from the published curve

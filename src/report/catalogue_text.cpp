@@ -12,9 +12,10 @@ namespace {
 std::string share(double value) { return fmt::format("{:.0f} %", 100.0 * value); }
 
 /// "12.50 USD", "3.20 USD/m", whichever kinds of price there are.
-std::string price_text(const catalogue::Price& price, const Style& style) {
+std::string price_text(const catalogue::PartLine& part, const Style& style) {
+  const catalogue::Price& price = part.price;
   const char* separator = style.width < 120 ? "\n+ " : " + ";
-  const std::string mark = price.estimate ? "~" : "";
+  const std::string mark = part.price_estimate ? "~" : "";
   std::string out;
   const auto add = [&](double value, const char* per) {
     if (!std::isnan(value))
@@ -87,8 +88,7 @@ std::string families_text(const std::vector<catalogue::FamilySummary>& families,
 std::string parts_list_text(const std::vector<catalogue::PartLine>& parts, const Style& style) {
   TextTable table({{"manufacturer"}, {"part number"}, {"price", Align::right}, {"figures", Align::left, 70}});
   for (const catalogue::PartLine& part : parts)
-    table.add(
-        {std::string(part.manufacturer), std::string(part.part_number), price_text(part.price, style), part.figures});
+    table.add({std::string(part.manufacturer), std::string(part.part_number), price_text(part, style), part.figures});
   return table.str(0, style) + fmt::format("{} {}; ~ estimate\n", parts.size(), parts.size() == 1 ? "row" : "rows");
 }
 

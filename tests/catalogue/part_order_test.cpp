@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // The order of a table's parts, which does not hang on where they stand.
-#include "catalogue/part_order.h"
 
 #include <fmt/format.h>
 
@@ -25,10 +24,15 @@ const std::string curves =
 const std::string motors =
     "manufacturer,part_number,step_angle [deg],holding_torque [N.m],rated_current [A],price,currency,supplier\n";
 
+std::vector<int> order_of(const Table& table) {
+  const std::span<const int> rows = table.rows_in_order();
+  return {rows.begin(), rows.end()};
+}
+
 /// All that is said of each of its parts, in order.
 std::vector<std::string> in_order(const Table& table) {
   std::vector<std::string> result;
-  for (const int row : rows_in_order(table)) {
+  for (const int row : table.rows_in_order()) {
     result.push_back(fmt::format("{}", static_cast<int>(table.ownership(row))));
     for (std::size_t index = 0; index < column_count(table.family()); ++index) {
       const Column column{table.family(), static_cast<std::uint8_t>(index)};
@@ -49,21 +53,34 @@ TEST_CASE("Parts are ordered by maker, then number, then by what else is said of
                                    "Acme,M4,24,2,d,120,0.9,high\n"    // 2
                                    "Acme,M4,24,2,d,60,0.5,high\n"     // 3
                                    "Acme,M4,12,2,d,240,0.5,high\n");  // 4
-  CHECK(rows_in_order(table) == std::vector<int>{1, 4, 3, 2, 0});
-  CHECK(rows_in_order(Table(Family::stepper_curves)).empty());
+  CHECK(order_of(table) == std::vector<int>{1, 4, 3, 2, 0});
+  CHECK(order_of(Table(Family::stepper_curves)).empty());
 }
 
 TEST_CASE("What is not known comes last") {
   Table table = table_of(Family::steppers, motors + "Acme,M1,1.8,1,2,,USD,\n");
   table.append(table_of(Family::steppers, motors + "Acme,M1,1.8,1,2,10,USD,\n"));
-  CHECK(rows_in_order(table) == std::vector<int>{1, 0});
+  CHECK(order_of(table) == std::vector<int>{1, 0});
+}
+
+TEST_CASE("The order is that of the table as it is now") {
+  Table table = table_of(Family::steppers, motors + "Acme,M2,1.8,1,2,5,USD,\nAcme,M3,1.8,1,2,5,USD,\n");
+  CHECK(order_of(table) == std::vector<int>{0, 1});
+  table.append(table_of(Family::steppers, motors + "Acme,M1,1.8,1,2,5,USD,\nAcme,M3,1.8,1,2,4,USD,\n"));
+  CHECK(order_of(table) == std::vector<int>{2, 0, 3, 1});
+  Table dearer = table;
+  dearer.set_number(3, column(Family::steppers, "price"), 6.0);
+  CHECK(order_of(dearer) == std::vector<int>{2, 0, 1, 3});
+  CHECK(order_of(table) == std::vector<int>{2, 0, 3, 1});
+  table.keep_only({true, false, true, false});
+  CHECK(order_of(table) == std::vector<int>{1, 0});
 }
 
 TEST_CASE("What differs in nothing keeps its order") {
   const std::string row = "Acme,M1,24,2,d,60,1,high\n";
   Table table = table_of(Family::stepper_curves, curves + row);
   table.append(table_of(Family::stepper_curves, curves + row));
-  CHECK(rows_in_order(table) == std::vector<int>{0, 1});
+  CHECK(order_of(table) == std::vector<int>{0, 1});
 }
 
 TEST_CASE("No order of rows, files or offers changes the order of the parts") {

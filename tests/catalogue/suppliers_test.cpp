@@ -82,6 +82,33 @@ TEST_CASE("Offers of parts that are dropped go with them, and without offers not
   CHECK(&plain.catalogue.with_offers() == &plain.catalogue);
 }
 
+TEST_CASE("Some parts alone keep their order, their offers and what is owned of them") {
+  const Loaded loaded(shops,
+                      "manufacturer,part_number,supplier,price,currency\n"
+                      "Acme,M2,Shop B,18,USD\nAcme,M1,Shop B,8,USD\n",
+                      "part_number,owned\nM2,2\n");
+  const Table& all = loaded.catalogue.table(Family::steppers);
+  const std::vector<Part> wanted = loaded.catalogue.find("M2").parts;
+  REQUIRE(wanted.size() == 1);
+  const Catalogue few = loaded.catalogue.only({wanted.front(), {Family::steppers, 0}});
+  CHECK(few.rows() == 2);
+  const Table& table = few.table(Family::steppers);
+  REQUIRE(table.rows() == 2);
+  CHECK(table.part_number(0) == all.part_number(0));
+  CHECK(table.part_number(1) == "M2");
+  CHECK(table.where(1).line == all.where(wanted.front().row).line);
+  CHECK(few.find("M2").parts.front().row == 1);
+  // One offer each, and M2's owned pieces: its own seller charges for an order.
+  const Table& offered = few.with_offers().table(Family::steppers);
+  REQUIRE(offered.rows() == 5);
+  CHECK(offered.part_number(2) == "M2");
+  CHECK(offered.price(2).piece == 18.0);
+  CHECK(offered.part_number(3) == "M1");
+  CHECK(offered.ownership(4) == Ownership::only);
+  CHECK(loaded.catalogue.rows() == all.rows() + loaded.catalogue.table(Family::belts).rows());
+  CHECK(loaded.catalogue.only({}).rows() == 0);
+}
+
 TEST_CASE("Pieces that are owned of what a charging supplier sells are a row of their own") {
   const Loaded loaded(shops, "", "part_number,owned\nM2,2\n");
   const Table& table = loaded.catalogue.with_offers().table(Family::steppers);

@@ -98,7 +98,7 @@ TEST_CASE("Shipped motors: a curve governs only at or above its voltage and curr
     for (std::size_t v = 0; v < voltages.size(); ++v) {
       const solver::RowsAlive alive{std::span(&row, 1)};
       const auto reading = motors.reading<double>(alive, v);
-      REQUIRE(reading.current == std::min(pair.at_voltage[v].driver_peak_current, pair.at_voltage[v].rated_current));
+      REQUIRE(reading.current == std::min(pair.figures_at(v).driver_peak_current, pair.figures_at(v).rated_current));
       // Is there a published point of this motor within voltage and current?
       int points = 0;
       for (int p = 0; p < curves.rows(); ++p) {
@@ -112,15 +112,15 @@ TEST_CASE("Shipped motors: a curve governs only at or above its voltage and curr
         points += curves.number("drive_voltage", p) <= voltages[v] * (1.0 + 1e-9) &&
                   amplitude <= reading.current * (1.0 + 1e-9);
       }
-      if (points == 0) REQUIRE(pair.curve[v] == nullptr);
-      if (pair.curve[v] != nullptr) REQUIRE(points >= 2);
-      REQUIRE(reading.torque_margin == (pair.curve[v] != nullptr ? 0.7 : 0.5));
-      ++(pair.curve[v] != nullptr ? governed : modelled);
+      if (points == 0) REQUIRE(pair.curve_at(v) == nullptr);
+      if (pair.curve_at(v) != nullptr) REQUIRE(points >= 2);
+      REQUIRE(reading.torque_margin == (pair.curve_at(v) != nullptr ? 0.7 : 0.5));
+      ++(pair.curve_at(v) != nullptr ? governed : modelled);
       // Torque is never negative where a design uses it, and beyond a curve never above its last point.
-      if (pair.curve[v] != nullptr) {
-        const double end = pair.curve[v]->last_speed();
-        REQUIRE(motors.torque<double>(alive, v, 1.01 * end) <= pair.curve[v]->points().back().torque);
-        REQUIRE(motors.torque<double>(alive, v, 0.5 * end) == (*pair.curve[v])(0.5 * end));
+      if (pair.curve_at(v) != nullptr) {
+        const double end = pair.curve_at(v)->last_speed();
+        REQUIRE(motors.torque<double>(alive, v, 1.01 * end) <= pair.curve_at(v)->points().back().torque);
+        REQUIRE(motors.torque<double>(alive, v, 0.5 * end) == (*pair.curve_at(v))(0.5 * end));
       }
     }
   }

@@ -255,13 +255,13 @@ TEST_CASE("Without enough voltage for the published curve only the model counts,
     const auto& candidate = drive->tables()[evaluation::ScrewDriveStage::motor_slot].candidate(row);
     const catalogue::Table& steppers = parts().table(catalogue::Family::steppers);
     const std::string motor(steppers.part_number(candidate.parts[0].row));
-    const double peak = pairs[row].at_voltage[0].driver_peak_current;
+    const double peak = pairs[row].figures_at(0).driver_peak_current;
     const solver::RowsAlive alive{std::span(&row, 1)};
     for (std::size_t v = 0; v < 3; ++v) {
       const auto reading = drive->motors().reading<double>(alive, v);
       const bool curve = motor == "M23" && peak >= 2.8 && v > 0;
       CHECK(reading.torque_margin == (curve ? 0.7 : 0.5));
-      CHECK(reading.current == std::min(peak, pairs[row].at_voltage[v].rated_current));
+      CHECK(reading.current == std::min(peak, pairs[row].figures_at(v).rated_current));
       if (!curve) continue;
       seen = true;
       const auto torque = [&](double rpm) { return drive->motors().torque<double>(alive, v, rpm * pi / 30.0); };

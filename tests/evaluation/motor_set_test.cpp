@@ -93,7 +93,7 @@ TEST_CASE("The torque table holds of every motor what it does in each range, and
       std::vector<Interval> read;
       table.read(std::span(&row, 1), v, read);
       REQUIRE(read.size() == table.ranges());
-      governed += pairs[row].curve[v] != nullptr ? 1 : 0;
+      governed += pairs[row].curve_at(v) != nullptr ? 1 : 0;
       for (std::size_t r = 0; r < table.ranges(); ++r) {
         const double slow = evaluation::available_torque<double>(pairs[row], v, edges[r]);
         const double fast = evaluation::available_torque<double>(pairs[row], v, edges[r + 1]);
@@ -102,7 +102,7 @@ TEST_CASE("The torque table holds of every motor what it does in each range, and
                        ? 0
                        : 1;
         const double room = 1e-6 * (std::abs(slow) + std::abs(fast));
-        if (pairs[row].curve[v] == nullptr) loose += read[r].lower < fast - room || read[r].upper > slow + room;
+        if (pairs[row].curve_at(v) == nullptr) loose += read[r].lower < fast - room || read[r].upper > slow + room;
         const Interval hull = table.hull(std::span(&row, 1), v, r);
         CHECK((hull.lower == read[r].lower && hull.upper == read[r].upper));
       }
@@ -114,7 +114,7 @@ TEST_CASE("The torque table holds of every motor what it does in each range, and
   // Neighbours are kept together exactly where motor and current are the same.
   for (Row row = 1; row < pairs.size(); ++row) {
     const auto current = [&](Row of) {
-      return std::min(pairs[of].at_voltage[0].driver_peak_current, pairs[of].at_voltage[0].asked_current);
+      return std::min(pairs[of].figures_at(0).driver_peak_current, pairs[of].figures_at(0).asked_current);
     };
     const std::vector<Row> both{row - 1, row};
     int visited = 0;
