@@ -47,11 +47,13 @@ BranchAndBound::BranchAndBound(const Problem& problem,
       precision_(std::move(precision)) {
   const bool by_point = precision_.refined_later || precision_.refinements > 0;
   const Dominating by = by_point ? Dominating::point : Dominating::lower_bound;
+  // What is exact in a single objective has few labels at a time.
+  const bool many_labels = criteria_.objectives > 1 || std::ranges::any_of(plans_, is_covered);
   for (const StagePlan& plan : plans_) {
     label_sets_.emplace_back(criteria_, plan.before, labels_, by);
     worth_.emplace_back(plan.region.rows.size());
-    const bool many_labels = criteria_.objectives > 1 && !shared_.empty() && !plan.region.rows.empty();
-    shared_.push_back(many_labels ? std::make_unique<SharedRegions>(plan, control_.desk(0)) : nullptr);
+    const bool shares = many_labels && !shared_.empty() && !plan.region.rows.empty();
+    shared_.push_back(shares ? std::make_unique<SharedRegions>(plan, control_.desk(0)) : nullptr);
     auto& tail = tail_.emplace_back();
     for (const OpenRegion& part : plan.frontier) {
       auto& least = tail.emplace_back(criteria_.size());

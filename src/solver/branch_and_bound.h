@@ -15,8 +15,8 @@
 // A node is given up when a constraint is certainly violated in it, when the builds known settle it (incumbents.h), or
 // when a label known before the next stage dominates everything in it (dominance.h).
 //
-// Of several objectives thousands of labels may arrive at a stage: those in alike states divide its regions together,
-// and ask only about single designs at their own state (shared_regions.h).
+// Of several objectives thousands of labels may arrive at a stage, and of one that continuous variables move: those in
+// alike states divide its regions together, and ask only about single designs at their own state (shared_regions.h).
 //
 // Nodes are taken in batches of fixed size that are worked on in parallel and merged in order, so the search, and with
 // it the answer among equals, does not depend on the number of threads.

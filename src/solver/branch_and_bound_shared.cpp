@@ -15,7 +15,9 @@ void BranchAndBound::follow(std::uint32_t label) {
 
 /// Few labels are done sooner one by one: at their own states bounds are closer.
 bool BranchAndBound::shares_regions(std::uint32_t label) const {
-  return cells_[label] != nullptr && cells_[label]->labels >= control_.options().labels_together;
+  const Options& options = control_.options();
+  const std::size_t many = criteria_.objectives > 1 ? options.labels_together : options.labels_together_for_one;
+  return cells_[label] != nullptr && cells_[label]->labels >= many;
 }
 
 /// A part that labels share, for that of `from`. False: nothing in it can follow that label.

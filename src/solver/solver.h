@@ -33,8 +33,9 @@ struct Options {
   /// Designs of a stage looked at, or combined with what came before, from which on a pass stage by stage is given up
   /// and shared allowances are priced first (rest_plane.h).
   std::uint64_t stage_patience = 30000;
-  /// Labels in alike states from which on they divide the regions of a stage together (shared_regions.h).
-  std::size_t labels_together = 4;
+  /// Labels in alike states from which on they divide the regions of a stage together (shared_regions.h): of a front,
+  /// and of a single objective that continuous variables move.
+  std::size_t labels_together = 4, labels_together_for_one = 32;
   bool look_first = true;  ///< for good builds, before what takes long; objectives and ties do not depend on it
   bool confirm = true;     ///< ask the local solvers about an answer with priced variables (confirmation.h)
   unsigned threads = 1;    ///< the answer does not depend on it

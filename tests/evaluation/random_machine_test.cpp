@@ -159,7 +159,7 @@ class Trial {
       solver::Options each = evaluation::solver_options(model, options);
       each.time_limit_seconds = front_limit;
       each.stagewise = false;
-      each.labels_together = 1;
+      each.labels_together = each.labels_together_for_one = 1;
       const solver::Summary expected = solver::solve(model.problem(), each);
       each.stagewise = true;
       each.patience = 0;
