@@ -11,6 +11,7 @@
 
 #include "evaluation/element_stage.h"
 #include "solver/alternatives.h"
+#include "solver/front_spread.h"
 #include "solver/nearby.h"
 #include "solver/restricted_problem.h"
 
@@ -165,6 +166,31 @@ solver::Summary solve_with_start(const MachineModel& model, const SearchOptions&
   return summary;
 }
 
+/// A front that is ended by its time limit would show what was met on the way only, from one end of it or nothing at
+/// all: the last tenth of the time is for builds from all over it.
+solver::Summary solve_front(const MachineModel& model, const SearchOptions& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  solver::Options front = solver_options(model, options);
+  front.time_limit_seconds = 0.9 * options.time_limit_seconds;
+  solver::Summary summary = solver::solve(model.problem(), front);
+  const auto time_left = [&] { return std::max(0.0, options.time_limit_seconds - seconds_since(begin)); };
+  const auto stop = [&] { return time_left() == 0.0 || (options.stop != nullptr && options.stop->load()); };
+  if (summary.status != solver::Status::limit || stop()) return summary;
+  for (std::size_t k = 0; k < front.objectives.size() && summary.builds.empty() && !stop(); ++k) {
+    solver::Options single = front;
+    single.objectives = {front.objectives[k]};
+    single.time_limit_seconds = 0.5 * time_left();
+    single.progress = nullptr;  // it would tell of another objective
+    solver::Summary found = solver::solve(model.problem(), single);
+    summary.nodes += found.nodes;
+    summary.evaluations += found.evaluations;
+    summary.builds = std::move(found.builds);
+  }
+  summary.builds = solver::spread_front(model.problem(), front, std::move(summary.builds), stop);
+  summary.seconds = seconds_since(begin);
+  return summary;
+}
+
 /// Whether parts that are best by this objective may have been left out.
 bool is_made_for(const MachineModel& model, const machine::Objective& objective) {
   const auto& axes = model.machine().axes;
@@ -237,9 +263,10 @@ Synthesis synthesise(const MachineModel& model, const SearchOptions& asked_for) 
         "; the next best by splitting what each build leaves into disjoint parts, {} of them solved", best.parts - 1);
     synthesis.proved = best.proved;
   } else {
-    summary = fastest                 ? solve_cycle_time(model, options)
-              : starts_blind(options) ? solve_with_start(model, options)
-                                      : solver::solve(model.problem(), solver_options(model, options));
+    summary = options.objectives.size() > 1 ? solve_front(model, options)
+              : fastest                     ? solve_cycle_time(model, options)
+              : starts_blind(options)       ? solve_with_start(model, options)
+                                            : solver::solve(model.problem(), solver_options(model, options));
   }
   for (const std::string& name : options.objectives)
     if (is_left_out(model, options, name)) summary.method += "; every build has the same " + name;

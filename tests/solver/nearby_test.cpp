@@ -3,11 +3,13 @@
 #include "solver/nearby.h"
 
 #include <algorithm>
+#include <memory>
 #include <random>
 
 #include "catch.h"
 #include "sanitized.h"
 #include "solver/box.h"
+#include "solver/front_spread.h"
 #include "solver/model_stage.h"
 
 namespace nearby_test {
@@ -30,6 +32,37 @@ auto model_of(double load) {
   };
 }
 
+/// Two of them, one on the other, with random rows and loads.
+struct TwoBars {
+  explicit TwoBars(std::mt19937& rng) {
+    const auto between = [&](double low, double high) {
+      return low + (high - low) * (static_cast<double>(rng() % 1000000) / 1e6);
+    };
+    for (int i = 0; i < 8; ++i)
+      bars.numbers.insert(bars.numbers.end(), {between(1.0, 4.0), between(0.5, 3.0), between(0.01, 0.3)});
+    for (int i = 0; i < 6; ++i) feet.numbers.insert(feet.numbers.end(), {between(1.0, 9.0), between(1.0, 6.0)});
+    const std::vector<Variable> diameter{{"diameter", 0.5, 6.0}};
+    for (const char* name : {"upper", "lower"}) {
+      using Bar = decltype(model_stage(name, {&bars, &feet}, diameter, 2, model_of(0.0)));
+      stages.push_back(
+          std::make_unique<Bar>(model_stage(name, {&bars, &feet}, diameter, 2, model_of(between(0.5, 2.0)))));
+      problem.stages.push_back(stages.back().get());
+    }
+    problem.first_state = {0.0};
+    problem.resources = {{"cost"}, {"mass"}};
+  }
+
+  Columns bars{"bar", 3, {}}, feet{"foot", 2, {}};
+  std::vector<std::unique_ptr<Stage>> stages;
+  Problem problem;
+};
+
+Options lightest() {
+  Options options;
+  options.objectives = {1};
+  return options;
+}
+
 /// Totals from single evaluations; nothing if it is not feasible.
 std::optional<std::vector<double>> totals_of(const Problem& problem, const Build& build) {
   std::vector<double> totals(problem.resources.size(), 0.0);
@@ -48,26 +81,12 @@ std::optional<std::vector<double>> totals_of(const Problem& problem, const Build
 
 TEST_CASE("The best build nearby is feasible, and no row nor diameter alone makes it better") {
   std::mt19937 rng(7);
-  const auto between = [&](double low, double high) {
-    return low + (high - low) * (static_cast<double>(rng() % 1000000) / 1e6);
-  };
   const int problems = millwright::sanitized ? 5 : 60;
   int trials = 0, better = 0, best = 0;
   for (int n = 0; n < problems; ++n) {
-    Columns bars{"bar", 3, {}}, feet{"foot", 2, {}};
-    for (int i = 0; i < 8; ++i)
-      bars.numbers.insert(bars.numbers.end(), {between(1.0, 4.0), between(0.5, 3.0), between(0.01, 0.3)});
-    for (int i = 0; i < 6; ++i) feet.numbers.insert(feet.numbers.end(), {between(1.0, 9.0), between(1.0, 6.0)});
-    const std::vector<Variable> diameter{{"diameter", 0.5, 6.0}};
-    const auto upper = model_stage("upper", {&bars, &feet}, diameter, 2, model_of(between(0.5, 2.0)));
-    const auto lower = model_stage("lower", {&bars, &feet}, diameter, 2, model_of(between(0.5, 2.0)));
-    Problem problem;
-    problem.stages = {&upper, &lower};
-    problem.first_state = {0.0};
-    problem.resources = {{"cost"}, {"mass"}};
-    Options lightest;
-    lightest.objectives = {1};
-    const Summary start = solve(problem, lightest);
+    const TwoBars two(rng);
+    const Problem& problem = two.problem;
+    const Summary start = solve(problem, lightest());
     const Summary proved = solve(problem, {});
     REQUIRE((start.builds.empty() == proved.builds.empty()));
     if (start.builds.empty()) continue;
@@ -104,6 +123,46 @@ TEST_CASE("The best build nearby is feasible, and no row nor diameter alone make
   CHECK(3 * trials > 2 * problems);
   CHECK(3 * better > problems);
   CHECK(3 * best > problems);
+}
+
+TEST_CASE("A front that is spread from its lightest build is feasible, ordered, and nowhere beyond the proved front") {
+  std::mt19937 rng(8);
+  const int problems = millwright::sanitized ? 5 : 40;
+  int trials = 0, wide = 0, cheapest = 0;
+  for (int n = 0; n < problems; ++n) {
+    const TwoBars two(rng);
+    const Problem& problem = two.problem;
+    const Summary start = solve(problem, lightest());
+    if (start.builds.empty()) continue;
+    ++trials;
+    CAPTURE(n);
+    Options front;
+    front.objectives = {0, 1};
+    const Summary proved = solve(problem, front);
+    REQUIRE(proved.status == Status::optimal);
+    const std::vector<Build> found = spread_front(problem, front, start.builds, [] { return false; });
+    REQUIRE_FALSE(found.empty());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      const auto totals = totals_of(problem, found[i]);
+      REQUIRE(totals);
+      CHECK(found[i].resources == *totals);
+      if (i > 0) CHECK((found[i - 1].resources[0] < (*totals)[0] && found[i - 1].resources[1] > (*totals)[1]));
+      CHECK(std::ranges::any_of(proved.builds, [&](const Build& each) {
+        return each.resources[0] <= 1.001 * (*totals)[0] && each.resources[1] <= 1.001 * (*totals)[1];
+      }));
+    }
+    CHECK(found.back().resources[1] <= start.builds.front().resources[1]);
+    wide += found.size() > 1;
+    cheapest += found.front().resources[0] <= 1.001 * proved.builds.front().resources[0];
+    // Who is not given the time gets what he had.
+    const std::vector<Build> same = spread_front(problem, front, start.builds, [] { return true; });
+    REQUIRE(same.size() == 1);
+    CHECK(same.front().resources == start.builds.front().resources);
+    CHECK(spread_front(problem, front, {}, [] { return false; }).empty());
+  }
+  CHECK(3 * trials > 2 * problems);
+  CHECK(2 * wide > trials);
+  CHECK(3 * cheapest > trials);
 }
 
 }  // namespace nearby_test
