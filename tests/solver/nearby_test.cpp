@@ -161,6 +161,7 @@ TEST_CASE("A front that is spread from its lightest build is feasible, ordered, 
     CHECK(spread_front(problem, front, {}, [] { return false; }).empty());
   }
   CHECK(3 * trials > 2 * problems);
+  if (millwright::sanitized) return;  // too few to say how often
   CHECK(2 * wide > trials);
   CHECK(3 * cheapest > trials);
 }
