@@ -127,6 +127,7 @@ class Frontier {
   struct Section {
     double from = -std::numeric_limits<double>::infinity();
     double to = std::numeric_limits<double>::infinity();
+    unsigned given_up = 0;  ///< sections around it that have been
   };
   struct Chunk {
     std::vector<std::uint32_t> labels;
@@ -147,7 +148,7 @@ class Frontier {
   bool aim();
   bool settle(const Section& section, const std::vector<StagePlan>& plans, const std::vector<StateForm>& forms);
   std::vector<double> known_inside(const Section& section) const;
-  std::size_t section_patience() const;
+  std::size_t section_patience(unsigned given_up) const;
   double middle_of(const Section& section) const;
   double central(double score, const Section& section) const;
   bool is_wide(const Section& section) const;

@@ -70,7 +70,7 @@ bool Frontier::by_sections() {
   if (settled_) return true;
   planes_->keep_regions();
   // It was too much before; unless far less is left now, it is done section by section.
-  if (pass({.patience = section_patience() / 4})) return !undecided_;
+  if (pass({.patience = section_patience(0) / 4})) return !undecided_;
   if (control_.time_is_up()) return false;
   undecided_ = false;
   const std::vector<StagePlan> plans = plans_;
@@ -80,7 +80,8 @@ bool Frontier::by_sections() {
     const Section section = open.back();
     open.pop_back();
     const std::vector<double> inside = known_inside(section);
-    if (inside.size() <= most_known && !is_wide(section) && settle(section, plans, forms)) continue;
+    const bool tried = inside.size() <= most_known && !is_wide(section);
+    if (tried && settle(section, plans, forms)) continue;
     if (control_.time_is_up() || undecided_) {
       open.push_back(section);
       break;
@@ -90,16 +91,21 @@ bool Frontier::by_sections() {
     const double middle = now.empty()                  ? middle_of(section)
                           : !std::isfinite(section.to) ? now.back()
                                                        : central(now[now.size() / 2], section);
-    open.push_back({middle, section.to});
-    open.push_back({section.from, middle});
+    const unsigned given_up = section.given_up + (tried ? 1 : 0);
+    open.push_back({middle, section.to, given_up});
+    open.push_back({section.from, middle, given_up});
   }
   section_ = Section{};
   std::copy(plans.begin(), plans.end(), plans_.begin());  // whoever goes on needs to know of all sections
   return open.empty() && !undecided_;
 }
 
-/// What is too much is cut.
-std::size_t Frontier::section_patience() const { return control_.options().stage_patience; }
+/// What is too much is cut. What cutting did not make less is tried longer each time, or it would be begun again and
+/// again down to the narrowest section.
+std::size_t Frontier::section_patience(unsigned given_up) const {
+  constexpr unsigned longer = 2, most = 20;  // binary digits
+  return control_.options().stage_patience << std::min(longer * given_up, most);
+}
 
 /// First scores of known builds in it.
 std::vector<double> Frontier::known_inside(const Section& section) const {
@@ -183,7 +189,7 @@ bool Frontier::settle(const Section& section,
     return true;
   }
   undecided_ = false;
-  return pass({.patience = narrow ? endless : section_patience()}) && !undecided_;
+  return pass({.patience = narrow ? endless : section_patience(section.given_up)}) && !undecided_;
 }
 
 }  // namespace millwright::solver

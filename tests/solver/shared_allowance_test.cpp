@@ -427,4 +427,20 @@ TEST_CASE("A front of many parts is complete where allowances bind, cut in secti
   CHECK(quick < 60);
 }
 
+TEST_CASE("A front that is cut wherever it is too much does not take many times what it takes uncut") {
+  constexpr std::uint64_t most = 15;  // what is begun again after each cut with the same patience comes to 45 times
+  for (unsigned seed = 30; seed < (millwright::sanitized ? 36 : 60); ++seed) {
+    const Machine machine(seed, 14, rising_of(seed));
+    Options options;
+    options.objectives = {0, 1};
+    options.look_first = seed % 2 == 0;
+    const auto nodes_with = [&](std::uint64_t patience) {
+      options.patience = options.stage_patience = patience;
+      return solve(machine.problem, options).nodes;
+    };
+    INFO("seed " << seed);
+    CHECK(nodes_with(20) <= most * nodes_with(1'000'000));
+  }
+}
+
 }  // namespace shared_allowance_test
