@@ -123,7 +123,9 @@ TEST_CASE("The best builds by every objective and by weighted sums are those of 
     for (machine::Axis& axis : everything.axes) axis.keep_every_candidate = true;
     const MachineModel model(problem, tiny.parts());
     const MachineModel whole(everything, tiny.parts());
-    for (const std::string& objective : objectives) {
+    for (std::size_t i = 0; i < objectives.size(); ++i) {
+      if (sanitized && i % 2 != seed % 2) continue;
+      const std::string& objective = objectives[i];
       const PricedExhaustive all(whole, weights_of(whole, objective));
       INFO("machine " << seed << ", " << objective << ", " << all.builds.size() << " choices of rows");
       const Synthesis found = solved(model, {objective});
@@ -141,7 +143,7 @@ TEST_CASE("The best builds by every objective and by weighted sums are those of 
       CHECK(found.designs[0].satisfied());
     }
   }
-  CHECK(compliant >= (sanitized ? 6 : 24));
+  CHECK(compliant >= (sanitized ? 3 : 24));
 }
 
 TEST_CASE("Fronts of cost against time, energy and error are those of all builds, as exact as they say") {
@@ -181,7 +183,7 @@ TEST_CASE("Fronts of cost against time, energy and error are those of all builds
 // whose ramps are fixed there.
 TEST_CASE("Of builds that are as fast the cheapest is taken") {
   int shortest = 0;
-  for (unsigned seed = 0; seed < 4; ++seed) {
+  for (unsigned seed = 0; seed < (sanitized ? 2 : 4); ++seed) {
     const TinyCatalogue tiny(random_prices(seed));
     machine::Problem problem = table(3.0, 10.0, seed % 2 == 1);
     for (machine::Axis& axis : problem.axes) axis.acceleration_time.lower = 0.15;
@@ -228,7 +230,7 @@ TEST_CASE("A front of three objectives has the best of each") {
 
 // Every move takes the time it is stated to take: nothing is faster, and the front is that of cost and mass.
 TEST_CASE("A front in three objectives of which one is the same for all builds is that in the other two") {
-  for (unsigned seed = 0; seed < 3; ++seed) {
+  for (unsigned seed = 0; seed < (sanitized ? 1 : 3); ++seed) {
     const TinyCatalogue tiny(random_prices(seed));
     machine::Problem problem = table(3.0, 10.0, true);
     double time = 0.3;  // s, the dwell
