@@ -167,11 +167,15 @@ solver::Summary solve_with_start(const MachineModel& model, const SearchOptions&
 }
 
 /// A front that is ended by its time limit would show what was met on the way only, from one end of it or nothing at
-/// all: the last tenth of the time is for builds from all over it.
+/// all: the last tenth of the time, a second at least if that is no more than half of it, is for builds from all over
+/// it.
+double time_to_spread(double limit) { return std::max(0.1 * limit, std::min(1.0, 0.5 * limit)); }
+
 solver::Summary solve_front(const MachineModel& model, const SearchOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   solver::Options front = solver_options(model, options);
-  front.time_limit_seconds = 0.9 * options.time_limit_seconds;
+  if (std::isfinite(options.time_limit_seconds))
+    front.time_limit_seconds = options.time_limit_seconds - time_to_spread(options.time_limit_seconds);
   solver::Summary summary = solver::solve(model.problem(), front);
   const auto time_left = [&] { return std::max(0.0, options.time_limit_seconds - seconds_since(begin)); };
   const auto stop = [&] { return time_left() == 0.0 || (options.stop != nullptr && options.stop->load()); };
@@ -179,12 +183,17 @@ solver::Summary solve_front(const MachineModel& model, const SearchOptions& opti
   for (std::size_t k = 0; k < front.objectives.size() && summary.builds.empty() && !stop(); ++k) {
     solver::Options single = front;
     single.objectives = {front.objectives[k]};
-    single.time_limit_seconds = 0.5 * time_left();
-    single.progress = nullptr;  // it would tell of another objective
+    single.time_limit_seconds = 0.8 * time_left();  // a little is left to go on from there
+    single.progress = nullptr;                      // it would tell of another objective
     solver::Summary found = solver::solve(model.problem(), single);
     summary.nodes += found.nodes;
     summary.evaluations += found.evaluations;
     summary.builds = std::move(found.builds);
+    if (found.status == solver::Status::infeasible) {  // of any front, then
+      summary.status = found.status;
+      summary.seconds = seconds_since(begin);
+      return summary;
+    }
   }
   summary.builds = solver::spread_front(model.problem(), front, std::move(summary.builds), stop);
   summary.seconds = seconds_since(begin);
