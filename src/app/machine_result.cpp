@@ -27,7 +27,8 @@ std::vector<report::MissingSlot> missing_slots(const std::vector<evaluation::Emp
 evaluation::SearchOptions search_options(const Options& options, const std::vector<std::string>& objectives) {
   evaluation::SearchOptions search;
   search.objectives = objectives;
-  search.gap = options.gap;
+  constexpr double least_gap = 1e-10;  // rounding leaves about as much of what free dimensions move
+  search.gap = std::max(options.gap, least_gap);
   search.time_limit_seconds = options.time_limit;
   search.threads = options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
   return search;

@@ -15,6 +15,7 @@
 #include "app/name_lists.h"
 #include "app/objective_option.h"
 #include "app/output.h"
+#include "app/validators.h"
 #include "report/page_texts.h"
 #include "text/diagnostic.h"
 #include "text/nearest.h"
@@ -51,15 +52,6 @@ void add_report_options(CLI::App& verb, Options& options) {
              ->check(CLI::IsMember(report::language_codes())),
          "CODE");
 }
-
-/// CLI11's own tells the largest number there is in 300 digits.
-const CLI::Validator positive(
-    [](std::string& text) {
-      double value = 0.0;
-      const bool good = CLI::detail::lexical_cast(text, value) && value > 0.0 && std::isfinite(value);
-      return good ? std::string() : text + " is not a number above 0";
-    },
-    "");
 
 /// One value per occurrence: `--catalogue a b` must leave b alone.
 void add_list_option(
@@ -113,9 +105,10 @@ void add_machine_options(CLI::App& verb, Options& options, bool with_page = true
       verb.add_option("--memory-limit", options.memory_limit, "stop when so many GB are taken (80 % of all there is)")
           ->check(positive),
       "GB");
-  common(verb.add_option("--gap", options.gap, "relative gap at which the proof counts as complete (1e-6)")
-             ->check(CLI::Range(0.0, 1.0)),
-         "G");
+  common(
+      verb.add_option("--gap", options.gap, "relative gap at which the proof counts as complete (1e-6; at least 1e-10)")
+          ->check(share),
+      "G");
 }
 
 void add_fix_option(CLI::App& verb, Options& options) {

@@ -159,6 +159,13 @@ TEST_CASE("A time limit that is over at once is exit code 3, or the proof was co
   CHECK(json.at("status") == "limit");
 }
 
+TEST_CASE("No gap at all is asked for, and what rounding leaves of free dimensions is none") {
+  const Workshop shop;
+  const Outcome outcome = shop.run({"solve", MILLWRIGHT_SOURCE_DIR "/problems/torch-table.toml", "--gap", "0"});
+  CHECK(outcome.exit_code == 0);
+  CHECK(outcome.prints("Cheapest compliant build: "));
+}
+
 TEST_CASE("The sander as its paper builds it fails, and says where") {
   const Workshop shop;
   const std::string problems = MILLWRIGHT_SOURCE_DIR "/problems/";
