@@ -77,7 +77,7 @@ bool CandidateGroups::may_lead_on(std::size_t group, const View& view, const Bou
   const Carried& carried = view.of(group);
   const auto at_own_states = [&](std::size_t h) { return bounds.handed_on[h].lower + carried.to_own_states[h]; };
   double second = question.least.second + plan.criteria->second(bounds.score);
-  if (plan.criteria->objectives > 1) second += rest_given(plan, 1, at_own_states);
+  if (plan.criteria->size() > 1) second += rest_given(plan, 1, at_own_states);
   LeastTotals totals(question.least.first + bounds.score[0] + rest_given(plan, 0, at_own_states), second);
   const auto own_share = [&](std::size_t h) { return bounds.handed_on[h].lower + view.to_own_share[h].first; };
   const auto add_all = [&](const auto& all) {

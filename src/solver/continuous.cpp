@@ -112,7 +112,9 @@ LeafAnswer solve_feasibility(const LeafQuestion& question, Desk& desk) {
   const auto& state = question.label->state;  // an exact label need not have its enclosure written out
   const std::vector<Interval> enclosure =
       question.label->exact ? std::vector<Interval>(state.begin(), state.end()) : question.label->enclosure;
-  if (!assess(*question.plan, enclosure, region, bounds, desk)) return answer;
+  // As above: that later stages cannot bear what this label hands on is no answer for all that share it.
+  const bool possible = assess(*question.plan, enclosure, region, bounds, desk);
+  if (!possible && (!question.label->exact || bearable(*question.plan, bounds.handed_on))) return answer;
   const bool hand_on = question.refined_later && !question.label->exact;
   const std::size_t proof_boxes = hand_on ? inexact_boxes : feasibility_boxes;
   if (proves_infeasible(*question.plan, enclosure, region, proof_boxes, desk)) return answer;
@@ -138,7 +140,9 @@ std::optional<LeafAnswer> solve_least(const LeafQuestion& question, Desk& desk) 
   if (found == LeastPoint::infeasible) return answer;
   StagePoint point;
   if (found == LeastPoint::found && LeafDesign(question, desk).take(variables, point)) {
-    if (bearable(*question.plan, point.state)) answer.points.push_back(std::move(point));
+    // Whether later stages can bear it hangs on what does not influence this one, and that differs between labels that
+    // share the answer.
+    answer.points.push_back(std::move(point));
     return answer;
   }
   if (question.tolerance > 0.0) return std::nullopt;

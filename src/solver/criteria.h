@@ -31,6 +31,10 @@ inline double rounded(double x, int digits) {
 inline constexpr int exact_digits = 40;
 inline double rounded(double x) { return rounded(x, exact_digits); }
 
+/// Whether a total keeps a limit, with the slack of rounding: two totals that count as equal keep it alike. False for
+/// NaN.
+inline bool within_limit(double total, double limit) { return total <= limit + 1e-12 * std::fabs(limit); }
+
 struct Criteria {
   std::size_t objectives = 1;                       ///< how many of the scores are objectives; they come first
   std::size_t ties = 0;                             ///< how many scores after them decide between equals

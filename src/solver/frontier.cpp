@@ -180,7 +180,7 @@ bool Frontier::may_matter(std::size_t stage, std::span<const double> score, std:
   if (!bearable(plan, state)) return false;
   if (plan.curves.empty() && plan.planes.empty()) return true;
   LeastTotals totals(score[0] + rest_after(plan, 0, state),
-                     criteria_.second(score) + (criteria_.objectives > 1 ? rest_after(plan, 1, state) : 0.0));
+                     criteria_.second(score) + (criteria_.size() > 1 ? rest_after(plan, 1, state) : 0.0));
   if (criteria_.objectives > 1) totals.add_mixed(plan, score, [&](std::size_t c) { return state[c]; });
   return totals.below(useful_.back()) &&
          (plan.vectors.add.empty() ||
@@ -305,6 +305,7 @@ bool Frontier::arrive(std::size_t stage, Chunk& chunk, const Combination& combin
   }
   Label label;
   if (!evaluate(stage, chunk.labels[combination.label], candidate.rows, std::move(variables), label)) return false;
+  if (!bearable(plans_[stage], label.state)) return false;
   labels_[stage + 1].push_back(std::move(label));
   return true;
 }

@@ -150,6 +150,7 @@ class Frontier {
   std::vector<double> known_inside(const Section& section) const;
   std::size_t section_patience(unsigned given_up) const;
   double middle_of(const Section& section) const;
+  double known_range() const;
   double central(double score, const Section& section) const;
   bool is_wide(const Section& section) const;
   bool is_narrow(const Section& section) const;

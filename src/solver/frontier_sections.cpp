@@ -73,6 +73,7 @@ bool Frontier::by_sections() {
   if (pass({.patience = section_patience(0) / 4})) return !undecided_;
   if (control_.time_is_up()) return false;
   undecided_ = false;
+  least_total_ = std::max(least_total_, rest_.front().front().first);
   const std::vector<StagePlan> plans = plans_;
   const std::vector<StateForm> forms = forms_;
   std::vector<Section> open{Section{}};
@@ -116,9 +117,15 @@ std::vector<double> Frontier::known_inside(const Section& section) const {
 }
 
 double Frontier::middle_of(const Section& section) const {
-  constexpr double more = 1.25;
+  constexpr double more = 0.25;
   const double from = std::max(section.from, least_total_);
-  return std::isfinite(section.to) ? 0.5 * (from + section.to) : more * from;
+  return std::isfinite(section.to) ? 0.5 * (from + section.to) : from + more * std::fabs(from);
+}
+
+/// How far the first scores on the known front lie apart: where they are about zero, no share of them is narrow.
+double Frontier::known_range() const {
+  const std::vector<RankedBuild>& builds = incumbents_.builds();
+  return builds.empty() ? 0.0 : builds.back().score[0] - least_total_;
 }
 
 /// Away from the ends of a wide section: builds that crowd at one end say little about the rest of it. A narrow one is
@@ -133,19 +140,19 @@ double Frontier::central(double score, const Section& section) const {
 
 /// Whether its scores are too different for bounds that fit all of it.
 bool Frontier::is_wide(const Section& section) const {
-  constexpr double wide = 0.3;
+  constexpr double wide = 0.3, wide_of_all = 0.01;
   const double from = std::max(section.from, least_total_);
   if (!std::isfinite(section.to)) return !known_inside(section).empty();
-  return section.to - from > wide * std::fabs(section.to);
+  return section.to - from > std::max(wide * std::fabs(section.to), wide_of_all * known_range());
 }
 
 /// Whether there is no use in cutting it.
 bool Frontier::is_narrow(const Section& section) const {
-  constexpr double narrow = 0.02;
-  constexpr double far = 10.0;
+  constexpr double narrow = 0.02, narrow_of_all = 0.001;
+  constexpr double far = 9.0;
   if (!known_inside(section).empty()) return false;
-  return std::isfinite(section.to) ? !(section.to - middle_of(section) > narrow * std::fabs(section.to))
-                                   : !(section.from < far * least_total_);
+  if (!std::isfinite(section.to)) return !(section.from < least_total_ + far * std::fabs(least_total_));
+  return !(section.to - middle_of(section) > std::max(narrow * std::fabs(section.to), narrow_of_all * known_range()));
 }
 
 /// Vectors below the known front, as far as it is looked at. False: nothing that is left can change it.

@@ -50,8 +50,7 @@ bool Incumbents::settles(const RankedBuild& known,
 
 bool Incumbents::within_limits(std::span<const double> score_lower) const {
   for (std::size_t k = 0; k < score_lower.size(); ++k) {
-    const double limit = criteria_->limit[k];
-    if (score_lower[k] > limit + 1e-12 * std::fabs(limit)) return false;
+    if (!within_limit(score_lower[k], criteria_->limit[k])) return false;
   }
   return true;
 }
@@ -143,9 +142,7 @@ bool Incumbents::fills_no_gap(std::span<const double> score_lower, double utilis
 }
 
 bool Incumbents::offer(RankedBuild candidate) {
-  for (std::size_t k = 0; k < candidate.score.size(); ++k) {
-    if (!(candidate.score[k] <= criteria_->limit[k])) return false;
-  }
+  if (!within_limits(candidate.score)) return false;
   // Between builds the comparison is exact: a build that is better by less than the tolerance is still better.
   constexpr double exactly = 0.0;
   const auto equal_in_all = [&](const RankedBuild& a) {

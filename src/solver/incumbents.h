@@ -37,7 +37,7 @@ class Incumbents {
   [[nodiscard]] std::vector<RankedBuild>& builds() { return builds_; }
   /// First objective of the best build in it; +infinity while there is none.
   [[nodiscard]] double best() const;
-  /// Whether a total keeps every limit, with the slack of rounding (for lower bounds).
+  /// Whether a total keeps every limit, with the slack of rounding: totals that compare as equal keep it alike.
   [[nodiscard]] bool within_limits(std::span<const double> score_lower) const;
 
  private:

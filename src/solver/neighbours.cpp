@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "solver/box.h"
+#include "solver/criteria.h"
 
 namespace millwright::solver {
 
@@ -34,7 +35,7 @@ bool Neighbours::complete(Build& build, std::size_t stage, std::vector<double> r
     for (std::size_t r = 0; r < resources.size(); ++r) resources[r] += answer.resources[r];
   }
   for (std::size_t r = 0; r < resources.size(); ++r)
-    if (!(resources[r] <= problem_.resources[r].limit)) return false;
+    if (!within_limit(resources[r], problem_.resources[r].limit)) return false;
   build.resources = std::move(resources);
   return true;
 }

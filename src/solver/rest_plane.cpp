@@ -36,7 +36,7 @@ double RestPlanes::Prices::find(const Mix& mix, double known) {
   mix_ = mix;
   first_ = 0;
   state_ = problem_.first_state;
-  double best = 0.0;
+  double best = -infinity;
   climb(known, [&](double bound) {
     keep(bound);
     best = bound - sum_slack * before_.room;
@@ -60,7 +60,7 @@ double RestPlanes::Prices::find_from(const Mix& mix, double known, std::size_t s
 double RestPlanes::Prices::climb(double known, const std::function<void(double bound)>& risen) {
   std::vector<double> price(allowances_, 0.0);  // of a whole limit
   std::vector<double> slope(allowances_, 0.0);
-  double best = 0.0;
+  double best = -infinity;
   best_price_.assign(allowances_, 0.0);
   double length = 1.0;
   int idle = 0;

@@ -150,7 +150,9 @@ Summary SolveRun::summary() {
   for (const RankedBuild& ranked : incumbents_.builds()) out.builds.push_back(ranked.build);
   if (criteria_.objectives == 1 && out.builds.size() > 1) out.builds.resize(1);
   out.gap = std::isfinite(best) ? (best - out.lower_bound) / std::max(std::fabs(best), 1e-300) : infinity;
-  const bool closed = complete_ || (criteria_.objectives == 1 && out.gap <= control_.options().gap);
+  // Stage by stage the points of a covered stage may all have been refused later on, and what they stand for might not.
+  const bool may_exist = out.builds.empty() && priced_ && stagewise_ && criteria_.objectives > 1;
+  const bool closed = (complete_ && !may_exist) || (criteria_.objectives == 1 && out.gap <= control_.options().gap);
   out.status = !closed ? Status::limit : out.builds.empty() ? Status::infeasible : Status::optimal;
   out.seconds = control_.seconds();
   if (priced_ && criteria_.objectives > 1) out.front_tolerance = front_tolerance();

@@ -20,7 +20,8 @@ Summary solve(const Problem& problem, const Options& options) {
   settled.nodes += summary.nodes;
   settled.evaluations += summary.evaluations;
   settled.seconds += summary.seconds;
-  return settled.status == Status::optimal ? settled : summary;
+  const bool tells_no_more = settled.status == Status::limit && settled.builds.size() <= summary.builds.size();
+  return tells_no_more ? summary : settled;
 }
 
 }  // namespace millwright::solver
