@@ -48,7 +48,7 @@ std::optional<double> read_amount(const std::string& text, const Problem& proble
   if (!amount) {
     fault.message = text::in_quotes(number) + " is not a number";
     fault.hint = number.find(',') == std::string::npos
-                     ? text::number_hint(number)
+                     ? text::number_hint(number, text::NumberPlace::alone)
                      : "decimals have a point, and nothing stands between thousands: write for example 1200.50";
     return std::nullopt;
   }

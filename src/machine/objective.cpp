@@ -112,8 +112,10 @@ class ObjectiveReader {
     const std::string_view number = text_.substr(begin, at_ - begin);
     const auto value = text::parse_number(number);
     if (!value)
-      return fail(
-          begin, number.size(), fmt::format("{} is not a number", text::in_quotes(number)), text::number_hint(number));
+      return fail(begin,
+                  number.size(),
+                  fmt::format("{} is not a number", text::in_quotes(number)),
+                  text::number_hint(number, text::NumberPlace::alone));
     constexpr double least = 1e-12, most = 1e12;
     if (!(*value >= least && *value <= most))
       return fail(begin,

@@ -100,7 +100,7 @@ std::string_view first_word(std::string_view text) {
 std::optional<std::string> look_alike(std::string_view text) {
   const std::string_view number = first_word(text);
   if (number.empty() || text::parse_number(number)) return std::nullopt;
-  std::string hint = text::number_hint(number);
+  std::string hint = text::number_hint(number, text::NumberPlace::alone);
   if (hint.starts_with("letter") || hint.starts_with("a minus sign")) return hint;
   return std::nullopt;
 }

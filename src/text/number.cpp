@@ -70,7 +70,7 @@ std::optional<std::string> thousands(std::string_view text) {
 }
 
 /// A number with something behind it.
-std::optional<std::string> unit_behind(std::string_view text) {
+std::optional<std::string> unit_behind(std::string_view text, NumberPlace place) {
   double value = 0;
   const std::from_chars_result result = std::from_chars(text.data(), text.data() + text.size(), value);
   if (result.ec != std::errc{} || !std::isfinite(value)) return std::nullopt;
@@ -80,9 +80,11 @@ std::optional<std::string> unit_behind(std::string_view text) {
   const auto lead = static_cast<unsigned char>(rest.front());
   const bool word = (lead | 0x20U) - 'a' < 26U || lead >= 0x80 || lead == '%' || lead == '"' || lead == '[';
   if (!word) return std::nullopt;
-  return fmt::format("unit in the cell {}: units stand in the header, in brackets; write {}",
-                     in_quotes(rest, 12),
-                     text.substr(0, length));
+  const std::string unit = in_quotes(rest, 12);
+  const std::string_view number = text.substr(0, length);
+  return place == NumberPlace::alone
+             ? fmt::format("without {}: write {}", unit, number)
+             : fmt::format("unit in the cell {}: units stand in the header, in brackets; write {}", unit, number);
 }
 
 }  // namespace
@@ -105,24 +107,28 @@ std::optional<double> parse_number(std::string_view text, DecimalMark mark) {
   return value;
 }
 
-std::string number_hint(std::string_view text) {
+std::string number_hint(std::string_view text, NumberPlace place) {
   text = without_blanks(text);
   if (text.size() > longest_number) return fmt::format("{} characters are no number", text.size());
   if (const auto hint = look_alikes(text)) return *hint;
   if (const auto fixed = as_number_with(text, ",", ".")) {
     if (std::count(text.begin(), text.end(), ',') == 1) {
-      return fmt::format("decimal comma: write {}, or separate the cells of this file by ;", *fixed);
+      return fmt::format("decimal comma: write {}{}",
+                         *fixed,
+                         place == NumberPlace::alone ? "" : ", or separate the cells of this file by ;");
     }
   }
   if (const auto hint = thousands(text)) return *hint;
   if (const auto fixed = as_number_with(text, "\u2212", "-")) return "a minus sign of typesetting: write " + *fixed;
-  if (const auto hint = unit_behind(text)) return *hint;
-  const std::string word = lower_case(text);
-  for (const std::string_view missing :
-       {"n/a", "na", "nan", "-", "--", "?", "none", "null", "tbd", "unknown", "\u2013"}) {
-    if (word == missing) return "leave the cell empty where a value is missing";
+  if (const auto hint = unit_behind(text, place)) return *hint;
+  if (place == NumberPlace::cell) {
+    const std::string word = lower_case(text);
+    for (const std::string_view missing :
+         {"n/a", "na", "nan", "-", "--", "?", "none", "null", "tbd", "unknown", "\u2013"}) {
+      if (word == missing) return "leave the cell empty where a value is missing";
+    }
+    if (word.front() == '#') return "an error value of a spreadsheet: compute it anew or leave the cell empty";
   }
-  if (word.front() == '#') return "an error value of a spreadsheet: compute it anew or leave the cell empty";
   double value = 0;
   const std::from_chars_result result = std::from_chars(text.data(), text.data() + text.size(), value);
   if (result.ec == std::errc::result_out_of_range) return "too large or too small for a number";

@@ -89,6 +89,10 @@ TEST_CASE("hints say what was probably meant") {
   CHECK(number_hint("-") == "leave the cell empty where a value is missing");
   CHECK(number_hint("#DIV/0!") == "an error value of a spreadsheet: compute it anew or leave the cell empty");
   CHECK(number_hint("1e999") == "too large or too small for a number");
+  // By itself, as a value of an option, it is in no cell.
+  CHECK(number_hint("12.5 mm", NumberPlace::alone) == "without 'mm': write 12.5");
+  CHECK(number_hint("1,5", NumberPlace::alone) == "decimal comma: write 1.5");
+  CHECK(number_hint("nan", NumberPlace::alone) == "write digits with a decimal point, such as 12.5 or 1.2e-3");
   CHECK(number_hint("about ten") == "write digits with a decimal point, such as 12.5 or 1.2e-3");
   CHECK(number_hint(std::string(10000000, '7')) == "10000000 characters are no number");
   CHECK(number_hint("<5") == "write digits with a decimal point, such as 12.5 or 1.2e-3");
