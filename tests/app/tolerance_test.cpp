@@ -4,6 +4,7 @@
 
 #include "app/program.h"
 #include "catch.h"
+#include "sanitized.h"
 
 namespace tolerance_test {
 
@@ -49,7 +50,10 @@ TEST_CASE("a robust build has no next best") {
 
 TEST_CASE("every build of pareto --robust is compliant for every value, and the front says so") {
   const Workshop shop;
-  const Outcome front = shop.run({"pareto", feeder, "--robust", "--json", "front.json", "--report", "front.html"});
+  // Sanitised, only its cheapest builds.
+  const std::string limit = millwright::sanitized ? "cost=412" : "cost=10000";
+  const Outcome front =
+      shop.run({"pareto", feeder, "--robust", "--limit", limit, "--json", "front.json", "--report", "front.html"});
   REQUIRE(front.exit_code == 0);
   CHECK(front.prints("Every build of it is compliant for every value within the stated"));
   const auto json = nlohmann::json::parse(shop.read("front.json"));

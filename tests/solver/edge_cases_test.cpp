@@ -95,7 +95,7 @@ struct Driven {
     most_power = static_cast<double>(axes) * whole(random, 8, 20) + 0.5;
     chain.add({}, {}, 1, [most = most_power](const auto& in, auto& out) {
       out.utilisation.push_back(in.state(1) / most);
-      for (int i = 0; i < 2; ++i) out.resources.push_back(0.0 * in.state(i));
+      for (std::size_t i = 0; i < 2; ++i) out.resources.push_back(0.0 * in.state(i));
       for (std::size_t i = 0; i < 2; ++i) out.handed_on.push_back(in.state(i));
     });
     chain.problem.first_state = {1.0 * whole(random, 1, 3), 0.0};
@@ -196,7 +196,7 @@ TEST_CASE("A total that is its limit but for rounding keeps it") {
     chain.problem.resources = {{"cost"}, {"mass", 0.3}};
     for (const std::vector<std::size_t>& which : {std::vector<std::size_t>{0}, {1}, {0, 1}, {1, 0}})
       for (const bool stagewise : {false, true})
-        for (const std::uint64_t patience : {0, 25000}) {
+        for (const std::uint64_t patience : {0U, 25000U}) {
           INFO("dearer " << dearer << ", objectives " << which.size() << ", first " << which[0] << ", stage by stage "
                          << stagewise << ", patience " << patience);
           Options options = objectives(which);
@@ -285,7 +285,7 @@ TEST_CASE("What takes off a total that is limited is counted before a design is 
       }
     };
     walk(walk, 0, 0.0, 0.0, 0.0);
-    for (const std::uint64_t stage_patience : {1, 30, 30000}) {
+    for (const std::uint64_t stage_patience : {1U, 30U, 30000U}) {
       INFO("seed " << seed << ", patience " << stage_patience);
       Options options = objectives({0});
       options.patience = 0;
@@ -403,7 +403,7 @@ TEST_CASE("A front that begins at a cost of nothing is found in sections as well
     };
     walk(walk, 0, {}, 0.0);
     const std::vector<Total> front = zoo::front_of(totals);
-    for (const std::uint64_t stage_patience : {1, 5, 30000}) {
+    for (const std::uint64_t stage_patience : {1U, 5U, 30000U}) {
       INFO("patience " << stage_patience);
       Options options = objectives({0, 1});
       options.stage_patience = stage_patience;
