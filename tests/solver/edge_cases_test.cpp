@@ -58,8 +58,7 @@ int whole(std::mt19937& random, int least, int most) {
   return least + static_cast<int>(random() % static_cast<unsigned>(most - least + 1));
 }
 
-// --- drives of few masses, whose ramps decide how many watts they take
-// ------------------------------------------------
+// Drives of few masses, whose ramps decide how many watts they take.
 
 enum Drive : std::size_t { drive_price, drive_mass, drive_strength, drive_power, drive_longest, drive_width };
 
