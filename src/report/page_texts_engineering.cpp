@@ -202,10 +202,10 @@ const std::vector<Saying>& sayings() {
        "tahap demi tahap, dengan rancangan tiap tahap dicari sekali untuk semua label"},
       {"allowances that stages share at prices (Lagrangian bounds)",
        "kelonggaran yang dipakai bersama antartahap diberi harga (batas Lagrange)"},
-      {"where continuous variables move the objectives the front is covered to its tolerance: what beats it by more "
-       "holds only for being lighter by no more than that",
-       "bila variabel kontinu menggerakkan tujuan, garis depan tercakup sampai toleransinya: yang mengalahkannya lebih "
-       "dari itu hanya berlaku karena lebih ringan tidak lebih dari itu"},
+      {"then label by label, from the builds found that way",
+       "lalu label demi label, dari rancangan yang ditemukan begitu"},
+      {"where continuous variables move the objectives the front is covered to its tolerance",
+       "bila variabel kontinu menggerakkan tujuan, garis depan tercakup sampai toleransinya"},
       {"continuous variables that move the objective by SLSQP and Ipopt proposals inside the bound",
        "variabel kontinu yang menggerakkan tujuan memakai usulan SLSQP dan Ipopt di dalam batas"},
       {"started from the objective found, {}, Ipopt ends at {} and NLopt SLSQP ends at {}",

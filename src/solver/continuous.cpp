@@ -2,6 +2,7 @@
 #include "solver/continuous.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "solver/cover.h"
 #include "solver/leaf_point.h"
@@ -128,11 +129,34 @@ LeafAnswer solve_feasibility(const LeafQuestion& question, Desk& desk) {
   return answer;
 }
 
+/// The same of an inexact label, where one point is as good for all that the label stands for as the best of each.
+std::optional<LeafAnswer> solve_least_of_enclosure(const LeafQuestion& question, Desk& desk) {
+  constexpr std::size_t most_boxes = 100;
+  const StagePlan& plan = *question.plan;
+  LeastState found =
+      find_least_state(plan, question.label->enclosure, *question.region, question.start, most_boxes, desk);
+  LeafAnswer answer;
+  if (found.infeasible()) return answer;
+  if (!found.universal() || found.most - found.least > question.tolerance * std::fabs(found.most)) return std::nullopt;
+  StagePoint point;
+  Bounds bounds;
+  Region region = *question.region;
+  if (!assess(plan, question.label->enclosure, region, bounds, desk)) return answer;
+  if (!LeafDesign(question, desk).take(found.variables, point) || !bearable(plan, point.state)) return std::nullopt;
+  Interval& moved = bounds.handed_on[*plan.moved_state];
+  const bool falling = plan.after[*plan.moved_state] == Direction::larger_is_better;
+  moved = falling ? Interval{-found.most, -found.least} : Interval{found.least, found.most};
+  widen_to(bounds, point);
+  answer.points.push_back(std::move(point));
+  return answer;
+}
+
 /// Of an exact label the one best point, where one counts; nothing where it does not or is not found.
 std::optional<LeafAnswer> solve_least(const LeafQuestion& question, Desk& desk) {
   const auto is_whole = [](const OpenBox& box) { return box.sides.empty(); };
   const bool anywhere = question.among.empty() || std::ranges::any_of(question.among, is_whole);
-  if (!question.plan->moved_state || !question.label->exact || !anywhere) return std::nullopt;
+  if (!question.plan->moved_state || !anywhere) return std::nullopt;
+  if (!question.label->exact) return solve_least_of_enclosure(question, desk);
   LeafAnswer answer;
   std::vector<double> variables;
   const LeastPoint found =

@@ -30,7 +30,12 @@ constexpr double undecided_reach = 1.0 / refined_part;  // of the tolerance, whe
 class Cover {
  public:
   Cover(const LeafQuestion& question, Desk& desk)
-      : question_(question), desk_(desk), design_(question, desk), relief_(design_), points_(question) {}
+      : question_(question),
+        desk_(desk),
+        design_(question, desk),
+        relief_(design_),
+        keys_(question),
+        points_(question) {}
 
   LeafAnswer run() {
     const auto& variables = question_.region->variables;
@@ -228,7 +233,7 @@ class Cover {
   bool has_stand_in(const VariableBox& box) {
     if (!leaves_to_later()) return false;
     const auto stands_for_it = [&](std::span<const double> score, std::span<const double> state) {
-      return as_good(question_, score, state, box.bounds.score, box.bounds.handed_on, slack());
+      return as_good(keys_, score, state, box.bounds.score, box.bounds.handed_on, slack());
     };
     for (std::size_t i = 0; i < stand_ins_.size(); ++i) {
       StagePoint& known = stand_ins_[i];
@@ -268,7 +273,7 @@ class Cover {
     for (std::size_t c = 0; c < bounds.handed_on.size(); ++c)
       best.push_back(plan.after[c] == Direction::larger_is_better ? bounds.handed_on[c].upper
                                                                   : bounds.handed_on[c].lower);
-    return as_good(question_, bounds.score, best, box.bounds.score, box.bounds.handed_on, slack());
+    return as_good(keys_, bounds.score, best, box.bounds.score, box.bounds.handed_on, slack());
   }
 
   /// How far scores and states of what the label stands for are from those of its point.
@@ -321,6 +326,7 @@ class Cover {
   /// them even so, a good deal worse: a label that is open in the end is counted by its bounds, and a finer search with
   /// this reach stays within the tolerance of the first one.
   void leave_undecided(const VariableBox& box) {
+    if (is_beyond_bearing(*question_.plan, box.bounds.handed_on)) return;
     const bool by_label = !question_.label->exact && !question_.refined_later;
     if (by_label && covered(box.side, box.origin, box.bounds, {undecided_reach * question_.tolerance, {}, {}})) return;
     answer_.leave_undecided(box.bounds.score);
@@ -333,6 +339,7 @@ class Cover {
   Relief relief_;
   BoxHeap heap_;
   LeafAnswer answer_;
+  PointKeys keys_;
   CoverPoints points_;
   bool has_looked_ = true;              ///< for points; false: not yet
   std::size_t looked_around_ = 0;       ///< so often

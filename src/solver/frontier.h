@@ -18,7 +18,8 @@
 // A stage without slots whose variables move scores or states (a shaft of free diameter) is asked label by label: its
 // designs are covered to Options::front_tolerance by real ones (continuous.h), and those become the labels. So with
 // such stages every design is matched within the tolerance by a build of the front or by one that a later stage refuses
-// for being heavier by no more than the tolerance; without them the front is exact.
+// for being heavier by no more than the tolerance; without them the front is exact. What is lost that way is found by
+// branch_and_bound.h, from the builds of this front (solver.cpp).
 //
 // A stage whose variables move one component handed on and nothing else (a ramp that decides how many watts a drive
 // takes) is done like one whose variables decide feasibility only: a design hands on the least that some feasible

@@ -2,17 +2,14 @@
 #include "solver/leaf_precision.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace millwright::solver {
 
-LeafPrecision first_precision(const std::vector<StagePlan>& plans, double tolerance, std::size_t objectives) {
-  constexpr double coarse = 0.01;
-  const bool needs_many = std::any_of(plans.begin(), plans.end(), [](const StagePlan& plan) {
-    return is_covered(plan) && std::count(plan.after.begin(), plan.after.end(), Direction::equal_only) > 0;
-  });
-  if (needs_many && objectives == 1) return {std::max(coarse, tolerance), 0, true, {}};
-  return {tolerance, 0, false, {}};
-}
+namespace {
+
+constexpr double coarse = 0.01;
 
 bool may_be_finer(const LeafPrecision& precision, double tolerance) {
   constexpr int fewest = 4, most = 12;
@@ -20,8 +17,35 @@ bool may_be_finer(const LeafPrecision& precision, double tolerance) {
   return precision.refinements < fewest || (precision.refinements < most && precision.tolerance > far * tolerance);
 }
 
-LeafPrecision finer(const LeafPrecision& precision, UndecidedDesigns undecided) {
-  return {refined_part * precision.tolerance, precision.refinements + 1, precision.refined_later, std::move(undecided)};
+}  // namespace
+
+LeafPrecision first_precision(const std::vector<StagePlan>& plans,
+                              double tolerance,
+                              std::size_t objectives,
+                              bool left_open) {
+  const bool needs_many = std::any_of(plans.begin(), plans.end(), [](const StagePlan& plan) {
+    return is_covered(plan) && std::count(plan.after.begin(), plan.after.end(), Direction::equal_only) > 0;
+  });
+  if (needs_many && objectives == 1) return {std::max(coarse, tolerance), 0, true};
+  if (left_open) return {tolerance, 0, true, 0};
+  return {tolerance};
+}
+
+std::optional<LeafPrecision> next_precision(const LeafPrecision& last,
+                                            UndecidedDesigns undecided,
+                                            double tolerance,
+                                            std::size_t objectives) {
+  constexpr int enough = 1;  // refinements everywhere, which take longer and longer
+  if (!last.refined_later && objectives == 1 && last.refinements == enough)
+    return LeafPrecision{std::max(coarse, tolerance), 0, true, enough + 1};
+  if (may_be_finer(last, tolerance))
+    return LeafPrecision{refined_part * last.tolerance,
+                         last.refinements + 1,
+                         last.refined_later,
+                         last.everywhere_next,
+                         std::move(undecided)};
+  if (!last.refined_later || !last.everywhere_next) return std::nullopt;
+  return LeafPrecision{tolerance * std::pow(refined_part, *last.everywhere_next), *last.everywhere_next};
 }
 
 }  // namespace millwright::solver

@@ -7,14 +7,12 @@ std::string sentence_of(const MethodsUsed& used) {
   std::string text =
       "best-first branch and bound with outward-rounded interval bounds over row sets and boxes, labels between stages "
       "with dominance in proved directions only, every shared choice tried";
-  if (used.stagewise) text += "; stage by stage, with the designs of a stage found once for all labels";
+  if (used.stagewise || used.in_turn) text += "; stage by stage, with the designs of a stage found once for all labels";
+  if (used.in_turn) text += "; then label by label, from the builds found that way";
   if (used.allowances) text += "; allowances that stages share at prices (Lagrangian bounds)";
   if (used.by_front) text += "; as the end of a front, of the objective and of what is limited";
-  if (used.priced && used.front) {
-    text +=
-        "; where continuous variables move the objectives the front is covered to its tolerance: what beats it by more "
-        "holds only for being lighter by no more than that";
-  }
+  if (used.priced && used.front)
+    text += "; where continuous variables move the objectives the front is covered to its tolerance";
   if (used.priced)
     text += "; continuous variables that move the objective by SLSQP and Ipopt proposals inside the bound";
   return text;

@@ -11,6 +11,7 @@ struct MethodsUsed {
   bool priced = false;      ///< continuous variables move the objectives
   bool front = false;       ///< there are several
   bool stagewise = false;   ///< frontier.h
+  bool in_turn = false;     ///< first frontier.h, then, from the builds found, branch_and_bound.h
   bool allowances = false;  ///< rest_plane.h
   bool by_front = false;    ///< of a single objective and a resource that is limited (SolveRun::settle_by_front)
 };

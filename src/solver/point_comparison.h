@@ -5,6 +5,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "solver/continuous.h"
 
@@ -19,21 +20,36 @@ struct Slack {
   [[nodiscard]] double of_state(std::size_t c) const { return state.empty() ? 0.0 : state[c]; }
 };
 
+/// Points as keys: one is as good as another where its key is at most as large in every coordinate. Those are the own
+/// share of each score and, of the state, each component that has a direction, turned so that less is better; one that
+/// has to be equal counts twice, once turned.
+class PointKeys {
+ public:
+  /// `question` has to outlive it.
+  explicit PointKeys(const LeafQuestion& question);
+
+  [[nodiscard]] std::size_t dimensions() const { return dimensions_; }
+  void key_of(std::span<const double> score, std::span<const double> state, std::vector<double>& key) const;
+  /// What the key of a point must not exceed if it is to stand for everything with at least these scores (own share)
+  /// and with states in these ranges. False: no point can, since a range has no bound, or is wide and has to be equal.
+  [[nodiscard]] bool limits_of(std::span<const double> score,
+                               std::span<const Interval> state,
+                               const Slack& allowed,
+                               std::vector<double>& limits) const;
+
+ private:
+  const LeafQuestion& question_;
+  std::size_t dimensions_ = 0;
+};
+
 /// Whether a known point may stand for everything with at least these scores (own share) and with states in these
 /// ranges.
-bool as_good(const LeafQuestion& question,
+bool as_good(const PointKeys& keys,
              std::span<const double> known_score,
              std::span<const double> known_state,
              std::span<const double> score,
              std::span<const Interval> state,
              const Slack& allowed);
-
-/// Whether a point is no better than another in any score and in any component of the state.
-bool dominated_by(const StagePlan& plan,
-                  std::span<const double> old_score,
-                  std::span<const double> old_state,
-                  std::span<const double> score,
-                  std::span<const double> state);
 
 /// Widens the enclosure of a component so that it holds a state, too. In a good direction only the better side needs to
 /// be enclosed: the worse is no better than the point.

@@ -24,6 +24,10 @@ Summary SolveRun::run() {
 bool SolveRun::find_some_first() {
   constexpr double small = 1e3;  // combinations below which none of it is worth its while
   const Options& options = control_.options();
+  if (!known_.empty()) {
+    take_known();
+    return true;
+  }
   const bool ends = criteria_.objectives == 2 && !options.stagewise;
   const bool sides = criteria_.objectives == 3 && options.stagewise && options.look_first;
   if ((!ends && !sides) || !(search_space(problem_) > small)) return true;
@@ -62,8 +66,20 @@ void SolveRun::find_ends() {
     if (end.builds.empty()) return;
     ends.push_back(scores_of(end.builds[0]));
   }
-  const double rise = ends[1][0] - ends[0][0];
-  const double fall = ends[0][1] - ends[1][1];
+  add_guides_between(ends[0], ends[1]);
+}
+
+/// Builds that another run has found, and a guide between the first and the last of them.
+void SolveRun::take_known() {
+  for (const Build& build : known_) incumbents_.offer({scores_of(build), build});
+  const std::vector<double> first = incumbents_.builds().front().score;
+  const std::vector<double> last = incumbents_.builds().back().score;
+  add_guides_between(first, last);
+}
+
+void SolveRun::add_guides_between(std::span<const double> first_end, std::span<const double> second_end) {
+  const double rise = second_end[0] - first_end[0];
+  const double fall = first_end[1] - second_end[1];
   if (rise > 0.0 && fall > 0.0) add_guides(criteria_, std::array{rise, fall});
   for (RankedBuild& ranked : incumbents_.builds()) ranked.score = scores_of(ranked.build);
 }
@@ -150,13 +166,12 @@ Summary SolveRun::summary() {
   for (const RankedBuild& ranked : incumbents_.builds()) out.builds.push_back(ranked.build);
   if (criteria_.objectives == 1 && out.builds.size() > 1) out.builds.resize(1);
   out.gap = std::isfinite(best) ? (best - out.lower_bound) / std::max(std::fabs(best), 1e-300) : infinity;
-  // Stage by stage the points of a covered stage may all have been refused later on, and what they stand for might not.
-  const bool may_exist = out.builds.empty() && priced_ && stagewise_ && criteria_.objectives > 1;
-  const bool closed = (complete_ && !may_exist) || (criteria_.objectives == 1 && out.gap <= control_.options().gap);
+  const bool closed = complete_ || (criteria_.objectives == 1 && out.gap <= control_.options().gap);
   out.status = !closed ? Status::limit : out.builds.empty() ? Status::infeasible : Status::optimal;
   out.seconds = control_.seconds();
   if (priced_ && criteria_.objectives > 1) out.front_tolerance = front_tolerance();
-  out.method = sentence_of({priced_, criteria_.objectives > 1, stagewise_, allowances_priced_, settled_by_front_});
+  out.method = sentence_of(
+      {priced_, criteria_.objectives > 1, stagewise_, !known_.empty(), allowances_priced_, settled_by_front_});
   if (priced_ && control_.options().confirm && criteria_.objectives == 1 && !out.builds.empty()) {
     out.confirmations = confirm(problem_, criteria_, out.builds.front(), priced_stages_);
     out.method += confirmation_sentence(out.confirmations);

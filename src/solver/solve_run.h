@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "solver/branch_and_bound.h"
@@ -25,16 +26,19 @@ class SolveRun {
  public:
   /// `stage_by_stage`: only what frontier.h does, the rest is left open.
   enum class Scope { all, stage_by_stage };
-  /// `tables`: what another run has found out about the same problem; null: nothing yet.
+  /// `tables`: what another run has found out about the same problem; null: nothing yet. `known`: builds of a front in
+  /// two objectives, to start from.
   SolveRun(const Problem& problem,
            const Options& options,
            Scope scope = Scope::all,
-           std::shared_ptr<TableMemory> tables = nullptr)
+           std::shared_ptr<TableMemory> tables = nullptr,
+           std::span<const Build> known = {})
       : problem_(problem),
         criteria_(make_criteria(problem, options)),
         control_(options),
         incumbents_(criteria_),
         scope_(scope),
+        known_(known),
         tables_(tables != nullptr ? std::move(tables) : std::make_shared<TableMemory>()) {}
 
   Summary run();
@@ -53,6 +57,8 @@ class SolveRun {
 
   bool find_some_first();
   void find_ends();
+  void take_known();
+  void add_guides_between(std::span<const double> first_end, std::span<const double> second_end);
   bool find_sides();
   void add_guides_between_sides();
   Summary solve_first(Options options, Scope scope);
@@ -80,7 +86,8 @@ class SolveRun {
   void sharpen(std::vector<StagePlan>& plans, const CurveEffort& effort = {});
   [[nodiscard]] double leaf_tolerance() const;
   [[nodiscard]] LeafPrecision precision_for(const std::vector<StagePlan>& plans) const {
-    return first_precision(plans, leaf_tolerance(), criteria_.objectives);
+    const bool left_open = criteria_.objectives == 2 && !control_.options().stagewise;
+    return first_precision(plans, leaf_tolerance(), criteria_.objectives, left_open);
   }
   std::unique_ptr<BranchAndBound> label_by_label(std::vector<StagePlan>& plans) {
     return label_by_label(plans, precision_for(plans));
@@ -106,6 +113,7 @@ class SolveRun {
   SearchControl control_;
   Incumbents incumbents_;
   Scope scope_;
+  std::span<const Build> known_;
   std::shared_ptr<TableMemory> tables_;
   std::uint64_t earlier_evaluations_ = 0;
   bool complete_ = true;

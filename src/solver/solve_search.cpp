@@ -253,10 +253,12 @@ void SolveRun::finish(OpenSearch& open) {
   }
   set_tolerance();
   SearchResult result = open.search->run();
-  while (!result.complete && !control_.time_is_up() && may_be_finer(open.search->precision(), leaf_tolerance())) {
-    LeafPrecision precision = finer(open.search->precision(), open.search->undecided_designs());
+  while (!result.complete && !control_.time_is_up()) {
+    std::optional<LeafPrecision> precision = next_precision(
+        open.search->precision(), open.search->undecided_designs(), leaf_tolerance(), criteria_.objectives);
+    if (!precision) break;
     open.search = nullptr;  // it may be large
-    open.search = label_by_label(*open.plans, std::move(precision));
+    open.search = label_by_label(*open.plans, std::move(*precision));
     result = open.search->run();
   }
   if (!result.complete) leave_open(std::max(open.score[0], result.lower_bound));
@@ -289,8 +291,10 @@ SolveRun::Settled SolveRun::stage_by_stage(std::vector<StagePlan>& plans, double
   stagewise_ = true;
   const bool settled = frontier.run(allowances_priced_, lower_bound, [this] { return settle_by_front(); });
   allowances_priced_ = allowances_priced_ || frontier.used_prices();
-  if (settled) return frontier.equals_left() ? Settled::but_for_equals : Settled::yes;
-  if (frontier.undecided() && !control_.time_is_up()) return Settled::no;
+  // Where a later stage refuses the points of a cover it might not refuse what they stand for: builds may be missing.
+  const bool covered = std::ranges::any_of(plans, is_covered);
+  if (settled && !covered) return frontier.equals_left() ? Settled::but_for_equals : Settled::yes;
+  if (frontier.undecided() && !covered && !control_.time_is_up()) return Settled::no;
   leave_open(criteria_.objectives == 1 ? std::max(lower_bound, frontier.least_total()) : lower_bound);
   return Settled::yes;
 }

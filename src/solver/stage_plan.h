@@ -134,6 +134,14 @@ bool bearable(const StagePlan& plan, const State& handed_on) {
   return true;
 }
 
+/// Whether no later stage can bear any of what is handed on, without that slack: for a box that is too narrow to be
+/// divided and lies within it.
+inline bool is_beyond_bearing(const StagePlan& plan, std::span<const Interval> handed_on) {
+  for (std::size_t c = 0; c < plan.most_after.size(); ++c)
+    if (handed_on[c].lower > plan.most_after[c]) return true;
+  return false;
+}
+
 /// So few that what the rest costs at least can be found at every state nearly exactly.
 inline bool has_few_designs(const StagePlan& plan) { return plan.stage->slots().size() <= 1; }
 
