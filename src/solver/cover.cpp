@@ -63,6 +63,11 @@ class Cover {
   }
 
  private:
+  /// How far what the label stands for is from itself.
+  struct LabelSlack {
+    std::vector<double> score, state;
+  };
+
   [[nodiscard]] bool stopped(std::size_t boxes) const {
     constexpr std::size_t asked_every = 16;
     return boxes % asked_every == 0 && question_.stop && question_.stop();
@@ -203,7 +208,7 @@ class Cover {
     if (design_.take(variables, point) && bearable(*question_.plan, point.state)) points_.add(std::move(point));
   }
 
-  [[nodiscard]] Slack slack() const { return {question_.tolerance, label_score_, label_state_}; }
+  [[nodiscard]] Slack slack() const { return {question_.tolerance, label_slack_.score, label_slack_.state}; }
 
   bool covered(std::span<const Interval> side, OpenBox::Origin origin, const Bounds& bounds) {
     return covered(side, origin, bounds, slack());
@@ -232,20 +237,25 @@ class Cover {
   /// decides nothing, and what comes later may.
   bool has_stand_in(const VariableBox& box) {
     if (!leaves_to_later()) return false;
-    const auto stands_for_it = [&](std::span<const double> score, std::span<const double> state) {
-      return as_good(keys_, score, state, box.bounds.score, box.bounds.handed_on, slack());
+    const auto stands_for_it = [&](std::span<const double> score, std::span<const double> state, const Slack& within) {
+      return as_good(keys_, score, state, box.bounds.score, box.bounds.handed_on, within);
     };
     for (std::size_t i = 0; i < stand_ins_.size(); ++i) {
       StagePoint& known = stand_ins_[i];
-      if (!stands_for_it(stand_ins_score_[i], known.state)) continue;
+      if (!stands_for_it(stand_ins_score_[i], known.state, slack())) continue;
       known.utilisation = std::min(known.utilisation, box.bounds.utilisation);
       take_over(box.side, box.origin, box.bounds, known);
       return true;
     }
     StagePoint point;
-    if (!design_.take_infeasible(middle_of(box.side), point)) return false;
+    const std::vector<double> middle = middle_of(box.side);
+    if (!design_.take_infeasible(middle, point)) return false;
     std::vector<double> score = point.score_lower;
-    if (!stands_for_it(score, point.state)) return false;
+    if (!stands_for_it(score, point.state, slack())) {
+      // What is in whole steps (a power) may be one or the next just here.
+      const LabelSlack here = label_slack(middle, point);
+      if (!stands_for_it(score, point.state, {question_.tolerance, here.score, here.state})) return false;
+    }
     point.utilisation = box.bounds.utilisation;
     take_over(box.side, box.origin, box.bounds, point);
     stand_ins_score_.push_back(std::move(score));
@@ -276,22 +286,28 @@ class Cover {
     return as_good(keys_, bounds.score, best, box.bounds.score, box.bounds.handed_on, slack());
   }
 
-  /// How far scores and states of what the label stands for are from those of its point.
+  /// How far scores and states of what the label stands for are from those of its point, in the middle of its
+  /// variables.
   void measure_label(std::span<const Interval> variables) {
     StagePoint point;
     const std::vector<double> middle = middle_of(variables);
-    if (!design_.take_infeasible(middle, point)) return;
-    Region region = *question_.region;
-    region.variables.assign(middle.begin(), middle.end());
-    Bounds bounds;
+    if (design_.take_infeasible(middle, point)) label_slack_ = label_slack(middle, point);
+  }
+  /// `point`: of the label itself, with these variables.
+  LabelSlack label_slack(std::span<const double> variables, const StagePoint& point) {
+    LabelSlack found;
     const StagePlan& plan = *question_.plan;
-    read_bounds(plan, desk_.bound(*plan.stage, plan.shared, question_.label->enclosure, region), bounds);
+    const std::vector<Interval> there(variables.begin(), variables.end());
+    Bounds bounds;
+    read_bounds(
+        plan, desk_.bound(*plan.stage, plan.shared, question_.label->enclosure, *question_.region, there), bounds);
     for (std::size_t k = 0; k < bounds.score.size(); ++k) {
       const double below = point.score_lower[k] - bounds.score[k];
-      label_score_.push_back(std::isfinite(below) ? std::max(below, 0.0) : 0.0);
+      found.score.push_back(std::isfinite(below) ? std::max(below, 0.0) : 0.0);
     }
     for (const Interval& state : bounds.handed_on)
-      label_state_.push_back(state.is_bounded() ? state.upper - state.lower : 0.0);
+      found.state.push_back(state.is_bounded() ? state.upper - state.lower : 0.0);
+    return found;
   }
 
   bool useless(std::span<const Interval> side, OpenBox::Origin origin, const Bounds& bounds) {
@@ -346,7 +362,7 @@ class Cover {
   std::vector<VariableBox> set_aside_;  ///< that cannot be divided, and in which points have not been looked for
   std::vector<StagePoint> stand_ins_;   ///< points that break a constraint, for what an inexact label stands for
   std::vector<std::vector<double>> stand_ins_score_;
-  std::vector<double> label_score_, label_state_;  ///< how far what the label stands for is from itself
+  LabelSlack label_slack_;
 };
 
 }  // namespace

@@ -232,12 +232,15 @@ TEST_CASE("Where a free dimension is taken within narrow windows only no design 
 }
 
 TEST_CASE("Where a free dimension decides how many whole watts a drive takes the front is covered") {
-  for (unsigned seed = 0; seed < draws; ++seed) {
+  const auto look = [](unsigned seed) {
     INFO("seed " << seed);
     const Driven driven(seed);
     CHECK(is_covered(driven));
     if (seed < ends) check_ends(driven);
-  }
+  };
+  for (unsigned seed = 0; seed < draws; ++seed) look(seed);
+  // Of 300 those at which it was left undecided whether a drive takes a watt more.
+  for (const unsigned seed : {59U, 91U, 122U, 150U, 218U}) look(seed);
 }
 
 }  // namespace covered_fronts_test
