@@ -72,6 +72,7 @@ void SolveRun::find_ends() {
 /// Builds that another run has found, and a guide between the first and the last of them.
 void SolveRun::take_known() {
   for (const Build& build : known_) incumbents_.offer({scores_of(build), build});
+  if (incumbents_.builds().empty()) return;
   const std::vector<double> first = incumbents_.builds().front().score;
   const std::vector<double> last = incumbents_.builds().back().score;
   add_guides_between(first, last);
