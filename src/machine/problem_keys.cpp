@@ -109,6 +109,7 @@ struct Known {
 
 struct KnownKind {
   std::vector<Known> keys;
+  std::vector<std::vector<Question>> heard;  ///< all questions that one file was asked of it
 };
 
 /// What was asked of one table in one file.
@@ -230,8 +231,11 @@ class Explorer {
   }
 
   void take(const Hearing& hearing, const Node& root) {
-    std::set<std::string> asked, refused, required;
     KnownKind& kind = kind_of(hearing);
+    // Most files differ in another table, and this one is asked what it was asked before.
+    if (std::find(kind.heard.begin(), kind.heard.end(), hearing.questions) != kind.heard.end()) return;
+    kind.heard.push_back(hearing.questions);
+    std::set<std::string> asked, refused, required;
     for (const Question& question : hearing.questions) {
       asked.insert(question.key);
       if (question.expected == Expected::not_allowed) refused.insert(question.key);

@@ -60,6 +60,8 @@ struct Question {
   double most = std::numeric_limits<double>::infinity();
   bool above_least = false;  ///< `least` itself is not allowed
   bool required = false;
+
+  bool operator==(const Question&) const = default;
 };
 
 /// Hears every question a reader asks.
