@@ -726,7 +726,7 @@ std::optional<std::pair<Row, Row>> comparable_rows(const solver::Stage& stage,
 // what two rows differ by would not be the sum of what their readings do.
 TEST_CASE("What two rows of a kind differ by lies within the slopes in their readings") {
   std::map<std::size_t, std::size_t> graded_slots;  // [kind of stage]
-  const std::size_t pairs = sanitized ? 60 : 200;
+  const std::size_t pairs = sanitized ? 30 : 200;
   for (const StageEntry* entry : all_stages()) {
     const solver::Stage& stage = entry->as_stage();
     BoxSampler sampler = sampler_of(*entry, 16);

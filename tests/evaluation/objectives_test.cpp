@@ -115,7 +115,7 @@ TEST_CASE("The best builds by every objective and by weighted sums are those of 
                                             "cost + 300*cycle_time + 0.5*energy",
                                             "0.5*mass + energy"};
   int compliant = 0;
-  for (unsigned seed = 0; seed < (sanitized ? 2 : 6); ++seed) {
+  for (unsigned seed = 0; seed < (sanitized ? 1 : 6); ++seed) {
     const TinyCatalogue tiny(random_prices(seed));
     const machine::Problem problem =
         table(4.0 + 5.0 * (seed % 3), 20.0 + 8.0 * (seed % 4), seed == 5, seed % 3 == 1 ? "vertical" : "horizontal");
@@ -247,6 +247,7 @@ TEST_CASE("A front in three objectives of which one is the same for all builds i
     CAPTURE(seed, front.method);
     CHECK(front.status == solver::Status::optimal);
     CHECK(front.method.find("every build has the same cycle_time") != std::string::npos);
+    if (sanitized) continue;  // to try all builds takes twice as long as to find them
     const PricedExhaustive all(model, weights_of(model, "mass"));
     std::vector<std::pair<double, double>> expected, found;
     for (const auto& build : all.builds)

@@ -8,7 +8,6 @@
 #include <limits>
 #include <memory>
 #include <random>
-#include <string>
 
 #include "catch.h"
 #include "sanitized.h"
@@ -216,7 +215,7 @@ void check_ends(const Shafts& shafts) {
   }
 }
 
-constexpr unsigned draws = millwright::sanitized ? 3 : 40;
+constexpr unsigned draws = millwright::sanitized ? 2 : 40;
 constexpr unsigned ends = millwright::sanitized ? 0 : 2;  // far longer than fronts: a millionth, not a thousandth
 
 }  // namespace
@@ -240,7 +239,10 @@ TEST_CASE("Where a free dimension decides how many whole watts a drive takes the
   };
   for (unsigned seed = 0; seed < draws; ++seed) look(seed);
   // Of 300 those at which it was left undecided whether a drive takes a watt more.
-  for (const unsigned seed : {59U, 91U, 122U, 150U, 218U}) look(seed);
+  for (const unsigned seed : {59U, 91U, 122U, 150U, 218U}) {
+    look(seed);
+    if (millwright::sanitized) break;
+  }
 }
 
 }  // namespace covered_fronts_test

