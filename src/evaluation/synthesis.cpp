@@ -238,7 +238,10 @@ solver::Options solver_options(const MachineModel& model, const SearchOptions& o
       for (const machine::ObjectiveTerm& term : objective.terms)
         result.weights[model.compared(term.quantity)] = term.weight;
     }
-    if (options.objectives.size() == 1) result.ties = ties(model, objective);
+    if (options.objectives.size() > 1) continue;
+    result.ties = ties(model, objective);
+    // Among builds of the least energy, time or error it takes longer than to find that.
+    result.settle_ties = quantity == machine::Quantity::cost || quantity == machine::Quantity::mass;
   }
   result.gap = options.gap;
   result.time_limit_seconds = options.time_limit_seconds;

@@ -31,6 +31,7 @@ class SearchControl {
   [[nodiscard]] double seconds() const { return since(start_); }
   [[nodiscard]] bool time_is_up() const {
     if (options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed)) return true;
+    if (nodes > options_.most_nodes) return true;
     return options_.time_limit_seconds < 1e300 && seconds() >= options_.time_limit_seconds;
   }
   /// False when time was up before `preparation`, which asks the first desk, was done.

@@ -39,6 +39,7 @@ bool SolveRun::find_some_first() {
 /// Solves for other objectives first: what is found counts here too.
 Summary SolveRun::solve_first(Options options, Scope scope) {
   options.confirm = false;
+  options.settle_ties = false;
   options.progress = nullptr;  // it would tell of other objectives
   Summary found = SolveRun(problem_, options, scope, tables_).run();
   control_.nodes += found.nodes;
@@ -126,6 +127,38 @@ void SolveRun::better_among_equals() {
   const Neighbours neighbours(problem_);
   neighbours.improve_equals(criteria_, best, [this] { return control_.time_is_up(); });
   best.build.worst_utilisation = neighbours.worst_utilisation(best.build);
+  if (auto other = best_among_equals()) best = std::move(*other);
+}
+
+/// Parts that only together are better: the least in the first tie of all builds that are no worse in the objective, if
+/// that is found soon, and is better by more than searches leave open.
+std::optional<RankedBuild> SolveRun::best_among_equals() {
+  const Options& asked = control_.options();
+  if (!asked.settle_ties || !asked.weights.empty() || asked.ties.empty() || !complete_) return std::nullopt;
+  const RankedBuild& best = incumbents_.builds().front();
+  const std::size_t objective = asked.objectives.front(), tie = asked.ties.front();
+  Problem within = problem_;
+  double& limit = within.resources[objective].limit;
+  limit = std::min(limit, best.build.resources[objective]);
+  Options options = asked;
+  options.objectives = {tie};
+  options.ties.erase(options.ties.begin());
+  options.confirm = false;
+  options.progress = nullptr;  // it would tell of another objective
+  options.time_limit_seconds -= control_.seconds();
+  options.most_nodes = std::min(4 * control_.nodes + 500, control_.nodes / 2 + 6000);
+  const Summary found = SolveRun(within, options, Scope::all, tables_).run();
+  control_.nodes += found.nodes;
+  earlier_evaluations_ += found.evaluations;
+  if (found.status != Status::optimal) return std::nullopt;
+  const Build& build = found.builds.front();
+  for (const std::size_t each : asked.ties) {
+    const double known = best.build.resources[each], other = build.resources[each];
+    const double room = asked.gap * std::fabs(known);
+    if (other < known - room) return RankedBuild{scores_of(build), build};
+    if (other > known + room) break;
+  }
+  return std::nullopt;
 }
 
 /// Continuous variables are found within the gap only, so that of two builds the one may be lighter by that noise, for

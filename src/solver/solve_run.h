@@ -64,6 +64,7 @@ class SolveRun {
   Summary solve_first(Options options, Scope scope);
   [[nodiscard]] std::vector<double> scores_of(const Build& build) const;
   void better_among_equals();
+  [[nodiscard]] std::optional<RankedBuild> best_among_equals();
   void leave_out_noise();
   Summary summary();
 

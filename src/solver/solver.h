@@ -42,6 +42,10 @@ struct Options {
   const std::atomic<bool>* stop = nullptr;  ///< set by Ctrl-C: end as for the time limit
   std::function<void(const Progress&)> progress;
   double progress_interval_seconds = 0.1;  ///< not more often
+  /// Where continuous variables move a single objective: the best in `ties` is looked for by a search of its own, as
+  /// long as that takes few nodes more than the first. Else, and without, among neighbours of the answer only.
+  bool settle_ties = true;
+  std::uint64_t most_nodes = std::numeric_limits<std::uint64_t>::max();  ///< end as for the time limit
 };
 
 /// The choices of one stage in a build.
