@@ -240,8 +240,8 @@ solver::Options solver_options(const MachineModel& model, const SearchOptions& o
     }
     if (options.objectives.size() > 1) continue;
     result.ties = ties(model, objective);
-    // Among builds of the least energy, time or error it takes longer than to find that.
-    result.settle_ties = quantity == machine::Quantity::cost || quantity == machine::Quantity::mass;
+    // Among builds of the least energy, time or error it takes longer than to find that, and prices hardly ever tie.
+    result.settle_ties = quantity == machine::Quantity::mass;
   }
   result.gap = options.gap;
   result.time_limit_seconds = options.time_limit_seconds;
