@@ -13,6 +13,7 @@ const { chromium } = require("playwright-core");
 
 const [program, source, browserProgram, screenshots] = process.argv.slice(2);
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), "millwright-page-"));
+const patience = 120000; // ms: slow is not wrong, and on a machine that never ran a browser its first start is slow
 const a4 = { width: 688, height: 990 }; // CSS pixels of A4 less the margins of the page
 
 /// Runs the program with `--report`; the page's address.
@@ -28,6 +29,7 @@ function pageOf(name, ...words) {
 
 async function open(browser, address) {
   const page = await browser.newPage({ viewport: { width: 1100, height: 900 } });
+  page.setDefaultTimeout(patience);
   const complaints = [];
   page.on("console", (message) => complaints.push(message.text()));
   page.on("pageerror", (error) => complaints.push(String(error)));
@@ -183,7 +185,11 @@ const tests = {
 };
 
 async function main() {
-  const browser = await chromium.launch({ executablePath: browserProgram, args: ["--no-sandbox"] });
+  const browser = await chromium.launch({
+    executablePath: browserProgram,
+    args: ["--no-sandbox", "--disable-dev-shm-usage"], // shared memory is scarce in containers
+    timeout: patience,
+  });
   let failed = 0;
   for (const [name, test] of Object.entries(tests)) {
     try {
