@@ -208,6 +208,11 @@ const std::vector<Saying>& sayings() {
        "bila variabel kontinu menggerakkan tujuan, garis depan tercakup sampai toleransinya"},
       {"continuous variables that move the objective by SLSQP and Ipopt proposals inside the bound",
        "variabel kontinu yang menggerakkan tujuan memakai usulan SLSQP dan Ipopt di dalam batas"},
+      {"of builds that are no worse the best in what is compared next, by a search of its own",
+       "dari rancangan yang tidak lebih buruk, yang terbaik dalam hal yang dibandingkan berikutnya, dengan pencarian "
+       "tersendiri"},
+      {"of builds that are no worse not all were compared in what comes next",
+       "dari rancangan yang tidak lebih buruk, tidak semua dibandingkan dalam hal berikutnya"},
       {"started from the objective found, {}, Ipopt ends at {} and NLopt SLSQP ends at {}",
        "dimulai dari tujuan yang ditemukan, {}, Ipopt berakhir pada {} dan NLopt SLSQP berakhir pada {}"},
       {"started from the objective found, {}, Ipopt ends without a feasible point and NLopt SLSQP ends at {}",

@@ -15,6 +15,10 @@ std::string sentence_of(const MethodsUsed& used) {
     text += "; where continuous variables move the objectives the front is covered to its tolerance";
   if (used.priced)
     text += "; continuous variables that move the objective by SLSQP and Ipopt proposals inside the bound";
+  if (used.among_equals == AmongEquals::all)
+    text += "; of builds that are no worse the best in what is compared next, by a search of its own";
+  if (used.among_equals == AmongEquals::some)
+    text += "; of builds that are no worse not all were compared in what comes next";
   return text;
 }
 

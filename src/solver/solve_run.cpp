@@ -134,7 +134,9 @@ void SolveRun::better_among_equals() {
 /// that is found soon, and is better by more than searches leave open.
 std::optional<RankedBuild> SolveRun::best_among_equals() {
   const Options& asked = control_.options();
-  if (!asked.settle_ties || !asked.weights.empty() || asked.ties.empty() || !complete_) return std::nullopt;
+  if (!asked.settle_ties || !asked.weights.empty() || asked.ties.empty()) return std::nullopt;
+  among_equals_ = AmongEquals::some;
+  if (!complete_) return std::nullopt;
   const RankedBuild& best = incumbents_.builds().front();
   const std::size_t objective = asked.objectives.front(), tie = asked.ties.front();
   Problem within = problem_;
@@ -151,6 +153,7 @@ std::optional<RankedBuild> SolveRun::best_among_equals() {
   control_.nodes += found.nodes;
   earlier_evaluations_ += found.evaluations;
   if (found.status != Status::optimal) return std::nullopt;
+  among_equals_ = AmongEquals::all;
   const Build& build = found.builds.front();
   for (const std::size_t each : asked.ties) {
     const double known = best.build.resources[each], other = build.resources[each];
@@ -204,8 +207,13 @@ Summary SolveRun::summary() {
   out.status = !closed ? Status::limit : out.builds.empty() ? Status::infeasible : Status::optimal;
   out.seconds = control_.seconds();
   if (priced_ && criteria_.objectives > 1) out.front_tolerance = front_tolerance();
-  out.method = sentence_of(
-      {priced_, criteria_.objectives > 1, stagewise_, !known_.empty(), allowances_priced_, settled_by_front_});
+  out.method = sentence_of({priced_,
+                            criteria_.objectives > 1,
+                            stagewise_,
+                            !known_.empty(),
+                            allowances_priced_,
+                            settled_by_front_,
+                            among_equals_});
   if (priced_ && control_.options().confirm && criteria_.objectives == 1 && !out.builds.empty()) {
     out.confirmations = confirm(problem_, criteria_, out.builds.front(), priced_stages_);
     out.method += confirmation_sentence(out.confirmations);

@@ -15,6 +15,7 @@
 #include "solver/criteria.h"
 #include "solver/frontier.h"
 #include "solver/incumbents.h"
+#include "solver/method_sentence.h"
 #include "solver/rest_curve.h"
 #include "solver/search_control.h"
 #include "solver/shared_choices.h"
@@ -124,6 +125,7 @@ class SolveRun {
   bool allowances_priced_ = false;  ///< by it
   bool front_tried_ = false;        ///< by settle_by_front
   bool settled_by_front_ = false;   ///< every combination
+  AmongEquals among_equals_ = AmongEquals::not_looked_for;
   std::vector<bool> priced_stages_;
   std::vector<OpenSearch> equals_left_;  ///< nothing is better, but something as good may win the tie
   double open_bound_ = infinity;

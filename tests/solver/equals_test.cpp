@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 #include <random>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -108,7 +109,9 @@ TEST_CASE("Of builds that are as light the cheapest is taken, where a thickness 
     CHECK(found.builds[0].resources[0] == Approx(cost).epsilon(1e-6));
     CHECK(found.lower_bound <= mass * (1.0 + 1e-12));
     CHECK(solve(parts.problem, lightest(true, 2)).builds[0].stages[0].rows == found.builds[0].stages[0].rows);
+    CHECK(found.method.find("no worse the best in what is compared next") != std::string::npos);
     const Summary neighbours = solve(parts.problem, lightest(false));
+    CHECK(neighbours.method.find("no worse") == std::string::npos);
     CHECK(neighbours.builds[0].resources[1] == Approx(mass).epsilon(1e-6));
     dearer += neighbours.builds[0].resources[0] > cost * (1.0 + 1e-6);
   }
@@ -125,6 +128,22 @@ TEST_CASE("A search ends at its most nodes as when time is up") {
   CHECK(stopped.status == Status::limit);
   CHECK(stopped.nodes < whole.nodes);
   CHECK(stopped.lower_bound <= whole.builds[0].resources[1]);
+}
+
+TEST_CASE("Where a search is cut short it is told that builds as good may not have been compared") {
+  int with_build = 0;
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const PartsOnPlate parts(seed);
+    for (std::uint64_t most = 0; most < 40; most += 4) {
+      Options options = lightest(true);
+      options.most_nodes = most;
+      const Summary stopped = solve(parts.problem, options);
+      if (stopped.status != Status::limit || stopped.builds.empty()) continue;
+      ++with_build;
+      CHECK(stopped.method.find("no worse not all were compared in what comes next") != std::string::npos);
+    }
+  }
+  CHECK(with_build > 0);
 }
 
 }  // namespace equals_test
