@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 
@@ -166,38 +167,11 @@ solver::Summary solve_with_start(const MachineModel& model, const SearchOptions&
   return summary;
 }
 
-/// A front that is ended by its time limit would show what was met on the way only, from one end of it or nothing at
-/// all: the last tenth of the time, a second at least if that is no more than half of it, is for builds from all over
-/// it.
-double time_to_spread(double limit) { return std::max(0.1 * limit, std::min(1.0, 0.5 * limit)); }
-
-solver::Summary solve_front(const MachineModel& model, const SearchOptions& options) {
-  const auto begin = std::chrono::steady_clock::now();
-  solver::Options front = solver_options(model, options);
-  if (std::isfinite(options.time_limit_seconds))
-    front.time_limit_seconds = options.time_limit_seconds - time_to_spread(options.time_limit_seconds);
-  solver::Summary summary = solver::solve(model.problem(), front);
-  const auto time_left = [&] { return std::max(0.0, options.time_limit_seconds - seconds_since(begin)); };
-  const auto stop = [&] { return time_left() == 0.0 || (options.stop != nullptr && options.stop->load()); };
-  if (summary.status != solver::Status::limit || stop()) return summary;
-  for (std::size_t k = 0; k < front.objectives.size() && summary.builds.empty() && !stop(); ++k) {
-    solver::Options single = front;
-    single.objectives = {front.objectives[k]};
-    single.time_limit_seconds = 0.8 * time_left();  // a little is left to go on from there
-    single.progress = nullptr;                      // it would tell of another objective
-    solver::Summary found = solver::solve(model.problem(), single);
-    summary.nodes += found.nodes;
-    summary.evaluations += found.evaluations;
-    summary.builds = std::move(found.builds);
-    if (found.status == solver::Status::infeasible) {  // of any front, then
-      summary.status = found.status;
-      summary.seconds = seconds_since(begin);
-      return summary;
-    }
-  }
-  summary.builds = solver::spread_front(model.problem(), front, std::move(summary.builds), stop);
-  summary.seconds = seconds_since(begin);
-  return summary;
+/// The best build by one objective.
+solver::Summary solve_single(const MachineModel& model, const SearchOptions& options) {
+  if (options.objectives == std::vector<std::string>{"cycle_time"}) return solve_cycle_time(model, options);
+  if (starts_blind(options)) return solve_with_start(model, options);
+  return solver::solve(model.problem(), solver_options(model, options));
 }
 
 /// Whether parts that are best by this objective may have been left out.
@@ -218,6 +192,43 @@ bool is_the_same_for_all(const MachineModel& model, std::string_view objective) 
 /// two are those in all three.
 bool is_left_out(const MachineModel& model, const SearchOptions& options, std::string_view objective) {
   return options.objectives.size() == 3 && is_the_same_for_all(model, objective);
+}
+
+/// A front that is ended by its time limit would show what was met on the way only, from one end of it or nothing at
+/// all: the last quarter of the time, two seconds at least if that is no more than half of it, is for the best builds
+/// by each objective and for builds from all over the front.
+double time_to_spread(double limit) { return std::max(0.25 * limit, std::min(2.0, 0.5 * limit)); }
+
+solver::Summary solve_front(const MachineModel& model, const SearchOptions& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  solver::Options front = solver_options(model, options);
+  if (std::isfinite(options.time_limit_seconds))
+    front.time_limit_seconds = options.time_limit_seconds - time_to_spread(options.time_limit_seconds);
+  solver::Summary summary = solver::solve(model.problem(), front);
+  const auto time_left = [&] { return std::max(0.0, options.time_limit_seconds - seconds_since(begin)); };
+  const auto stop = [&] { return time_left() == 0.0 || (options.stop != nullptr && options.stop->load()); };
+  if (summary.status != solver::Status::limit || stop()) return summary;
+  for (std::size_t k = 0; k < options.objectives.size() && !stop(); ++k) {
+    if (is_left_out(model, options, options.objectives[k])) continue;
+    SearchOptions single = options;
+    single.objectives = {options.objectives[k]};
+    // As much is left for the spreading as each of them gets, or a little if there is no build yet to go on from.
+    const double share = summary.builds.empty() ? 0.8 : 1.0 / static_cast<double>(options.objectives.size() - k + 1);
+    single.time_limit_seconds = share * time_left();
+    single.progress = nullptr;  // it would tell of another objective
+    solver::Summary found = solve_single(model, single);
+    summary.nodes += found.nodes;
+    summary.evaluations += found.evaluations;
+    std::move(found.builds.begin(), found.builds.end(), std::back_inserter(summary.builds));
+    if (found.status == solver::Status::infeasible && summary.builds.empty()) {  // of any front, then
+      summary.status = found.status;
+      summary.seconds = seconds_since(begin);
+      return summary;
+    }
+  }
+  summary.builds = solver::spread_front(model.problem(), front, std::move(summary.builds), stop);
+  summary.seconds = seconds_since(begin);
+  return summary;
 }
 
 }  // namespace
@@ -275,10 +286,7 @@ Synthesis synthesise(const MachineModel& model, const SearchOptions& asked_for) 
         "; the next best by splitting what each build leaves into disjoint parts, {} of them solved", best.parts - 1);
     synthesis.proved = best.proved;
   } else {
-    summary = options.objectives.size() > 1 ? solve_front(model, options)
-              : fastest                     ? solve_cycle_time(model, options)
-              : starts_blind(options)       ? solve_with_start(model, options)
-                                            : solver::solve(model.problem(), solver_options(model, options));
+    summary = options.objectives.size() > 1 ? solve_front(model, options) : solve_single(model, options);
   }
   for (const std::string& name : options.objectives)
     if (is_left_out(model, options, name)) summary.method += "; every build has the same " + name;

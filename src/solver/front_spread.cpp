@@ -27,21 +27,32 @@ class FrontSpread {
           std::ranges::min_element(front_.builds(), {}, [&](const RankedBuild& each) { return each.score[k]; })->build);
     for (const Build& start : starts)
       for (std::size_t k = 0; k < criteria_.objectives; ++k) go_towards(k, start);
+    std::vector<RankedBuild> kept;
+    for (RankedBuild& each : front_.builds())
+      if (std::ranges::none_of(kept, [&](const RankedBuild& other) { return is_as_good(other, each); }))
+        kept.push_back(std::move(each));
     std::vector<Build> result;
-    for (RankedBuild& each : front_.builds()) result.push_back(std::move(each.build));
+    for (RankedBuild& each : kept) result.push_back(std::move(each.build));
     return result;
   }
 
  private:
+  /// But for what continuous variables are found to.
+  [[nodiscard]] bool is_as_good(const RankedBuild& other, const RankedBuild& than) const {
+    for (std::size_t k = 0; k < criteria_.objectives; ++k)
+      if (other.score[k] > than.score[k] + options_.gap * std::fabs(than.score[k])) return false;
+    return true;
+  }
   void offer(Build build) {
     std::vector<double> score(criteria_.size());
     criteria_.scores<double>(build.resources, score);
     front_.offer({std::move(score), std::move(build)});
   }
 
-  /// Each step begins where the one before ended.
+  /// Each step begins where the one before ended, the first as good in all else: the best in one objective alone may
+  /// be needlessly bad in this one.
   void go_towards(std::size_t objective, Build at) {
-    for (const double share : {0.25, 0.5, 0.75, 0.9, 1.0}) {
+    for (const double share : {0.001, 0.25, 0.5, 0.75, 0.9, 1.0}) {
       if (stop_()) return;
       const Options options = weighted(objective, share, at);
       at = best_nearby(problem_, options, std::move(at), stop_);

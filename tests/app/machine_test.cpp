@@ -6,6 +6,7 @@
 
 #include "app/program.h"
 #include "catch.h"
+#include "sanitized.h"
 
 namespace millwright::app::machine_test {
 namespace {
@@ -157,6 +158,26 @@ TEST_CASE("A time limit that is over at once is exit code 3, or the proof was co
   const Json json = Json::parse(outcome.out);
   CHECK(outcome.exit_code == 3);
   CHECK(json.at("status") == "limit");
+}
+
+TEST_CASE("A front that is ended by its time limit has the best builds by each objective at its ends") {
+  if (sanitized) return;  // there is no time for them
+  const Workshop shop;
+  const std::string router = MILLWRIGHT_SOURCE_DIR "/problems/router.toml";
+  const auto best = [&](const std::string& objective) {
+    const Outcome single =
+        shop.run({"solve", router, "--minimise", objective, "--time-limit", "0.2", "--json", "-", "--quiet"});
+    return single.exit_code == 0 ? Json::parse(single.out).at("totals").at(objective).at("value").get<double>() : 0.0;
+  };
+  const double cheapest = best("cost"), fastest = best("cycle_time");
+  if (cheapest == 0.0 || fastest == 0.0) return;  // a slow machine, on which there is no time for them either
+  const Outcome outcome = shop.run(
+      {"pareto", router, "--minimise", "cost,cycle_time", "--time-limit", "4", "--json", "front.json", "--quiet"});
+  CHECK(outcome.exit_code == 3);
+  const Json front = Json::parse(shop.read("front.json")).at("front");
+  REQUIRE(front.size() >= 2);
+  CHECK(front.front().at("totals").at("cost").at("value").get<double>() == Approx(cheapest).epsilon(1e-6));
+  CHECK(front.back().at("totals").at("cycle_time").at("value").get<double>() == Approx(fastest).epsilon(1e-6));
 }
 
 TEST_CASE("No gap at all is asked for, and what rounding leaves of free dimensions is none") {

@@ -148,11 +148,13 @@ TEST_CASE("A front that is spread from its lightest build is feasible, ordered, 
       REQUIRE(totals);
       CHECK(found[i].resources == *totals);
       if (i > 0) CHECK((found[i - 1].resources[0] < (*totals)[0] && found[i - 1].resources[1] > (*totals)[1]));
+      // None that another stands for within the gap.
+      for (std::size_t j = 0; j < i; ++j) CHECK(found[j].resources[1] > (1.0 + front.gap) * (*totals)[1]);
       CHECK(std::ranges::any_of(proved.builds, [&](const Build& each) {
         return each.resources[0] <= 1.001 * (*totals)[0] && each.resources[1] <= 1.001 * (*totals)[1];
       }));
     }
-    CHECK(found.back().resources[1] <= start.builds.front().resources[1]);
+    CHECK(found.back().resources[1] <= (1.0 + front.gap) * start.builds.front().resources[1]);
     wide += found.size() > 1;
     cheapest += found.front().resources[0] <= 1.001 * proved.builds.front().resources[0];
     // Who is not given the time gets what he had.
