@@ -76,8 +76,8 @@ class Frontier {
   /// Whether `decide_equals` has something to do.
   [[nodiscard]] bool equals_left() const { return least_known_; }
   /// Of builds that are equal in the objective the best, after a `run` on these plans that left equals; better in the
-  /// objective there is none. As far as there is time.
-  void decide_equals();
+  /// objective there is none. False: not all of them were compared, for want of time or since something is undecided.
+  bool decide_equals();
   enum class Difficulty { out_of_time, easy, hard };
   /// Whether to prove things takes so long that it is worth looking for any build first (else it is easy: `run` does
   /// it). To be called before `look`.

@@ -25,7 +25,7 @@ bool Frontier::find_least() {
   return true;
 }
 
-void Frontier::decide_equals() {
+bool Frontier::decide_equals() {
   find_rest();
   least_known_ = true;
   improve_equals();
@@ -34,7 +34,9 @@ void Frontier::decide_equals() {
     planes_ = std::make_unique<RestPlanes>(problem_, plans_, forms_, control_.desk(0));
     settled_ = find_planes() && !restrict_stages();
   });
-  if (prepared && !settled_) pass({});
+  if (!prepared) return false;
+  undecided_ = false;
+  return settled_ || (pass({}) && !undecided_);
 }
 
 /// Looks for builds that come to no more than a little above what every build comes to at least. There is little to

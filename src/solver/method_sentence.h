@@ -7,7 +7,8 @@
 
 namespace millwright::solver {
 
-/// Builds no worse than the answer, where a search of its own looks for the best of them in what is compared next.
+/// Builds no worse than the answer: `some` were compared in what comes next where a search was cut short; `all`, by a
+/// search of its own, where continuous variables move the objective. (Else searches compare all of them on the way.)
 enum class AmongEquals { not_looked_for, some, all };
 
 struct MethodsUsed {
@@ -17,7 +18,7 @@ struct MethodsUsed {
   bool in_turn = false;     ///< first frontier.h, then, from the builds found, branch_and_bound.h
   bool allowances = false;  ///< rest_plane.h
   bool by_front = false;    ///< of a single objective and a resource that is limited (SolveRun::settle_by_front)
-  AmongEquals among_equals = AmongEquals::not_looked_for;  ///< SolveRun::best_among_equals
+  AmongEquals among_equals = AmongEquals::not_looked_for;
 };
 
 std::string sentence_of(const MethodsUsed& used);

@@ -121,7 +121,9 @@ bool SolveRun::find_sides() {
 /// best build are changed one by one for such as are better in that and no worse in the objective. (Incumbents would
 /// not take such a build: within the tolerance the one known is as good.)
 void SolveRun::better_among_equals() {
-  if (!priced_ || criteria_.objectives != 1 || criteria_.ties == 0 || incumbents_.builds().empty()) return;
+  if (criteria_.objectives != 1 || criteria_.ties == 0 || incumbents_.builds().empty()) return;
+  if (!complete_) among_equals_ = AmongEquals::some;
+  if (!priced_) return;
   RankedBuild& best = incumbents_.builds().front();
   searched_best_ = best.score[0];
   const Neighbours neighbours(problem_);

@@ -63,8 +63,10 @@ void SolveRun::search() {
 /// When the least of all combinations is known: in most of them there is none as good.
 void SolveRun::decide_equals() {
   for (OpenSearch& each : equals_left_) {
-    if (control_.time_is_up() || incumbents_.hopeless(each.score, 0.0)) continue;
-    Frontier(problem_, criteria_, *each.plans, incumbents_, control_).decide_equals();
+    if (incumbents_.hopeless(each.score, 0.0)) continue;
+    const bool decided =
+        !control_.time_is_up() && Frontier(problem_, criteria_, *each.plans, incumbents_, control_).decide_equals();
+    if (!decided) among_equals_ = AmongEquals::some;
   }
 }
 
