@@ -25,7 +25,7 @@ inline constexpr double rest_slack = 1e-11;  // a state is the same sum in anoth
 /// What a curve may take: `steps` states, each further from the best by the same factor, and so many nodes for all (for
 /// each state that is asked between them, where a stage has few designs).
 struct CurveEffort {
-  std::size_t steps = 10, nodes = 200;
+  std::size_t steps = 10, nodes = 50;
   /// Where a search is long. Catalogues with many rows have many designs that differ little, by loads and powers that
   /// lie between the steps of a coarse curve.
   static constexpr CurveEffort thorough() { return {80, 2000}; }

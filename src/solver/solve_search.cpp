@@ -93,6 +93,7 @@ void SolveRun::look_around(std::vector<OpenSearch>& open) {
 bool SolveRun::look_briefly(std::vector<OpenSearch>& open) {
   for (OpenSearch& each : open) {
     if (!incumbents_.builds().empty()) break;
+    each.search = nullptr;  // what it knows of the regions may no longer be so
     each.frontier = std::make_unique<Frontier>(problem_, criteria_, *each.plans, incumbents_, control_);
     if (!each.frontier->applicable()) return false;
     const Frontier::Difficulty difficulty = each.frontier->find_difficulty();
@@ -196,12 +197,12 @@ void SolveRun::sharpen(std::vector<StagePlan>& plans, const CurveEffort& effort)
   control_.while_there_is_time([&] { find_rest_curves(plans, what_matters(), effort, control_.desk(0)); });
 }
 
-/// Searches a single objective label by label while that costs no more than `share` times what preparing it did: what
-/// is not done then is better done stage by stage. True when it is settled.
+/// Searches a single objective label by label, from where it stood, while that costs no more than `share` times what
+/// preparing it did: what is not done then is better done stage by stage. True when it is settled.
 bool SolveRun::settle_briefly(OpenSearch& open, std::uint64_t share, const CurveEffort& effort) {
   if (control_.time_is_up()) return false;
   sharpen(*open.plans, effort);
-  open.search = label_by_label(*open.plans);
+  if (open.search == nullptr) open.search = label_by_label(*open.plans);
   constexpr std::uint64_t nodes_at_once = 500;
   const std::uint64_t before = control_.evaluations();
   for (std::uint64_t nodes = 0; nodes < control_.options().patience; nodes += nodes_at_once) {
@@ -232,6 +233,7 @@ bool SolveRun::settle(OpenSearch& open, Effort effort) {
     return single && !(open.tried && incumbents_.builds().empty()) && settle_briefly(open, 1);
   if (effort == Effort::thorough) {  // its curves serve all that follows
     if (!single) return false;
+    open.search = nullptr;  // it would count regions by numbers that may no longer be theirs
     control_.while_there_is_time([&] { leave_out_dominated_rows(*open.plans, control_.desk(0)); });
     return settle_briefly(open, 1, CurveEffort::thorough());
   }

@@ -20,11 +20,14 @@ constexpr std::size_t score_nodes = 4000;  // spent on the least of one score
 /// Of the ends of equal slices, ascending, the one with number `end`. What a variable does goes by ratios, where it has
 /// them: halving a time of acceleration asks as much more of a motor wherever it was.
 double end_of_slice(const Interval& whole, int end) {
+  static_assert(slices == 4);
   if (end == 0) return whole.lower;
   if (end == slices) return whole.upper;
-  const double part = static_cast<double>(end) / slices;
-  const double at = whole.lower > 0.0 ? whole.lower * std::pow(whole.upper / whole.lower, part)
-                                      : whole.lower + part * (whole.upper - whole.lower);
+  double at = whole.lower + static_cast<double>(end) / slices * (whole.upper - whole.lower);
+  if (whole.lower > 0.0) {  // by roots, which are cheaper than a power; there are many slices
+    const double half = std::sqrt(whole.upper / whole.lower);
+    at = whole.lower * (end == 2 ? half : end == 1 ? std::sqrt(half) : half * std::sqrt(half));
+  }
   return std::clamp(at, whole.lower, whole.upper);
 }
 
