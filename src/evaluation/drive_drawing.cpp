@@ -131,7 +131,7 @@ void add_turning(DriveDrawing& to, const Drive& d, double travel) {
 std::vector<MotionPoint> motion_over_time(const MotionData& motion, double acceleration_time, double longest_dwell) {
   std::vector<MotionPoint> points;
   Path path(points);
-  const bool gravity = std::sin(motion.inclination) > 1e-9;
+  const bool gravity = has_gravity_along(motion);
   for (const Move& move : motion.moves) {
     if (move.profile) {
       if (!go_recorded(path, *move.profile)) return {};

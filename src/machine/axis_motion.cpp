@@ -29,7 +29,7 @@ double peak_acceleration(double speed, double ramp, const Move& move) {
 
 std::vector<std::string> phase_names(const MotionData& data) {
   std::vector<std::string> names;
-  const bool gravity = std::sin(data.inclination) > 1e-9;
+  const bool gravity = has_gravity_along(data);
   for (std::size_t i = 0; i < data.moves.size(); ++i) {
     const Move& move = data.moves[i];
     const std::string name = move.name.empty() ? fmt::format("move {}", i + 1) : move.name;

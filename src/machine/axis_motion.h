@@ -15,9 +15,14 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
+#include <optional>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "machine/constraint.h"
@@ -91,14 +96,14 @@ template <class T>
 struct Cycle {
   std::vector<Phase<T>> phases;
   std::vector<PowerDemand<T>> demands;
-  std::vector<MirroredPhases> mirrored;
-  T peak_speed{};      ///< m/s, over all moves
-  T total_time{};      ///< s, moves and dwells
-  T travelled{};       ///< m in one cycle
-  T time_ratio{};      ///< worst of needed over allowed time
-  T gravity_force{};   ///< N along the travel, positive downwards pull
-  T friction_force{};  ///< N
-  T process_force{};   ///< N, the largest
+  std::vector<MirroredPhases> mirrored;  ///< where T encloses: numbers need none
+  T peak_speed{};                        ///< m/s, over all moves
+  T total_time{};                        ///< s, moves and dwells
+  T travelled{};                         ///< m in one cycle
+  T time_ratio{};                        ///< worst of needed over allowed time
+  T gravity_force{};                     ///< N along the travel, positive downwards pull
+  T friction_force{};                    ///< N
+  T process_force{};                     ///< N, the largest
 };
 
 /// Parts of a jerk-limited ramp, as shares of its peak acceleration: at the peak, and the points of Gauss for the rest.
@@ -110,9 +115,14 @@ void make_room(std::size_t count, Vectors&... vectors) {
   (vectors.reserve(count), ...);
 }
 
+/// Whether the weight pulls along the travel.
+inline bool has_gravity_along(const MotionData& data) {
+  return data.inclination != 0.0 && std::sin(data.inclination) > 1e-9;
+}
+
 /// How many phases the cycle has.
 inline std::size_t phase_count(const MotionData& data) {
-  const std::size_t directions = std::sin(data.inclination) > 1e-9 ? 2 : 1;
+  const std::size_t directions = has_gravity_along(data) ? 2 : 1;
   std::size_t count = 0;
   for (const Move& move : data.moves)
     count += move.profile ? move.profile->phases.size() : directions * (move.jerk ? 7 : 3);
@@ -128,8 +138,18 @@ T si(double value, const scalar::Dimension& dimension) {
 /// A part of a ramp with one acceleration.
 template <class T>
 struct RampPart {
-  T acceleration, duration;
+  T acceleration{}, duration{};
   bool peak = true;
+};
+
+/// All parts of a ramp, the peak first. Every move of every question has them: no place for them is asked for.
+template <class T>
+struct RampParts {
+  static constexpr std::size_t most = 1 + std::size(rising_shares);
+  std::array<RampPart<T>, most> places{};
+  std::size_t count = 0;
+  void add(RampPart<T> part) { places[count++] = std::move(part); }
+  [[nodiscard]] std::span<const RampPart<T>> all() const { return std::span(places).first(count); }
 };
 
 /// Over an interval of ramps what is positive and has no extreme inside but at `turning`.
@@ -142,9 +162,13 @@ scalar::Interval over_ramps(const scalar::Interval& ramp, double turning, Of&& o
 }
 
 template <class T>
-std::vector<RampPart<T>> ramp_parts(const T& speed, const T& ramp, const T* jerk) {
+RampParts<T> ramp_parts(const T& speed, const T& ramp, const T* jerk) {
   using namespace scalar;
-  if (jerk == nullptr) return {{named("a", speed / ramp), ramp}};
+  RampParts<T> parts;
+  if (jerk == nullptr) {
+    parts.add({named("a", speed / ramp), ramp});
+    return parts;
+  }
   const T none = si<T>(0.0, dimension::time);
   // Without time for such a jerk, which C-SYS-TIME refuses, the acceleration rises and falls all the time.
   const T constant = where_below(
@@ -154,8 +178,8 @@ std::vector<RampPart<T>> ramp_parts(const T& speed, const T& ramp, const T* jerk
       [](const T& squared) -> T { return sqrt(squared); });
   const T peak = named("a", 2.0 * speed / (ramp + constant));
   const T changing = larger(0.5 * (ramp - constant), none);
-  std::vector<RampPart<T>> parts{{peak, constant}};
-  for (const double share : rising_shares) parts.push_back({share * peak, changing, false});
+  parts.add({peak, constant});
+  for (const double share : rising_shares) parts.add({share * peak, changing, false});
   return parts;
 }
 
@@ -164,7 +188,7 @@ template <class T>
 class CycleBuilder {
  public:
   CycleBuilder(const MotionData& data, const T& mass, Cycle<T>& cycle)
-      : mass_(mass), of_(motion_dimensions(data.rotary)), gravity_(std::sin(data.inclination) > 1e-9), cycle_(cycle) {
+      : mass_(mass), of_(motion_dimensions(data.rotary)), gravity_(has_gravity_along(data)), cycle_(cycle) {
     // While no counterbalance pulls, see Phase::may_govern.
     every_ = data.counterbalance_force > 0.0;
   }
@@ -188,12 +212,13 @@ class CycleBuilder {
     }
     const T jerk = si<T>(move.jerk.value_or(1.0), of_.acceleration / dimension::time);
     if (move.jerk) cycle_.time_ratio = larger(cycle_.time_ratio, 2.0 * sqrt(speed / jerk) / ramp);
-    std::vector<RampPart<T>> parts = ramp_parts(speed, ramp, move.jerk ? &jerk : nullptr);
+    RampParts<T> ramp_up = ramp_parts(speed, ramp, move.jerk ? &jerk : nullptr);
+    const std::span<const RampPart<T>> parts = ramp_up.all();
     PowerDemand<T> demand{speed, parts.front().acceleration, force};
     if constexpr (std::is_same_v<T, scalar::Interval>) {
       demand.acceleration_times_speed = speed * demand.acceleration;
       if (!move.speed && !move.jerk && ramp.upper <= 0.5 * *move.time) narrow(move, ramp, demand);
-      parts.front().acceleration = demand.acceleration;
+      ramp_up.places.front().acceleration = demand.acceleration;
     }
     cycle_.peak_speed = larger(cycle_.peak_speed, speed);
     cycle_.process_force = larger(cycle_.process_force, absolute(force));
@@ -211,7 +236,8 @@ class CycleBuilder {
       for (const RampPart<T>& part : parts)
         add_phase(-part.acceleration, weight, force, {speed, 0.5 * speed, part.duration}, part.peak && every_);
       const std::size_t cruise = first + parts.size();
-      for (std::size_t i = 0; i < parts.size(); ++i) cycle_.mirrored.push_back({first + i, cruise, cruise + 1 + i});
+      if constexpr (scalar::Enclosing<T>)
+        for (std::size_t i = 0; i < parts.size(); ++i) cycle_.mirrored.push_back({first + i, cruise, cruise + 1 + i});
       cycle_.total_time = cycle_.total_time + (2.0 * ramp + constant_time) + si<T>(move.dwell, dimension::time);
       cycle_.travelled = cycle_.travelled + distance;
     }
@@ -281,7 +307,7 @@ Cycle<T> duty_cycle(const MotionData& data, const T& mass, const T& acceleration
   Cycle<T> cycle;
   const T zero_force = si<T>(0.0, of.force);
   const T inclination = T(data.inclination);
-  const bool gravity = std::sin(data.inclination) > 1e-9;
+  const bool gravity = has_gravity_along(data);
   cycle.gravity_force =
       gravity
           ? named("F_g",
@@ -299,7 +325,8 @@ Cycle<T> duty_cycle(const MotionData& data, const T& mass, const T& acceleration
   cycle.travelled = si<T>(0.0, of.distance);
   cycle.peak_speed = si<T>(0.0, of.speed);
   cycle.time_ratio = T(0.0);
-  make_room(phase_count(data), cycle.phases, cycle.mirrored);
+  make_room(phase_count(data), cycle.phases);
+  if constexpr (Enclosing<T>) make_room(phase_count(data), cycle.mirrored);
   make_room(data.moves.size(), cycle.demands);
   detail::CycleBuilder<T> builder(data, mass, cycle);
   for (const Move& move : data.moves) {
@@ -322,28 +349,41 @@ bool wants_everything(const Requirements& require) {
   return shows_everything<T> || require.enforces_any();
 }
 
-/// The largest of a list. Bounds and derivatives go through `larger`; a traced value keeps only the winner, so that a
-/// calculation sheet shows the phase that governs and not a chain of comparisons.
+/// The largest of what is taken. Bounds and derivatives go through `larger`; a traced value keeps only the winner, so
+/// that a calculation sheet shows the phase that governs and not a chain of comparisons.
+template <class T>
+class Largest {
+ public:
+  void take(const T& value) {
+    using namespace scalar;
+    if (!largest_)
+      largest_ = value;
+    else if constexpr (!std::is_same_v<T, Traced>)
+      largest_ = larger(*largest_, value);
+    else if (value.value > largest_->value)
+      largest_ = value;
+  }
+  /// Something must have been taken.
+  [[nodiscard]] const T& value() const { return *largest_; }
+
+ private:
+  std::optional<T> largest_;
+};
+
+/// The largest of a list, which must not be empty.
 template <class T>
 T largest(const std::vector<T>& values) {
-  using namespace scalar;
-  T result = values.front();
-  for (std::size_t i = 1; i < values.size(); ++i) {
-    if constexpr (std::is_same_v<T, Traced>) {
-      if (values[i].value > result.value) result = values[i];
-    } else {
-      result = larger(result, values[i]);
-    }
-  }
-  return result;
+  Largest<T> result;
+  for (const T& value : values) result.take(value);
+  return result.value();
 }
 
 /// The smallest of a list, as `largest`.
 template <class T>
 T smallest(const std::vector<T>& values) {
-  std::vector<T> negative;
-  for (const T& value : values) negative.push_back(-value);
-  return -largest(negative);
+  Largest<T> negative;
+  for (const T& value : values) negative.take(-value);
+  return -negative.value();
 }
 
 }  // namespace millwright::machine

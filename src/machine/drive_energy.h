@@ -33,7 +33,7 @@
 namespace millwright::machine {
 
 /// Times that the moves of an axis are done in a cycle: up and down where gravity acts.
-inline double directions(const MotionData& motion) { return std::sin(motion.inclination) > 1e-9 ? 2.0 : 1.0; }
+inline double directions(const MotionData& motion) { return has_gravity_along(motion) ? 2.0 : 1.0; }
 
 /// Which moves are timed: all of an axis, or those that count in the cycle of the machine (Move::counts_in_cycle).
 enum class Timed { axis, machine };

@@ -104,9 +104,8 @@ void GearedDrive<T>::derive_phases(const T& output_inertia) {
   motor_torques.clear();
   angular_speeds.clear();
   torque_ratios.clear();
-  std::vector<T> governing_forces, governing_torques, governing_accelerations, output_torques;
+  Largest<T> most_force, most_torque, most_acceleration, most_output_torque;
   make_room(cycle.phases.size(), axial_forces, motor_torques, angular_speeds, torque_ratios);
-  make_room(cycle.phases.size(), governing_forces, governing_torques, governing_accelerations);
   const T no_torque = in_unit<T>(0.0, dimension::torque);
   const T ratio = reduction.ratio_or_one();
   T sum = in_unit<T>(0.0, dimension::torque * dimension::torque * dimension::time);
@@ -122,28 +121,29 @@ void GearedDrive<T>::derive_phases(const T& output_inertia) {
         "T_m", act::belt_motor_torque(phase.force, radius, efficiency, rotating_inertia, alpha, no_torque, ratio));
     sum = sum + square(motor_torques.back()) * phase.duration;
     if (!phase.may_govern) continue;
-    governing_accelerations.push_back(alpha);
-    governing_forces.push_back(axial_forces.back());
-    governing_torques.push_back(absolute(motor_torques.back()));
+    const T needed = absolute(motor_torques.back());
+    most_acceleration.take(alpha);
+    most_force.take(axial_forces.back());
+    most_torque.take(needed);
     torque_ratios.back() =
-        governing_torques.back() / larger(available_torque(angular_speeds.back()), in_unit<T>(1e-9, dimension::torque));
+        needed / larger(available_torque(angular_speeds.back()), in_unit<T>(1e-9, dimension::torque));
     // The same balance at the output: without rotor and reduction, and the losses behind it only.
     if (reduction.present)
-      output_torques.push_back(absolute(act::belt_motor_torque(
+      most_output_torque.take(absolute(act::belt_motor_torque(
           phase.force, radius, T(data->efficiency), output_inertia, output_alpha, no_torque, T(1.0))));
   }
-  peak_acceleration = named("α", largest(governing_accelerations));
-  largest_force = named("F_t", largest(governing_forces));
-  largest_torque = named("T", largest(governing_torques));
+  peak_acceleration = named("α", most_acceleration.value());
+  largest_force = named("F_t", most_force.value());
+  largest_torque = named("T", most_torque.value());
   rms_torque = named("T_rms", sqrt(sum / cycle.total_time));
-  if (reduction.present) output_torque = named("T_2", largest(output_torques));
+  if (reduction.present) output_torque = named("T_2", most_output_torque.value());
 }
 
 /// What the supply must be ready for in the hardest of the moves [W], before it is rounded.
 template <class T>
 T GearedDrive<T>::supply_power(const T& weight) const {
   using namespace scalar;
-  std::vector<T> powers;
+  Largest<T> power;
   for (const PowerDemand<T>& demand : cycle.demands) {
     const T& acceleration = demand.acceleration;
     const T force = travelling_mass * acceleration + weight + cycle.friction_force + demand.force;
@@ -155,12 +155,12 @@ T GearedDrive<T>::supply_power(const T& weight) const {
       const T steady = driving_torque(*this, T(weight + cycle.friction_force + demand.force)) * omega;
       const T accelerating = driving_torque(*this, T(travelling_mass * together)) +
                              rotating_inertia * reduction.at_motor(together / radius);
-      powers.push_back(drive_power(motor, driving, omega, T(steady + accelerating)));
+      power.take(drive_power(motor, driving, omega, T(steady + accelerating)));
     } else {
-      powers.push_back(drive_power(motor, driving, omega));
+      power.take(drive_power(motor, driving, omega));
     }
   }
-  return largest(powers);
+  return power.value();
 }
 
 template <class T>

@@ -118,6 +118,7 @@ void GuideSystem<T>::derive() {
     life_load = larger(largest_load, one);
   } else {
     T damage = in_unit<T>(0.0, dimension::length);
+    make_room(cycle.phases.size(), carriage_loads);
     for (const Phase<T>& phase : cycle.phases) {
       carriage_loads.push_back(load(moved_mass * absolute(phase.acceleration)));
       damage = damage + cube(T(larger(carriage_loads.back(), one) / one)) * phase.mean_speed * phase.duration;
@@ -128,9 +129,9 @@ void GuideSystem<T>::derive() {
   static_load = larger(largest_load, one);
   T pitch = steady_pitch;
   if (height != 0.0) {
-    std::vector<T> inertias;
-    for (const Phase<T>& phase : cycle.phases) inertias.push_back(moved_mass * absolute(phase.acceleration));
-    pitch = pitch + largest(inertias) * length(height);
+    Largest<T> inertia;
+    for (const Phase<T>& phase : cycle.phases) inertia.take(moved_mass * absolute(phase.acceleration));
+    pitch = pitch + inertia.value() * length(height);
   }
   // Beside what presses on the shafts, the pitching moment loads them with the couple of its two bushings; one force at
   // midspan is safe.

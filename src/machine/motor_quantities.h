@@ -86,10 +86,10 @@ template <class Drive>
 auto largest_output_power(const Drive& d) {
   using namespace scalar;
   using T = std::remove_cvref_t<decltype(d.peak_speed)>;
-  std::vector<T> powers;
+  Largest<T> power;
   for (std::size_t i = 0; i < d.motor_torques.size(); ++i)
-    powers.push_back(mechanics::actuation::power(T(absolute(d.motor_torques[i])), d.angular_speeds[i]));
-  return largest(powers);
+    power.take(mechanics::actuation::power(T(absolute(d.motor_torques[i])), d.angular_speeds[i]));
+  return power.value();
 }
 
 }  // namespace millwright::machine

@@ -124,7 +124,7 @@ template <class T>
 void ScrewDrive<T>::derive_power() {
   using namespace scalar;
   namespace st = mechanics::stepper;
-  std::vector<T> powers;
+  Largest<T> power;
   const T weight = larger(cycle.gravity_force, in_unit<T>(0.0, dimension::force));
   for (const PowerDemand<T>& demand : cycle.demands) {
     const T& acceleration = demand.acceleration;
@@ -144,12 +144,12 @@ void ScrewDrive<T>::derive_power() {
           reduction.driving(driving(weight + cycle.friction_force + demand.force) + screw.drag_torque) * omega;
       const T accelerating = reduction.driving(driving(moved_mass * together)) +
                              rotating_inertia * reduction.at_motor(together * 2.0 * pi<T>() / screw.lead);
-      powers.push_back(drive_power(motor, torque, omega, T(steady + accelerating)));
+      power.take(drive_power(motor, torque, omega, T(steady + accelerating)));
     } else {
-      powers.push_back(drive_power(motor, torque, omega));
+      power.take(drive_power(motor, torque, omega));
     }
   }
-  input_power = named("P_in", whole_watts(largest(powers)));
+  input_power = named("P_in", whole_watts(power.value()));
 }
 
 template <class T>
@@ -163,9 +163,8 @@ void ScrewDrive<T>::derive_phases(const T& turning) {
   motor_torques.clear();
   angular_speeds.clear();
   torque_ratios.clear();
-  std::vector<T> governing_forces, governing_torques, governing_accelerations, output_torques;
+  Largest<T> most_force, most_torque, most_acceleration, most_output_torque;
   make_room(cycle.phases.size(), axial_forces, motor_torques, angular_speeds, torque_ratios);
-  make_room(cycle.phases.size(), governing_forces, governing_torques, governing_accelerations);
   const auto torque =
       [&](const T& force, const T& inertia, const T& alpha, const T& dragging, const T& i, const T& eta) {
         return act::screw_motor_torque(
@@ -184,19 +183,19 @@ void ScrewDrive<T>::derive_phases(const T& turning) {
         "T_m",
         torque(phase.force, rotating_inertia, alpha, drag, reduction.ratio_or_one(), reduction.efficiency_or_one()));
     if (!phase.may_govern) continue;
-    governing_accelerations.push_back(alpha);
-    governing_forces.push_back(axial_forces.back());
-    governing_torques.push_back(absolute(motor_torques.back()));
-    torque_ratios.back() =
-        governing_torques.back() / larger(available_torque(omega), in_unit<T>(1e-9, dimension::torque));
+    const T needed = absolute(motor_torques.back());
+    most_acceleration.take(alpha);
+    most_force.take(axial_forces.back());
+    most_torque.take(needed);
+    torque_ratios.back() = needed / larger(available_torque(omega), in_unit<T>(1e-9, dimension::torque));
     // The same balance at the output: without rotor and reduction.
     if (reduction.present)
-      output_torques.push_back(absolute(torque(phase.force, turning, output_alpha, screw.drag_torque, one, one)));
+      most_output_torque.take(absolute(torque(phase.force, turning, output_alpha, screw.drag_torque, one, one)));
   }
-  peak_acceleration = named("α", largest(governing_accelerations));
-  largest_force = named("F", largest(governing_forces));
-  largest_torque = named("T", largest(governing_torques));
-  if (reduction.present) output_torque = named("T_2", largest(output_torques));
+  peak_acceleration = named("α", most_acceleration.value());
+  largest_force = named("F", most_force.value());
+  largest_torque = named("T", most_torque.value());
+  if (reduction.present) output_torque = named("T_2", most_output_torque.value());
   T sum = in_unit<T>(0.0, dimension::torque * dimension::torque * dimension::time);
   for (std::size_t i = 0; i < motor_torques.size(); ++i)
     sum = sum + square(motor_torques[i]) * cycle.phases[i].duration;

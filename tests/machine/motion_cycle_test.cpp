@@ -20,12 +20,13 @@ using machine::Move;
 
 namespace {
 
-Cycle<double> cycle_of(const Move& move, double mass, double drag = 0.0, double inclination = 0.0) {
+template <class T = double>
+Cycle<T> cycle_of(const Move& move, double mass, double drag = 0.0, double inclination = 0.0) {
   MotionData data;
   data.moves = {move};
   data.inclination = inclination;
   data.guide_drag = drag;
-  return machine::duty_cycle(data, mass, 0.1);
+  return machine::duty_cycle(data, T(mass), T(0.1));
 }
 
 Move jerk_limited(double distance, double speed, double ramp, double jerk) {
@@ -138,8 +139,9 @@ TEST_CASE("The two ramps of a move are paired, whatever their parts") {
     Move move = jerk_limited(0.4, 0.25, 0.175, 40.0);
     if (!limited) move.jerk.reset();
     const Cycle<double> cycle = cycle_of(move, 2.0, 0.0, 0.5);
-    CHECK(cycle.mirrored.size() == (limited ? 6U : 2U));  // up and down
-    for (const auto& pair : cycle.mirrored) {
+    const auto pairs = cycle_of<scalar::Interval>(move, 2.0, 0.0, 0.5).mirrored;
+    CHECK(pairs.size() == (limited ? 6U : 2U));  // up and down
+    for (const auto& pair : pairs) {
       const auto &up = cycle.phases[pair.accelerate], &down = cycle.phases[pair.brake];
       CHECK(up.acceleration == -down.acceleration);
       CHECK(up.duration == down.duration);
