@@ -227,6 +227,7 @@ solver::Summary solve_front(const MachineModel& model, const SearchOptions& opti
     }
   }
   summary.builds = solver::spread_front(model.problem(), front, std::move(summary.builds), stop);
+  summary.method += "; when time was nearly up, the best by each objective, and from those builds all over the front";
   summary.seconds = seconds_since(begin);
   return summary;
 }

@@ -56,6 +56,12 @@ void Criteria::least_scores(std::span<const Interval> resources, std::span<doubl
   }
 }
 
+bool Criteria::is_as_good(std::span<const double> score, std::span<const double> than, double part) const {
+  for (std::size_t k = 0; k < objectives; ++k)
+    if (score[k] > than[k] + part * std::fabs(than[k])) return false;
+  return true;
+}
+
 void Criteria::lower_guides(std::span<double> score) const {
   using scalar::rounding::product_down;
   using scalar::rounding::sum_down;

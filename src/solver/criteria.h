@@ -64,6 +64,8 @@ struct Criteria {
   }
   /// The lower bounds of the same, of resources that are known as intervals.
   void least_scores(std::span<const Interval> resources, std::span<double> out) const;
+  /// Whether, in the objectives, one build falls short of another by no more than a part of it.
+  [[nodiscard]] bool is_as_good(std::span<const double> score, std::span<const double> than, double part) const;
   /// Lowers guides to the sums of these objectives, where they say more.
   void lower_guides(std::span<double> score) const;
 };

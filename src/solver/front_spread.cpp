@@ -29,7 +29,9 @@ class FrontSpread {
       for (std::size_t k = 0; k < criteria_.objectives; ++k) go_towards(k, start);
     std::vector<RankedBuild> kept;
     for (RankedBuild& each : front_.builds())
-      if (std::ranges::none_of(kept, [&](const RankedBuild& other) { return is_as_good(other, each); }))
+      if (std::ranges::none_of(kept, [&](const RankedBuild& other) {
+            return criteria_.is_as_good(other.score, each.score, options_.gap);
+          }))
         kept.push_back(std::move(each));
     std::vector<Build> result;
     for (RankedBuild& each : kept) result.push_back(std::move(each.build));
@@ -37,12 +39,6 @@ class FrontSpread {
   }
 
  private:
-  /// But for what continuous variables are found to.
-  [[nodiscard]] bool is_as_good(const RankedBuild& other, const RankedBuild& than) const {
-    for (std::size_t k = 0; k < criteria_.objectives; ++k)
-      if (other.score[k] > than.score[k] + options_.gap * std::fabs(than.score[k])) return false;
-    return true;
-  }
   void offer(Build build) {
     std::vector<double> score(criteria_.size());
     criteria_.scores<double>(build.resources, score);

@@ -12,7 +12,8 @@
 namespace millwright::solver {
 
 /// The front of `known`, which have to be feasible, and of what is found near the best of them in each objective, going
-/// step by step to what counts another one more. Ascending in the first objective. Nothing is proved about it. `stop`
+/// step by step to what counts another one more. Of builds that differ by no more than Options::gap, to which
+/// continuous variables are found, there is one. Ascending in the first objective. Nothing is proved about it. `stop`
 /// is asked now and then.
 std::vector<Build> spread_front(const Problem& problem,
                                 const Options& options,

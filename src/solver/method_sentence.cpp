@@ -11,7 +11,7 @@ std::string sentence_of(const MethodsUsed& used) {
   if (used.in_turn) text += "; then label by label, from the builds found that way";
   if (used.allowances) text += "; allowances that stages share at prices (Lagrangian bounds)";
   if (used.by_front) text += "; as the end of a front, of the objective and of what is limited";
-  if (used.priced && used.front)
+  if (used.priced && used.whole_front)
     text += "; where continuous variables move the objectives the front is covered to its tolerance";
   if (used.priced)
     text += "; continuous variables that move the objective by SLSQP and Ipopt proposals inside the bound";

@@ -176,12 +176,9 @@ void SolveRun::leave_out_noise() {
   std::vector<bool> left_out(builds.size(), false);
   const auto stands_in_for = [&](const RankedBuild& a, const RankedBuild& b) {
     bool beats = false;
-    for (std::size_t k = 0; k < criteria_.objectives; ++k) {
-      const double room = gap * std::fabs(b.score[k]);
-      if (a.score[k] > b.score[k] + room) return false;
-      beats = beats || a.score[k] < b.score[k] - room;
-    }
-    return beats;
+    for (std::size_t k = 0; k < criteria_.objectives; ++k)
+      beats = beats || a.score[k] < b.score[k] - gap * std::fabs(b.score[k]);
+    return beats && criteria_.is_as_good(a.score, b.score, gap);
   };
   for (std::size_t i = 0; i < builds.size(); ++i)
     for (std::size_t j = 0; j < builds.size() && !left_out[i]; ++j)
@@ -210,7 +207,7 @@ Summary SolveRun::summary() {
   out.seconds = control_.seconds();
   if (priced_ && criteria_.objectives > 1) out.front_tolerance = front_tolerance();
   out.method = sentence_of({priced_,
-                            criteria_.objectives > 1,
+                            criteria_.objectives > 1 && closed,
                             stagewise_,
                             !known_.empty(),
                             allowances_priced_,

@@ -45,7 +45,9 @@ struct Options {
   /// Where continuous variables move a single objective: the best in `ties` is looked for by a search of its own, as
   /// long as that takes few nodes more than the first. Else, and without, among neighbours of the answer only.
   bool settle_ties = true;
-  std::uint64_t most_nodes = std::numeric_limits<std::uint64_t>::max();  ///< end as for the time limit
+  /// Nodes at which a search ends as for the time limit; those that a solve begins with and ends with (by single
+  /// objectives, among equals) count for themselves.
+  std::uint64_t most_nodes = std::numeric_limits<std::uint64_t>::max();
 };
 
 /// The choices of one stage in a build.

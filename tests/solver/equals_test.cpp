@@ -130,6 +130,23 @@ TEST_CASE("A search ends at its most nodes as when time is up") {
   CHECK(stopped.lower_bound <= whole.builds[0].resources[1]);
 }
 
+TEST_CASE("A front that was ended before it was whole is not said to be covered") {
+  const PartsOnPlate parts(1);
+  Options options;
+  options.objectives = {0, 1};
+  const auto is_said_covered = [&](std::uint64_t most) {
+    options.most_nodes = most;
+    const Summary front = solve(parts.problem, options);
+    CHECK((front.status == Status::optimal || front.status == Status::limit));
+    CHECK(front.front_tolerance > 0.0);
+    const bool said = front.method.find("the front is covered to its tolerance") != std::string::npos;
+    CHECK(said == (front.status == Status::optimal));
+    return said;
+  };
+  CHECK_FALSE(is_said_covered(0));
+  CHECK(is_said_covered(std::numeric_limits<std::uint64_t>::max()));
+}
+
 TEST_CASE("Where a search is cut short it is told that builds as good may not have been compared") {
   int with_build = 0;
   for (unsigned seed = 0; seed < 20; ++seed) {
