@@ -188,8 +188,9 @@ std::string front_json(const MachineResult& result) {
     add_tolerances(result, design, point);
     json["front"].push_back(std::move(point));
   }
-  json["complete"] = result.status != Status::limit;
-  json["tolerance"] = result.certificate.front_tolerance;
+  const bool complete = result.status != Status::limit;
+  json["complete"] = complete;
+  json["tolerance"] = complete ? Json(result.certificate.front_tolerance) : Json(nullptr);  // points may be missing
   add_missing(result, json);
   add_unmet(result, json);
   json["certificate"] = certificate_of(result);

@@ -101,25 +101,53 @@ std::shared_ptr<const SourceText> SourceText::from_string(std::string path, std:
 
 namespace {
 
-/// Of a file that is not there: "did you mean 'problems/sander.toml'?", a file of the same folder with a similar name;
-/// where a link leads; or nothing.
-std::string similar_file(const std::string& path) {
+/// What is in a folder, sorted, as far as so many names; nothing if there is no such folder.
+std::vector<std::string> entries_of(const std::filesystem::path& folder) {
   namespace fs = std::filesystem;
-  std::error_code no_link;
-  if (const fs::path there = fs::read_symlink(path, no_link); !no_link)
-    return "it is a symbolic link to " + in_quotes(there.string(), 200) + ", which leads to nothing";
-  constexpr std::size_t most = 10000;  // looked at
-  const fs::path wanted(path);
+  constexpr std::size_t most = 10000;
   std::error_code failure;
   std::vector<std::string> names;
-  const fs::path folder = wanted.has_parent_path() ? wanted.parent_path() : fs::path(".");
-  for (fs::directory_iterator each(folder, failure), end; !failure && each != end && names.size() < most;
+  for (fs::directory_iterator each(folder.empty() ? fs::path(".") : folder, failure), end;
+       !failure && each != end && names.size() < most;
        each.increment(failure))
     names.push_back(each->path().filename().string());
   std::sort(names.begin(), names.end());
-  const auto found = nearest(wanted.filename().string(), names);
+  return names;
+}
+
+/// "did you mean 'problems/sander.toml'?": what has a similar name in the same folder; or nothing.
+std::string similar_name(const std::filesystem::path& wanted) {
+  const auto found = nearest(wanted.filename().string(), entries_of(wanted.parent_path()));
   if (!found) return {};
   return "did you mean '" + printable((wanted.parent_path() / *found).string()) + "'?";
+}
+
+/// Of a file that is not there: where a link leads, which of its folders is not there either, or what has a similar
+/// name; or nothing.
+std::string hint_for_missing(const std::string& path) {
+  namespace fs = std::filesystem;
+  std::error_code failure;
+  if (const fs::path there = fs::read_symlink(path, failure); !failure)
+    return "it is a symbolic link to " + in_quotes(there.string(), 200) + ", which leads to nothing";
+  fs::path folder;
+  const fs::path folders = fs::path(path).parent_path();
+  for (const fs::path& part : folders) {
+    folder /= part;
+    if (fs::exists(folder, failure) || failure) continue;
+    const std::string similar = similar_name(folder);
+    return "there is no folder " + in_quotes(folder.string(), 200) + (similar.empty() ? "" : "; " + similar);
+  }
+  return similar_name(path);
+}
+
+/// Of a folder: a file in it.
+std::string hint_for_folder(const std::filesystem::path& folder) {
+  for (const std::string& name : entries_of(folder)) {
+    std::error_code failure;
+    if (name.front() != '.' && std::filesystem::is_regular_file(folder / name, failure))
+      return "name a file in it, such as " + in_quotes((folder / name).string(), 200);
+  }
+  return "name a file in it";
 }
 
 }  // namespace
@@ -135,11 +163,13 @@ std::shared_ptr<const SourceText> SourceText::load(const std::string& path,
   if (!file.is_open()) {
     const int failure = errno;
     return refuse(fmt::format("cannot be opened: {}", std::strerror(failure)),
-                  failure == ENOENT ? similar_file(path) : std::string());
+                  failure == ENOENT ? hint_for_missing(path) : std::string());
   }
   struct stat status {};
   if (::fstat(file.descriptor(), &status) != 0) return refuse(std::strerror(errno));
-  if (!S_ISREG(status.st_mode)) return refuse("is " + kind_of(status.st_mode) + ", not a file");
+  if (!S_ISREG(status.st_mode))
+    return refuse("is " + kind_of(status.st_mode) + ", not a file",
+                  S_ISDIR(status.st_mode) ? hint_for_folder(path) : std::string());
 
   const auto unreadable = [&] { return refuse(fmt::format("cannot be read: {}", std::strerror(errno))); };
   // The size may be out of date (a file that grows, or one in /proc), so read until the end or the limit.

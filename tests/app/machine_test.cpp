@@ -178,6 +178,8 @@ TEST_CASE("A front that is ended by its time limit has the best builds by each o
   const auto method = ended.at("certificate").at("method").get<std::string>();
   CHECK(method.find("when time was nearly up, the best by each objective") != std::string::npos);
   CHECK(method.find("covered to its tolerance") == std::string::npos);
+  CHECK(ended.at("complete") == false);
+  CHECK(ended.at("tolerance").is_null());
   const Json front = ended.at("front");
   REQUIRE(front.size() >= 2);
   CHECK(front.front().at("totals").at("cost").at("value").get<double>() == Approx(cheapest).epsilon(1e-6));

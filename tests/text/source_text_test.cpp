@@ -197,15 +197,25 @@ TEST_CASE("what cannot be loaded gives one error that says why") {
     (void)scratch.write("sander.toml", "");
     CHECK_FALSE(SourceText::load(scratch.path("sandr.toml"), diagnostics));
     CHECK(diagnostics.all()[1].hint == "did you mean '" + scratch.path("sander.toml") + "'?");
-    CHECK_FALSE(SourceText::load(scratch.path("no folder/sander.toml"), diagnostics));
-    CHECK(diagnostics.all()[2].hint.empty());
+    CHECK_FALSE(SourceText::load(scratch.path("no folder/deep/sander.toml"), diagnostics));
+    CHECK(diagnostics.all()[2].hint == "there is no folder '" + scratch.path("no folder") + "'");
     std::filesystem::create_symlink("gone.csv", scratch.path("link.csv"));
     CHECK_FALSE(SourceText::load(scratch.path("link.csv"), diagnostics));
     CHECK(diagnostics.all()[3].hint == "it is a symbolic link to 'gone.csv', which leads to nothing");
+    fs::create_directory(scratch.path("problems"));
+    CHECK_FALSE(SourceText::load(scratch.path("problms/sander.toml"), diagnostics));
+    CHECK(diagnostics.all()[4].hint ==
+          "there is no folder '" + scratch.path("problms") + "'; did you mean '" + scratch.path("problems") + "'?");
   }
   SECTION("directory") {
-    CHECK_FALSE(SourceText::load(scratch.path(""), diagnostics));
+    fs::create_directory(scratch.path("folder"));
+    CHECK_FALSE(SourceText::load(scratch.path("folder"), diagnostics));
     CHECK(only_message(diagnostics) == "is a directory, not a file");
+    CHECK(diagnostics.all()[0].hint == "name a file in it");
+    (void)scratch.write("folder/.hidden", "");
+    (void)scratch.write("folder/b.toml", "");
+    CHECK_FALSE(SourceText::load(scratch.path("folder"), diagnostics));
+    CHECK(diagnostics.all()[1].hint == "name a file in it, such as '" + scratch.path("folder/b.toml") + "'");
   }
   SECTION("named pipe without a writer") {
     REQUIRE(::mkfifo(scratch.path("pipe").c_str(), 0600) == 0);
