@@ -356,12 +356,11 @@ class Largest {
  public:
   void take(const T& value) {
     using namespace scalar;
-    if (!largest_)
+    if constexpr (!std::is_same_v<T, Traced>) {
+      largest_ = largest_ ? T(larger(*largest_, value)) : value;
+    } else if (!largest_ || value.value > largest_->value) {
       largest_ = value;
-    else if constexpr (!std::is_same_v<T, Traced>)
-      largest_ = larger(*largest_, value);
-    else if (value.value > largest_->value)
-      largest_ = value;
+    }
   }
   /// Something must have been taken.
   [[nodiscard]] const T& value() const { return *largest_; }
