@@ -101,10 +101,10 @@ std::shared_ptr<const SourceText> SourceText::from_string(std::string path, std:
 
 namespace {
 
-/// What is in a folder, sorted, as far as so many names; nothing if there is no such folder.
+/// What is in a folder, sorted; nothing if there is no such folder.
 std::vector<std::string> entries_of(const std::filesystem::path& folder) {
   namespace fs = std::filesystem;
-  constexpr std::size_t most = 10000;
+  constexpr std::size_t most = 10000;  // looked at
   std::error_code failure;
   std::vector<std::string> names;
   for (fs::directory_iterator each(folder.empty() ? fs::path(".") : folder, failure), end;
@@ -140,16 +140,6 @@ std::string hint_for_missing(const std::string& path) {
   return similar_name(path);
 }
 
-/// Of a folder: a file in it.
-std::string hint_for_folder(const std::filesystem::path& folder) {
-  for (const std::string& name : entries_of(folder)) {
-    std::error_code failure;
-    if (name.front() != '.' && std::filesystem::is_regular_file(folder / name, failure))
-      return "name a file in it, such as " + in_quotes((folder / name).string(), 200);
-  }
-  return "name a file in it";
-}
-
 }  // namespace
 
 std::shared_ptr<const SourceText> SourceText::load(const std::string& path,
@@ -168,8 +158,7 @@ std::shared_ptr<const SourceText> SourceText::load(const std::string& path,
   struct stat status {};
   if (::fstat(file.descriptor(), &status) != 0) return refuse(std::strerror(errno));
   if (!S_ISREG(status.st_mode))
-    return refuse("is " + kind_of(status.st_mode) + ", not a file",
-                  S_ISDIR(status.st_mode) ? hint_for_folder(path) : std::string());
+    return refuse("is " + kind_of(status.st_mode) + ", not a file", S_ISDIR(status.st_mode) ? "name a file in it" : "");
 
   const auto unreadable = [&] { return refuse(fmt::format("cannot be read: {}", std::strerror(errno))); };
   // The size may be out of date (a file that grows, or one in /proc), so read until the end or the limit.

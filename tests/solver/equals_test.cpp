@@ -23,18 +23,20 @@ using namespace millwright::solver;
 
 enum Part : std::size_t { price, mass, size, part_width };
 
+double whole(std::mt19937& random, unsigned least, unsigned most) {
+  return static_cast<double>(least + random() % (most - least + 1));
+}
+
 /// Two parts that have to be of the same size, so that hardly ever one alone can be changed, on a plate that has to be
 /// the thicker the heavier they are.
 class PartsOnPlate {
  public:
   explicit PartsOnPlate(unsigned seed) {
     std::mt19937 random(seed);
-    const auto whole = [&](unsigned least, unsigned most) {
-      return static_cast<double>(least + random() % (most - least + 1));
-    };
     for (Columns* table : {&first_, &second_})
       for (int row = 0; row < 8; ++row)
-        for (const double number : {whole(100, 999), whole(2, 6), whole(1, 4)}) table->numbers.push_back(number);
+        for (const double number : {whole(random, 100, 999), whole(random, 2, 6), whole(random, 1, 4)})
+          table->numbers.push_back(number);
     problem.resources = {{"cost"}, {"mass"}};
     problem.first_state = {0.0};
     add(model_stage("pair", {&first_, &second_}, {}, 2, [](const auto& in, auto& out) {
@@ -170,13 +172,11 @@ class Pairs {
  public:
   explicit Pairs(unsigned seed) {
     std::mt19937 random(seed);
-    const auto whole = [&](unsigned least, unsigned most) {
-      return static_cast<double>(least + random() % (most - least + 1));
-    };
     tables_.resize(6, Columns{"part", part_width, {}});
     for (Columns& table : tables_)
       for (int row = 0; row < 12; ++row)
-        for (const double number : {whole(100, 999), whole(2, 4), whole(1, 3)}) table.numbers.push_back(number);
+        for (const double number : {whole(random, 100, 999), whole(random, 2, 4), whole(random, 1, 3)})
+          table.numbers.push_back(number);
     problem.resources = {{"cost"}, {"mass"}};
     for (std::size_t pair = 0; pair < 3; ++pair) {
       auto stage =
