@@ -29,6 +29,9 @@ struct CurveEffort {
   /// Where a search is long. Catalogues with many rows have many designs that differ little, by loads and powers that
   /// lie between the steps of a coarse curve.
   static constexpr CurveEffort thorough() { return {80, 2000}; }
+  /// Where thousands of labels arrive at each stage, with loads that differ little: each that a close curve settles
+  /// would have to be divided and bounded by itself.
+  static constexpr CurveEffort closest() { return {80, 30000}; }
 };
 
 /// Fills StagePlan::curves of all stages, for the objectives. `most[score]` is a total above which nothing matters: a

@@ -83,6 +83,7 @@ class SolveRun {
   void decide_equals();
   bool settle_by_front();
   void look_for_builds(const OpenSearch& open);
+  SearchResult search_whole(OpenSearch& open);
   void finish(OpenSearch& open);
   [[nodiscard]] std::vector<double> what_matters() const;
   void sharpen(std::vector<StagePlan>& plans, const CurveEffort& effort = {});

@@ -2,8 +2,8 @@
 //
 // How the combinations of shared choices are settled: each is prepared (stage_plan.h) and looked at briefly, cheapest
 // first; of those left, label by label (branch_and_bound.h) for as long as that is cheap; then stage by stage
-// (frontier.h) where that method applies, and what remains label by label to the end. Several objectives go stage by
-// stage at once.
+// (frontier.h) where that method applies, and what remains label by label to the end, where that takes long with close
+// curves of what is to come (rest_curve.h). Several objectives go stage by stage at once.
 #include "solver/solve_run.h"
 
 #include <algorithm>
@@ -241,6 +241,14 @@ bool SolveRun::settle(OpenSearch& open, Effort effort) {
   return true;
 }
 
+/// To the end, label by label: where that is not soon done, with the closest curves from then on.
+SearchResult SolveRun::search_whole(OpenSearch& open) {
+  const SearchResult soon = open.search->run(control_.options().patience);
+  if (soon.complete || control_.time_is_up()) return soon;
+  sharpen(*open.plans, CurveEffort::closest());
+  return open.search->run();
+}
+
 void SolveRun::finish(OpenSearch& open) {
   if (settled_by_front_) return;
   if (criteria_.objectives == 1) {
@@ -256,7 +264,7 @@ void SolveRun::finish(OpenSearch& open) {
     open.search = label_by_label(*open.plans);
   }
   set_tolerance();
-  SearchResult result = open.search->run();
+  SearchResult result = search_whole(open);
   while (!result.complete && !control_.time_is_up()) {
     std::optional<LeafPrecision> precision = next_precision(
         open.search->precision(), open.search->undecided_designs(), leaf_tolerance(), criteria_.objectives);
