@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A set of points in which one asks "is some member at most this in every coordinate?". Members are kept in blocks with
-// their common lower bound, so that most blocks are passed by after one or two comparisons. Where a block has become
-// full it is divided in the coordinate in which its members differ most: alike members stay together, and their lower
-// bound says much about each of them.
+// A set of points in which one asks "is some member at most this in every coordinate?". Members are kept in the leaves
+// of a tree, alike ones together, and each part of the tree with the lower bound of all that is in it: a part whose
+// bound is above the point in some coordinate is passed by whole. A leaf that has become full is divided in the
+// coordinate in which its members differ most.
 #pragma once
 
 #include <algorithm>
@@ -23,18 +23,18 @@ class Archive {
   explicit Archive(std::size_t dimensions)
       : dimensions_(dimensions),
         least_(dimensions, std::numeric_limits<double>::infinity()),
-        lowest_(least_),
         highest_(dimensions, -std::numeric_limits<double>::infinity()) {}
 
   void add(std::span<const double> point, Name name = 0) {
-    const std::size_t place = place_of(point);
-    Block& block = blocks_[places_[place].block];
-    double* const least = least_.data() + places_[place].block * dimensions_;
-    for (std::size_t d = 0; d < dimensions_; ++d) {
-      least[d] = std::min(least[d], point[d]);
-      lowest_[d] = std::min(lowest_[d], point[d]);
-      highest_[d] = std::max(highest_[d], point[d]);
+    for (std::size_t d = 0; d < dimensions_; ++d) highest_[d] = std::max(highest_[d], point[d]);
+    std::size_t place = 0;
+    for (;;) {
+      double* const least = least_.data() + place * dimensions_;
+      for (std::size_t d = 0; d < dimensions_; ++d) least[d] = std::min(least[d], point[d]);
+      if (places_[place].is_leaf()) break;
+      place = places_[place].part_of(point);
     }
+    Block& block = blocks_[places_[place].block];
     block.points.insert(block.points.end(), point.begin(), point.end());
     block.names.push_back(name);
     ++size_;
@@ -48,34 +48,33 @@ class Archive {
   /// The same of members that are accepted by their names.
   template <class Accepted>
   [[nodiscard]] bool any_at_most(std::span<const double> point, Accepted&& accepted) const {
-    for (std::size_t b = 0; b < blocks_.size(); ++b) {
-      if (!at_most(least_.data() + b * dimensions_, point)) continue;
-      const Block& block = blocks_[b];
+    return any_leaf(point, [&](std::size_t index) {
+      const Block& block = blocks_[index];
       const double* member = block.points.data();
       for (const Name name : block.names) {
         if (at_most(member, point) && accepted(name)) return true;
         member += dimensions_;
       }
-    }
-    return false;
+      return false;
+    });
   }
 
   /// Removes the member that was added so.
   void remove(std::span<const double> point, Name name) {
-    Block& block = blocks_[places_[place_of(point)].block];
+    Block& block = blocks_[places_[leaf_of(point)].block];
     const auto found = std::find(block.names.begin(), block.names.end(), name);
     if (found != block.names.end()) erase(block, static_cast<std::size_t>(found - block.names.begin()));
   }
   /// Removes members that are at most `point` where `removed(name)` says so.
   template <class Removed>
   void remove_at_most(std::span<const double> point, Removed&& removed) {
-    for (std::size_t b = 0; b < blocks_.size(); ++b) {
-      if (!at_most(least_.data() + b * dimensions_, point)) continue;
-      Block& block = blocks_[b];
+    any_leaf(point, [&](std::size_t index) {
+      Block& block = blocks_[index];
       for (std::size_t i = block.names.size(); i-- > 0;) {
         if (at_most(block.points.data() + i * dimensions_, point) && removed(block.names[i])) erase(block, i);
       }
-    }
+      return false;
+    });
   }
 
   [[nodiscard]] std::size_t size() const { return size_; }
@@ -87,13 +86,40 @@ class Archive {
     std::vector<Name> names;
     std::size_t most = block_size;  ///< members
   };
-  /// A block, or two places that are told apart by one coordinate.
+  /// A leaf, or two parts that are told apart by one coordinate.
   struct Place {
-    std::size_t block = 0;
-    std::size_t coordinate = 0;
-    double from = 0.0;                  ///< of the coordinate, for the second
-    std::size_t first = 0, second = 0;  ///< no second: a block
+    std::size_t block = 0;       ///< of a leaf
+    std::size_t coordinate = 0;  ///< else
+    double from = 0.0;           ///< of the coordinate, for the second part
+    std::size_t first = 0;       ///< part, followed by the second; 0: a leaf
+
+    [[nodiscard]] bool is_leaf() const { return first == 0; }
+    [[nodiscard]] std::size_t part_of(std::span<const double> point) const {
+      return point[coordinate] < from ? first : first + 1;
+    }
   };
+
+  /// Calls `found(block)` for the leaves whose lower bound is at most `point`, until it returns true.
+  template <class Found>
+  bool any_leaf(std::span<const double> point, Found&& found) const {
+    thread_local std::vector<std::size_t> parts;  // left to look at; `found` may ask another archive
+    const std::size_t before = parts.size();
+    parts.push_back(0);
+    while (parts.size() > before) {
+      const std::size_t at = parts.back();
+      parts.pop_back();
+      if (!at_most(least_.data() + at * dimensions_, point)) continue;
+      const Place& place = places_[at];
+      if (!place.is_leaf()) {
+        parts.push_back(place.first + 1);
+        parts.push_back(place.first);
+      } else if (found(place.block)) {
+        parts.resize(before);
+        return true;
+      }
+    }
+    return false;
+  }
 
   [[nodiscard]] bool at_most(const double* member, std::span<const double> point) const {
     for (std::size_t d = 0; d < dimensions_; ++d) {
@@ -102,10 +128,9 @@ class Archive {
     return true;
   }
 
-  [[nodiscard]] std::size_t place_of(std::span<const double> point) const {
+  [[nodiscard]] std::size_t leaf_of(std::span<const double> point) const {
     std::size_t at = 0;
-    while (places_[at].second != 0)
-      at = point[places_[at].coordinate] < places_[at].from ? places_[at].first : places_[at].second;
+    while (!places_[at].is_leaf()) at = places_[at].part_of(point);
     return at;
   }
 
@@ -132,7 +157,7 @@ class Archive {
         low = std::min(low, block.points[i]);
         high = std::max(high, block.points[i]);
       }
-      const double all = highest_[d] - lowest_[d];
+      const double all = highest_[d] - least_[d];
       const double share = (high - low) / (std::isfinite(all) ? all : std::max(std::fabs(low), std::fabs(high)));
       if (!(share > most) || !std::isfinite(share)) continue;
       widest = d;
@@ -157,17 +182,13 @@ class Archive {
 
     const Block whole = std::move(blocks_[index]);
     blocks_[index] = {};
-    std::fill_n(least_.begin() + static_cast<std::ptrdiff_t>(index * dimensions_),
-                dimensions_,
-                std::numeric_limits<double>::infinity());
-    least_.insert(least_.end(), dimensions_, std::numeric_limits<double>::infinity());
     blocks_.emplace_back();
     places_[place].coordinate = coordinate;
     places_[place].from = from;
     places_[place].first = places_.size();
-    places_[place].second = places_.size() + 1;
     places_.push_back({.block = index});
     places_.push_back({.block = blocks_.size() - 1});
+    least_.insert(least_.end(), 2 * dimensions_, std::numeric_limits<double>::infinity());
     size_ -= whole.names.size();
     for (std::size_t i = 0; i < whole.names.size(); ++i)
       add(std::span(whole.points).subspan(i * dimensions_, dimensions_), whole.names[i]);
@@ -176,9 +197,9 @@ class Archive {
   std::size_t dimensions_;
   std::size_t size_ = 0;
   std::vector<Block> blocks_ = std::vector<Block>(1);
-  std::vector<Place> places_ = std::vector<Place>(1);  ///< the first is where one begins to look
-  std::vector<double> least_;                          ///< [block * dimensions_ + coordinate]
-  std::vector<double> lowest_, highest_;               ///< [coordinate] of all that were added
+  std::vector<Place> places_ = std::vector<Place>(1);  ///< the first is the whole
+  std::vector<double> least_;                          ///< [place * dimensions_ + coordinate] of all that were added
+  std::vector<double> highest_;                        ///< [coordinate] likewise
 };
 
 }  // namespace millwright::solver

@@ -70,11 +70,9 @@ double rest_given(const StagePlan& plan, std::size_t score, Lower&& lower) {
     if (curve.score != score) continue;
     double state = lower(curve.component);
     state -= rest_slack * std::fabs(state);
-    for (std::size_t i = curve.from.size(); i-- > 0;) {
-      if (curve.from[i] > state) continue;
-      if (curve.least[i] > rest) rest = curve.least[i];
-      break;
-    }
+    const auto end = std::ranges::upper_bound(curve.from, state);
+    if (end != curve.from.begin())
+      rest = std::max(rest, curve.least[static_cast<std::size_t>(end - curve.from.begin()) - 1]);
   }
   if (score > 1) return rest;  // planes and staircases are of the first two
   for (const RestPlane& plane : plan.planes)
