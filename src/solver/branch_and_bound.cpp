@@ -46,11 +46,12 @@ BranchAndBound::BranchAndBound(const Problem& problem,
       control_(control),
       precision_(std::move(precision)) {
   const bool by_point = precision_.refined_later || precision_.refinements > 0;
+  const double slack = slack_of_labels();
   const Dominating by = by_point ? Dominating::point : Dominating::lower_bound;
   // What is exact in a single objective has few labels at a time.
   const bool many_labels = criteria_.objectives > 1 || std::ranges::any_of(plans_, is_covered);
   for (const StagePlan& plan : plans_) {
-    label_sets_.emplace_back(criteria_, plan.before, labels_, by);
+    label_sets_.emplace_back(criteria_, plan.before, labels_, by, slack);
     worth_.emplace_back(plan.region.rows.size());
     const bool shares = many_labels && !shared_.empty() && !plan.region.rows.empty();
     shared_.push_back(shares ? std::make_unique<SharedRegions>(plan, control_.desk(0)) : nullptr);
@@ -77,24 +78,6 @@ bool BranchAndBound::push(Node node) {
   const Key key{rounded(node.score[0]), node.depth, ++order_};
   open_.push(key, std::move(node));
   return true;
-}
-
-bool BranchAndBound::useless(const Node& node) const {
-  const Label& label = labels_[node.label];
-  const bool can_end = node.score[0] < std::numeric_limits<double>::infinity();  // else no completion is feasible
-  if (!label.alive || !can_end || incumbents_.hopeless(node.score, node.utilisation)) return true;
-  if (node.next_region != whole_stage || label.stage + 1 >= plans_.size()) return false;
-  return label_sets_[label.stage + 1].dominates({node.reached, node.handed_on, node.utilisation});
-}
-
-/// The same for a part of a leaf, by its own share of the scores.
-bool BranchAndBound::useless(const Label& label, std::size_t stage, const Worth& own) const {
-  std::vector<double> score(own.score.begin(), own.score.end());
-  for (std::size_t k = 0; k < score.size(); ++k) score[k] = below(score[k], label.score_lower[k]);
-  const double utilisation = std::max(label.utilisation, own.utilisation);
-  if (stage + 1 < plans_.size() && label_sets_[stage + 1].dominates({score, own.state, utilisation})) return true;
-  for (std::size_t k = 0; k < score.size(); ++k) score[k] = below(score[k], rest_after(plans_[stage], k, own.state));
-  return incumbents_.hopeless(score, utilisation);
 }
 
 /// The node that stands for all regions of the frontier from `region` on.
@@ -285,7 +268,8 @@ void BranchAndBound::arrive(const Node& node, const StagePoint& point, std::vect
     finish(std::move(label));
     return;
   }
-  if (label_sets_[label.stage].dominates({label.score_lower, label.enclosure, label.utilisation})) return;
+  const Worth worth{label.score_lower, label.enclosure, label.utilisation};
+  if (label_sets_[label.stage].dominates(worth, with_rest(from.stage, label.score_lower, label.enclosure))) return;
   keep_boxes(label.boxes);
   labels_.push_back(std::move(label));
   const auto index = static_cast<std::uint32_t>(labels_.size() - 1);

@@ -13,7 +13,8 @@
 //   - a region with one row per slot is a design: its variables are dealt with (continuous.h), and it becomes a label
 //     of the next stage, or after the last stage a build.
 // A node is given up when a constraint is certainly violated in it, when the builds known settle it (incumbents.h), or
-// when a label known before the next stage dominates everything in it (dominance.h).
+// when a label known before the next stage dominates everything in it (dominance.h; of a front to a tolerance, but for
+// a part of that).
 //
 // Of several objectives thousands of labels may arrive at a stage, and of one that continuous variables move: those in
 // alike states divide its regions together, and ask only about single designs at their own state (shared_regions.h).
@@ -100,11 +101,15 @@ class BranchAndBound {
     std::optional<std::size_t> divided = {};  ///< the slot in which a region was divided
   };
 
+  [[nodiscard]] double slack_of_labels() const;
   void start();
   void work_on_batch();
   bool push(Node node);
   [[nodiscard]] bool useless(const Node& node) const;
   [[nodiscard]] bool useless(const Label& label, std::size_t stage, const Worth& own) const;
+  [[nodiscard]] std::vector<double> with_rest(std::size_t stage,
+                                              std::span<const double> reached,
+                                              std::span<const Interval> handed_on) const;
   void expand(const Node& node, Outcome& outcome, Desk& desk) const;
   [[nodiscard]] std::size_t first_to_follow(const Label& label, std::size_t region) const;
   void expand_stream(const Node& node, Outcome& outcome, Desk& desk) const;

@@ -37,11 +37,13 @@ Worth best_of(const Label& label) { return {label.score_lower, label.enclosure, 
 LabelSet::LabelSet(const Criteria& criteria,
                    std::span<const Direction> directions,
                    std::deque<Label>& store,
-                   Dominating by)
+                   Dominating by,
+                   double slack)
     : criteria_(&criteria),
       compared_(components_that_matter(directions)),
       store_(&store),
       by_(by),
+      slack_(slack),
       known_(coordinates(criteria, directions)),
       replaced_(known_) {}
 
@@ -64,21 +66,23 @@ void LabelSet::key_of(const Worth& worth, std::vector<double>& key) const {
   }
 }
 
-/// Of a label that is at least as good in all objectives.
+/// Of a label that is at least as good in all objectives, but for the slack.
 bool LabelSet::wins_tie(const Label& label, const Worth& worth) const {
   const std::vector<double>& score = by_ == Dominating::point ? label.score : label.score_lower;
   const std::size_t objectives = criteria_->objectives;
   for (std::size_t k = 0; k < objectives + criteria_->ties; ++k) {
     const double known = rounded(score[k]);
     const double other = rounded(worth.score[k]);
-    if (known != other) return known < other;
+    if (known != other) return known < other || (slack_ > 0.0 && k < objectives);
   }
-  return label.utilisation <= worth.utilisation;
+  return slack_ > 0.0 || label.utilisation <= worth.utilisation;
 }
 
-bool LabelSet::dominates(const Worth& worth) const {
+bool LabelSet::dominates(const Worth& worth, std::span<const double> total) const {
   thread_local std::vector<double> key;
   key_of(worth, key);
+  for (std::size_t k = 0; slack_ > 0.0 && k < criteria_->objectives; ++k)
+    if (std::isinf(criteria_->limit[k])) key[k] += slack_ * std::fabs(total[k]);
   return known_.any_at_most(key, [&](Archive::Name index) { return wins_tie((*store_)[index], worth); });
 }
 

@@ -8,6 +8,12 @@
 // Equal objectives are decided by the tie scores and then by the worst utilisation: a label that is strictly better in
 // an objective need not be as good in those; one that is equal in all objectives must be.
 //
+// Of a front that is covered to a tolerance, objectives that are worse by a part of what the whole comes to at least
+// may count as being as good: `slack`. Thousands of labels differ by less, in states of which none is better in
+// everything. What is forgotten so falls short of what is known by that part before each stage, no more: a label that
+// has been added is only forgotten for one that is as good without slack. (Objectives with a limit have none: what
+// exceeds it could stand for what keeps it.)
+//
 // A label that stands for more than its own point (labels.h) does so for anything that is no better than the best of
 // what it stands for, too: whatever can follow that can follow something within its enclosure (of which nothing is more
 // than later stages can bear), and what is done below the label is done for its enclosure and with its lower bounds. So
@@ -32,10 +38,14 @@ enum class Dominating { point, lower_bound };
 /// The labels before one stage.
 class LabelSet {
  public:
-  LabelSet(const Criteria& criteria, std::span<const Direction> directions, std::deque<Label>& store, Dominating by);
+  LabelSet(const Criteria& criteria,
+           std::span<const Direction> directions,
+           std::deque<Label>& store,
+           Dominating by,
+           double slack);
 
-  /// Whether some label makes everything in `worth` superfluous.
-  [[nodiscard]] bool dominates(const Worth& worth) const;
+  /// Whether some label makes everything in `worth` superfluous. `total`: lower bounds of the whole's scores.
+  [[nodiscard]] bool dominates(const Worth& worth, std::span<const double> total) const;
   /// Adds label `index` of the store and marks those it dominates as not alive.
   void add(std::uint32_t index);
   [[nodiscard]] std::size_t size() const { return known_.size(); }
@@ -50,6 +60,7 @@ class LabelSet {
   std::vector<std::pair<std::size_t, Direction>> compared_;  ///< state components that matter
   std::deque<Label>* store_;
   Dominating by_;
+  double slack_;
   Archive known_;     ///< keys of labels that are alive
   Archive replaced_;  ///< the same turned round: minus the keys of what they stand for
 };

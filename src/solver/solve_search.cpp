@@ -134,8 +134,9 @@ void SolveRun::go_through(std::vector<OpenSearch>& open, Settle&& settle) {
 
 /// A point that stands for designs a little better than itself may be too heavy for a later stage where they are not.
 /// What stays undecided for that reason is decided with points that stand for less.
-/// All stages together give up less than what incumbents settle (set_tolerance), or every build would be undecided;
-/// and what a label stands for may be given up by a guide of a front with the label, which costs no more than that.
+/// All stages together give up less than what incumbents settle (set_tolerance), or every build would be undecided.
+/// (What a label stands for is bounded by the label's lower bounds, in guides of a front too, and so falls short of a
+/// build known by no more than what incumbents settle, and by what labels give up: slack_of_labels.)
 double SolveRun::leaf_tolerance() const {
   const auto priced = static_cast<double>(std::count(priced_stages_.begin(), priced_stages_.end(), true));
   return std::min(0.25, 0.45 / std::max(priced, 1.0)) * tolerated();

@@ -225,6 +225,33 @@ TEST_CASE("Fronts with a free shaft as a stage of its own equal exhaustive enume
   CHECK(feasible >= tested / 2);
 }
 
+TEST_CASE("Fronts to a wide tolerance leave out nothing that is better by more") {
+  // What is given up on the way adds up to the tolerance: by points for what is a little better, by labels before each
+  // stage, and by builds.
+  unsigned feasible = 0;
+  unsigned shorter = 0;
+  for (unsigned seed = 1; seed <= instances / 5; ++seed) {
+    const Stack stack = seed % 2 == 0 ? stack_with_shaft_stage(seed) : random_stack(seed);
+    if (!stack.priced || !stack.monotone) continue;
+    const Everything all = Enumeration(stack).run();
+    if (all.margin < 1e-6) continue;
+    CAPTURE(seed);
+    for (const double tolerance : {0.5, 0.1, 0.02}) {
+      Options options = by({0, 1}, {});
+      options.front_tolerance = tolerance;
+      options.stagewise = false;
+      options.labels_together = seed % 3 == 0 ? 1 : never;
+      const Summary front = solve(stack.problem, options);
+      REQUIRE(front.status == (all.designs.empty() ? Status::infeasible : Status::optimal));
+      check_front(front, all.front(), tolerance);
+      shorter += front.builds.size() < all.front().size() ? 1 : 0;
+    }
+    feasible += all.designs.empty() ? 0 : 1;
+  }
+  if (!millwright::sanitized) CHECK(feasible >= instances / 25);
+  if (!millwright::sanitized) CHECK(shorter >= instances / 25);
+}
+
 TEST_CASE("The number of threads does not change anything in the answer") {
   for (unsigned seed = 1; seed <= 60; ++seed) {
     const Stack stack = random_stack(seed);

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What need not be looked at any further: what the builds known settle, or a label known dominates.
+#include "solver/branch_and_bound.h"
+
+#include <algorithm>
+
+#include "solver/rest_curve.h"
+
+namespace millwright::solver {
+
+/// Of a front to a tolerance: nearly all that builds leave of it, in equal parts before each stage but the first. What
+/// is given up falls short of a label by one part before each stage, and that of a build known by what builds settle
+/// (Incumbents::tolerance, half of the front's). Only once: what a search leaves undecided for a finer one has made use
+/// of it already.
+double BranchAndBound::slack_of_labels() const {
+  constexpr double share = 0.9;  // of what builds settle
+  if (criteria_.objectives < 2 || precision_.refinements > 0 || plans_.size() < 2) return 0.0;
+  return share * incumbents_.tolerance() / static_cast<double>(plans_.size() - 1);
+}
+
+bool BranchAndBound::useless(const Node& node) const {
+  const Label& label = labels_[node.label];
+  const bool can_end = node.score[0] < std::numeric_limits<double>::infinity();  // else no completion is feasible
+  if (!label.alive || !can_end || incumbents_.hopeless(node.score, node.utilisation)) return true;
+  if (node.next_region != whole_stage || label.stage + 1 >= plans_.size()) return false;
+  return label_sets_[label.stage + 1].dominates({node.reached, node.handed_on, node.utilisation}, node.score);
+}
+
+/// The same for a part of a leaf, by its own share of the scores.
+bool BranchAndBound::useless(const Label& label, std::size_t stage, const Worth& own) const {
+  std::vector<double> reached(own.score.begin(), own.score.end());
+  for (std::size_t k = 0; k < reached.size(); ++k)
+    reached[k] = scalar::rounding::sum_down(reached[k], label.score_lower[k]);
+  const double utilisation = std::max(label.utilisation, own.utilisation);
+  const std::vector<double> total = with_rest(stage, reached, own.state);
+  if (incumbents_.hopeless(total, utilisation)) return true;
+  return stage + 1 < plans_.size() && label_sets_[stage + 1].dominates({reached, own.state, utilisation}, total);
+}
+
+/// Lower bounds of totals, by the least of all that follows a stage.
+std::vector<double> BranchAndBound::with_rest(std::size_t stage,
+                                              std::span<const double> reached,
+                                              std::span<const Interval> handed_on) const {
+  std::vector<double> total(reached.begin(), reached.end());
+  for (std::size_t k = 0; k < total.size(); ++k)
+    total[k] = scalar::rounding::sum_down(total[k], rest_after(plans_[stage], k, handed_on));
+  return total;
+}
+
+}  // namespace millwright::solver
