@@ -66,6 +66,7 @@ BranchAndBound::BranchAndBound(const Problem& problem,
       for (std::size_t k = 0; k < criteria_.size(); ++k) tail[i - 1][k] = std::min(tail[i - 1][k], tail[i][k]);
     }
   }
+  rate_objectives();
 }
 
 /// False: it is useless.
@@ -75,7 +76,7 @@ bool BranchAndBound::push(Node node) {
     waiting_.push_back(std::move(node));
     return true;
   }
-  const Key key{rounded(node.score[0]), node.depth, ++order_};
+  const Key key{order_of(node), node.depth, ++order_};
   open_.push(key, std::move(node));
   return true;
 }
@@ -353,7 +354,11 @@ SearchResult BranchAndBound::run(std::uint64_t most_nodes) {
   while (!open_.empty()) {
     if (control_.time_is_up() || nodes_ - before >= most_nodes) return {false, open_bound()};
     work_on_batch();
-    if (!open_.empty()) control_.report(std::min(open_.first().score[0], undecided_bound_), incumbents_.best());
+    if (open_.empty()) break;
+    const auto bound = [&] {
+      return rates_.empty() ? std::min(open_.first().score[0], undecided_bound_) : open_bound();
+    };
+    control_.report(bound, incumbents_.best());
   }
   forget_settled();
   return {undecided_.empty(), undecided_bound_};
@@ -373,7 +378,7 @@ void BranchAndBound::look(std::size_t labels, std::uint64_t most_nodes) {
     }
     open_ = {};
     for (Node& node : std::exchange(waiting_, {})) {
-      const Key key{rounded(node.score[0]), node.depth, ++order_};
+      const Key key{order_of(node), node.depth, ++order_};
       open_.push(key, std::move(node));
     }
   }

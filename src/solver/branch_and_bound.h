@@ -5,7 +5,7 @@
 // A node is a label (what is chosen for the stages before) and a region of the next stage; its worth is
 //     scores of the label + least of the region + least of all stages after it      (lower bounds; the last one knows
 //                                                                     what the region hands on: rest_curve.h).
-// The node with the least first objective is taken next:
+// The node with the least first objective is taken next (of several, with a little of the others added):
 //   - a label that arrives at a stage takes over the regions of the stage's relaxation one by one, cheapest first;
 //   - a region with several rows in some slot is split in two, in these rows (row_profile.h) or in a variable
 //     (variable_halves.h); rows without a fitting partner drop out, and each half is bounded with the label's own
@@ -82,10 +82,10 @@ class BranchAndBound {
     }
   };
   struct Key {
-    double score = 0.0;  ///< rounded
+    double score = 0.0;  ///< order_of the node
     std::uint32_t depth = 0;
     std::uint64_t order = 0;
-    /// Least first objective first; among equals the deepest stage, the deepest node, the older.
+    /// Least score first; among equals the deepest stage, the deepest node, the older.
     static bool later(const Key& a, const Key& b) {
       if (a.score != b.score) return a.score > b.score;
       if (a.depth != b.depth) return a.depth < b.depth;
@@ -102,6 +102,8 @@ class BranchAndBound {
   };
 
   [[nodiscard]] double slack_of_labels() const;
+  void rate_objectives();
+  [[nodiscard]] double order_of(const Node& node) const;
   void start();
   void work_on_batch();
   bool push(Node node);
@@ -155,6 +157,7 @@ class BranchAndBound {
   std::vector<SplitWorth> worth_;                       ///< [stage]
   std::vector<std::unique_ptr<SharedRegions>> shared_;  ///< [stage]; null: each label divides regions by itself
   std::vector<SharedRegions::Cell*> cells_;             ///< [label]; null: it does
+  std::vector<double> rates_;                           ///< [further objective]: worth in the first, in order_of
   BestFirst<Node, Key> open_;
   std::uint64_t order_ = 0, nodes_ = 0;
   std::vector<Outcome> outcomes_;                                     ///< of the batch at work

@@ -59,16 +59,19 @@ class SearchControl {
     here_ = here;
     elsewhere_ = elsewhere;
   }
-  /// Progress of the whole, now and then; `lower_bound` is of the part at work.
-  void report(double lower_bound, double incumbent) {
+  /// Progress of the whole, now and then; `lower_bound()` is of the part at work, and is asked when it is told.
+  template <class Bound>
+  void report(Bound&& lower_bound, double incumbent) {
     if (!options_.progress || since(reported_) < options_.progress_interval_seconds) return;
     reported_ = std::chrono::steady_clock::now();
     // What was proved once stays proved.
-    proved_ = std::max(proved_, std::min({std::max(lower_bound, here_), elsewhere_, incumbent}));
+    proved_ = std::max(proved_, std::min({std::max(lower_bound(), here_), elsewhere_, incumbent}));
     options_.progress(Progress{proved_, incumbent, seconds(), nodes});
   }
   /// From a method that knows no bound of its own.
-  void report(double incumbent) { report(here_, incumbent); }
+  void report(double incumbent) {
+    report([this] { return here_; }, incumbent);
+  }
 
  private:
   using Instant = std::chrono::steady_clock::time_point;

@@ -1,13 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What need not be looked at any further: what the builds known settle, or a label known dominates.
+// In which order nodes come up, and what need not be looked at any further: what the builds known settle, or a label
+// known dominates.
 #include "solver/branch_and_bound.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "solver/rest_curve.h"
 
 namespace millwright::solver {
+
+/// Where designs hardly differ in the first objective (a time, say, of which most is the same for all of them) the
+/// others put them in order: a hundred parts of those are worth as much as one part of the first.
+void BranchAndBound::rate_objectives() {
+  constexpr double little = 0.01;
+  if (tail_.front().empty()) return;
+  const std::vector<double>& least = tail_.front().front();
+  for (std::size_t k = 1; k < criteria_.objectives; ++k) {
+    const double rate = little * least[0] / least[k];
+    rates_.push_back(least[0] > 0.0 && least[k] > 0.0 && std::isfinite(rate) ? rate : 0.0);
+  }
+}
+
+double BranchAndBound::order_of(const Node& node) const {
+  double order = node.score[0];
+  for (std::size_t i = 0; i < rates_.size(); ++i)
+    if (rates_[i] > 0.0) order += rates_[i] * node.score[i + 1];
+  return rounded(order);
+}
 
 /// Of a front to a tolerance: nearly all that builds leave of it, in equal parts before each stage but the first. What
 /// is given up falls short of a label by one part before each stage, and that of a build known by what builds settle
