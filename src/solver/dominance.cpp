@@ -81,8 +81,9 @@ bool LabelSet::wins_tie(const Label& label, const Worth& worth) const {
 bool LabelSet::dominates(const Worth& worth, std::span<const double> total) const {
   thread_local std::vector<double> key;
   key_of(worth, key);
+  // (Of a lower bound below zero no part is known to be a part of the total.)
   for (std::size_t k = 0; slack_ > 0.0 && k < criteria_->objectives; ++k)
-    if (std::isinf(criteria_->limit[k])) key[k] += slack_ * std::fabs(total[k]);
+    if (std::isinf(criteria_->limit[k])) key[k] += slack_ * std::max(0.0, total[k]);
   return known_.any_at_most(key, [&](Archive::Name index) { return wins_tie((*store_)[index], worth); });
 }
 

@@ -37,9 +37,11 @@ class Labels {
     set_->add(static_cast<std::uint32_t>(store_.size() - 1));
     return store_.back();
   }
-  [[nodiscard]] bool dominate(std::vector<double> score, double state, double utilisation = 0.5) const {
+  [[nodiscard]] bool dominate(std::vector<double> score,
+                              double state,
+                              double utilisation = 0.5,
+                              std::vector<double> total = {20.0, 4.0, 0.0}) const {
     const std::vector<Interval> states{Interval(state)};
-    const std::vector<double> total{20.0, 4.0, 0.0};
     return set_->dominates({score, states, utilisation}, total);
   }
 
@@ -71,6 +73,8 @@ TEST_CASE("With slack objectives may be better by a part of the whole, and nothi
   CHECK_FALSE(labels.dominate({12.0, 3.0, 9.0}, 0.9999));
   CHECK(labels.dominate({10.0, 2.0, 5.0}, 1.0, 0.4));
   CHECK_FALSE(labels.dominate({10.0, 2.0, 4.0}, 1.0));  // equals still win the tie
+  // Nothing is known of a total that is only known to be more than something negative.
+  CHECK_FALSE(labels.dominate({9.0, 2.0, 9.0}, 1.0, 0.5, {-20.0, 4.0, 0.0}));
 }
 
 TEST_CASE("What has a limit has no slack: what exceeds it could stand for what keeps it") {
