@@ -12,7 +12,8 @@
 // may count as being as good: `slack`. Thousands of labels differ by less, in states of which none is better in
 // everything. What is forgotten so falls short of what is known by that part before each stage, no more: a label that
 // has been added is only forgotten for one that is as good without slack. (Objectives with a limit have none: what
-// exceeds it could stand for what keeps it.)
+// exceeds it could stand for what keeps it.) Ties still decide between equals, the worst utilisation does not: between
+// builds within a tolerance it is not looked at either (incumbents.h).
 //
 // A label that stands for more than its own point (labels.h) does so for anything that is no better than the best of
 // what it stands for, too: whatever can follow that can follow something within its enclosure (of which nothing is more
