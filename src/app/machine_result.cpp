@@ -29,6 +29,7 @@ evaluation::SearchOptions search_options(const Options& options, const std::vect
   search.objectives = objectives;
   constexpr double least_gap = 1e-10;  // rounding leaves about as much of what free dimensions move
   search.gap = std::max(options.gap, least_gap);
+  search.front_tolerance = options.front_tolerance;
   search.time_limit_seconds = options.time_limit;
   search.threads = options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
   return search;

@@ -225,6 +225,12 @@ class CommandLine {
     add_fix_option(pareto, options_);
     add_objectives(
         pareto, options_.objectives, fmt::format("two or three of {} (default: cost,mass)", all_quantities()));
+    pareto
+        .add_option("--front-tolerance",
+                    options_.front_tolerance,
+                    "where free dimensions move the front: relative, by how much a build may beat it (0.001)")
+        ->type_name("F")
+        ->check(share);
     pareto.add_flag("--robust",
                     options_.robust,
                     "the front of builds that are compliant for every value within the tolerances that the catalogues "

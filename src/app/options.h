@@ -67,6 +67,7 @@ struct Options {
   std::vector<std::string> objectives;  ///< by name, see machine/objective.h; empty = the problem file's
   unsigned builds = 1;                  ///< of solve: the best, the second best, ...
   double gap = 1e-6;
+  double front_tolerance = 1e-3;
   double time_limit = std::numeric_limits<double>::infinity();  ///< s
   double memory_limit = 0.0;                                    ///< GB, 0 = most of what there is
   unsigned threads = 0;                                         ///< 0 = one per core

@@ -256,6 +256,7 @@ solver::Options solver_options(const MachineModel& model, const SearchOptions& o
     result.settle_ties = quantity == machine::Quantity::mass;
   }
   result.gap = options.gap;
+  result.front_tolerance = options.front_tolerance;
   result.time_limit_seconds = options.time_limit_seconds;
   result.threads = options.threads;
   result.stop = options.stop;

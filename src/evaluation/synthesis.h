@@ -17,6 +17,7 @@ struct SearchOptions {
   /// By name (machine/objective.h): one to solve, two or more, of one quantity each, for a front.
   std::vector<std::string> objectives{"cost"};
   double gap = 1e-6;
+  double front_tolerance = 1e-3;  ///< of a front that free dimensions move; no finer than the gap
   double time_limit_seconds = std::numeric_limits<double>::infinity();
   unsigned threads = 1;
   std::size_t builds = 1;  ///< of one objective: the best, the second best, ...; more need a model with every candidate

@@ -186,6 +186,31 @@ TEST_CASE("A front that is ended by its time limit has the best builds by each o
   CHECK(front.back().at("totals").at("cycle_time").at("value").get<double>() == Approx(fastest).epsilon(1e-6));
 }
 
+TEST_CASE("A front that ramps move is covered to the tolerance asked for") {
+  const Workshop shop;
+  const auto front_to = [&](const std::string& tolerance, const std::string& percent) {
+    const std::string feeder = MILLWRIGHT_SOURCE_DIR "/problems/bar-feeder.toml";
+    const Outcome outcome = shop.run(
+        {"pareto", feeder, "--minimise", "cost,energy", "--front-tolerance", tolerance, "--json", "front.json"});
+    REQUIRE(outcome.exit_code == 0);
+    CHECK(outcome.prints("Proved: the front is covered to " + percent + " %"));
+    const Json front = Json::parse(shop.read("front.json"));
+    CHECK(front.at("tolerance") == Approx(std::stod(tolerance)));
+    return front.at("front");
+  };
+  const Json close = front_to("0.001", "0.1"), wide = front_to("0.05", "5");
+  CHECK(wide.size() < close.size());
+  const auto value = [](const Json& point, const char* quantity) {
+    return point.at("totals").at(quantity).at("value").get<double>();
+  };
+  for (const Json& point : close)
+    CHECK(std::any_of(wide.begin(), wide.end(), [&](const Json& other) {
+      return 0.95 * value(other, "cost") <= value(point, "cost") &&
+             0.95 * value(other, "energy") <= value(point, "energy");
+    }));
+  CHECK(shop.run({"pareto", "m.toml", "--front-tolerance", "2"}).exit_code == 2);
+}
+
 TEST_CASE("No gap at all is asked for, and what rounding leaves of free dimensions is none") {
   const Workshop shop;
   const Outcome outcome = shop.run({"solve", MILLWRIGHT_SOURCE_DIR "/problems/torch-table.toml", "--gap", "0"});
