@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "evaluation/longer_bars.h"
 #include "evaluation/synthesis.h"
@@ -118,6 +119,12 @@ class Breaks {
   bool any_ = false, unsettled_ = false;
 };
 
+/// Builds that break, or may, are what nothing beats: of those that hold nothing is known by that.
+void leave_open(Synthesis& found) {
+  found.status = solver::Status::limit;
+  found.front_tolerance = std::numeric_limits<double>::infinity();
+}
+
 void leave_out_broken(Synthesis& front) {
   for (std::size_t i = front.designs.size(); i-- > 0;) {
     if (front.designs[i].tolerances->verdict != ToleranceVerdict::broken) continue;
@@ -153,13 +160,13 @@ RobustSynthesis synthesise_robustly(const machine::Problem& problem,
     if (with.scenarios.empty()) result.without = objective_of(result.best, how);
     const Breaks breaks(model, result.best);
     if (!breaks.any()) {
-      if (breaks.unsettled()) result.best.status = solver::Status::limit;
+      if (breaks.unsettled()) leave_open(result.best);
       return result;
     }
     const std::size_t most = is_front ? most_scenarios_of_fronts : most_scenarios;
     const bool stopped = (options.stop != nullptr && options.stop->load()) || seconds() >= options.time_limit_seconds;
     if (result.best.status == solver::Status::limit || with.scenarios.size() >= most || stopped) {
-      result.best.status = solver::Status::limit;
+      leave_open(result.best);
       if (is_front) leave_out_broken(result.best);
       return result;
     }

@@ -39,7 +39,8 @@ struct Synthesis {
   double combinations = 0.0;
   std::uint64_t nodes = 0, evaluations = 0;
   bool fixed_objective = false;  ///< the same for every build: the cheapest was searched for instead
-  double front_tolerance = 0.0;  ///< to which a front is covered where free dimensions move it; 0 = exact
+  /// To which a front is covered where free dimensions move it, 0 = exact; infinity: nothing was proved by the limit.
+  double front_tolerance = 0.0;
   std::string method;
   double seconds = 0.0;
 };

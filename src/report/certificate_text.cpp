@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "report/alternatives.h"
 #include "report/incomplete.h"
@@ -16,6 +17,12 @@ namespace millwright::report {
 using evaluation::Design;
 
 namespace {
+
+/// Two digits, so that what is said to be proved is.
+std::string percent_rounded_up(double part) {
+  const double digit = std::pow(10.0, std::floor(std::log10(100.0 * part)) - 1.0);
+  return fmt::format("{:.2g}", digit * std::ceil(100.0 * part / digit));
+}
 
 /// "is cheaper"
 std::string better_words(const std::string& objective, const Texts& t) {
@@ -66,9 +73,14 @@ std::string certificate_text(const MachineResult& result, const Style& style, co
     if (preferred) line(premium_text(result, t));
   } else if (result.objectives.size() > 1) {
     const double tolerance = certificate.front_tolerance;
-    line(result.status != Status::optimal ? t("certificate.front_open")
-         : tolerance > 0.0                ? fill("certificate.front_within", fmt::format("{:.3g}", 100.0 * tolerance))
-                                          : t("certificate.front"));
+    const bool open = result.status != Status::optimal;
+    if (open && !std::isfinite(tolerance))
+      line(t("certificate.front_open"));
+    else if (open)
+      line(fill("certificate.front_wide", percent_rounded_up(tolerance)));
+    else
+      line(tolerance > 0.0 ? fill("certificate.front_within", fmt::format("{:.3g}", 100.0 * tolerance))
+                           : t("certificate.front"));
     if (preferred) line(fill("certificate.preferred", divisor));
   }
   if (design != nullptr && !design->all_fewest_bars) line(t("certificate.bars"));

@@ -188,9 +188,8 @@ std::string front_json(const MachineResult& result) {
     add_tolerances(result, design, point);
     json["front"].push_back(std::move(point));
   }
-  const bool complete = result.status != Status::limit;
-  json["complete"] = complete;
-  json["tolerance"] = complete ? Json(result.certificate.front_tolerance) : Json(nullptr);  // points may be missing
+  json["complete"] = result.status != Status::limit;
+  json["tolerance"] = number(result.certificate.front_tolerance);
   add_missing(result, json);
   add_unmet(result, json);
   json["certificate"] = certificate_of(result);

@@ -67,6 +67,10 @@ std::vector<PageText> certificate_texts() {
       {"certificate.front_open",
        "Not proved: the search was ended, points may be missing.",
        "Belum terbukti: pencarian dihentikan, mungkin ada titik yang belum ditemukan."},
+      {"certificate.front_wide",
+       "Proved: no compliant build beats all of these by more than {} %; the search was ended before that was less.",
+       "Terbukti: tidak ada rancangan memenuhi syarat yang mengalahkan semua ini dengan lebih dari {} %; "
+       "pencarian dihentikan sebelum angka itu lebih kecil."},
       {"certificate.bars",
        "Not proved of every build: that pieces cut from bars need so many bars; of some sets of pieces fewer may do.",
        "Tidak terbukti untuk setiap rancangan: bahwa potongan memerlukan batang sebanyak itu; untuk sebagian kumpulan "

@@ -50,7 +50,7 @@ struct Certificate {
   std::uint64_t nodes = 0;
   std::uint64_t evaluations = 0;
   std::string method;
-  double front_tolerance = 0.0;                              ///< relative, to which a front is covered; 0 = exact
+  double front_tolerance = 0.0;  ///< relative, to which a front is covered; 0 = exact, infinity: not known
   std::vector<evaluation::IncompleteParts> incomplete = {};  ///< parts that could not be looked at
 };
 

@@ -46,12 +46,12 @@ BranchAndBound::BranchAndBound(const Problem& problem,
       control_(control),
       precision_(std::move(precision)) {
   const bool by_point = precision_.refined_later || precision_.refinements > 0;
-  const double slack = slack_of_labels();
+  slack_ = slack_of_labels();
   const Dominating by = by_point ? Dominating::point : Dominating::lower_bound;
   // What is exact in a single objective has few labels at a time.
   const bool many_labels = criteria_.objectives > 1 || std::ranges::any_of(plans_, is_covered);
   for (const StagePlan& plan : plans_) {
-    label_sets_.emplace_back(criteria_, plan.before, labels_, by, slack);
+    label_sets_.emplace_back(criteria_, plan.before, labels_, by, slack_);
     worth_.emplace_back(plan.region.rows.size());
     const bool shares = many_labels && !shared_.empty() && !plan.region.rows.empty();
     shared_.push_back(shares ? std::make_unique<SharedRegions>(plan, control_.desk(0)) : nullptr);
@@ -353,6 +353,7 @@ SearchResult BranchAndBound::run(std::uint64_t most_nodes) {
   const std::uint64_t before = nodes_;
   while (!open_.empty()) {
     if (control_.time_is_up() || nodes_ - before >= most_nodes) return {false, open_bound()};
+    widen();
     work_on_batch();
     if (open_.empty()) break;
     const auto bound = [&] {

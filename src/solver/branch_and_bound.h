@@ -59,6 +59,11 @@ class BranchAndBound {
   /// For a good build, instead of `run`: a beam search. Before each stage only so many labels are followed, those that
   /// arrive first; so many nodes are looked at for the first of them, and a tenth for another.
   void look(std::size_t labels, std::uint64_t most_nodes);
+  /// Of a front whose search has ended before it was done: widens the tolerance of the incumbents until they settle
+  /// what is left.
+  void settle_open();
+  /// By how much of the whole labels of a front have been given up for others.
+  [[nodiscard]] double slack_given() const;
   /// What a search that is done has left undecided.
   [[nodiscard]] UndecidedDesigns undecided_designs() const;
   [[nodiscard]] const LeafPrecision& precision() const { return precision_; }
@@ -102,6 +107,7 @@ class BranchAndBound {
   };
 
   [[nodiscard]] double slack_of_labels() const;
+  void widen();
   void rate_objectives();
   [[nodiscard]] double order_of(const Node& node) const;
   void start();
@@ -152,6 +158,7 @@ class BranchAndBound {
   LeafPrecision precision_;
   std::deque<Label> labels_;
   std::vector<LabelSet> label_sets_;  ///< [stage]: labels before it
+  double slack_ = 0.0;                ///< in them
   /// [stage][region][score]: least of the regions from this one on, with all stages after.
   std::vector<std::vector<std::vector<double>>> tail_;
   std::vector<SplitWorth> worth_;                       ///< [stage]
@@ -164,7 +171,9 @@ class BranchAndBound {
   std::size_t last_stage_ = std::numeric_limits<std::size_t>::max();  ///< in `look`: labels of later ones wait
   std::vector<Node> waiting_;
   std::vector<Undecided> undecided_;
-  bool many_undecided_ = false;  ///< more than are kept
+  bool many_undecided_ = false;          ///< more than are kept
+  std::vector<double> least_undecided_;  ///< scores of those that are not kept
+  double widening_ = 1.0;                ///< what has been made of the tolerances (SearchControl::tolerance_of_front)
   std::size_t boxes_kept_ = 0;
   double undecided_bound_ = std::numeric_limits<double>::infinity();
 };

@@ -20,10 +20,14 @@ void BranchAndBound::leave_undecided(Undecided undecided) {
   if (incumbents_.hopeless(undecided.score, undecided.utilisation)) return;
   undecided_bound_ = std::min(undecided_bound_, undecided.score[0]);
   keep_boxes(undecided.boxes);
-  if (undecided_.size() < most_kept)
+  if (undecided_.size() < most_kept) {
     undecided_.push_back(std::move(undecided));
-  else
-    many_undecided_ = true;
+    return;
+  }
+  if (!many_undecided_) least_undecided_ = undecided.score;
+  many_undecided_ = true;
+  for (std::size_t k = 0; k < undecided.score.size(); ++k)
+    least_undecided_[k] = std::min(least_undecided_[k], undecided.score[k]);
 }
 
 /// Something undecided matters only if no build known is as good.
@@ -32,6 +36,16 @@ void BranchAndBound::forget_settled() {
   std::erase_if(undecided_, [&](const Undecided& each) { return incumbents_.hopeless(each.score, each.utilisation); });
   undecided_bound_ = std::numeric_limits<double>::infinity();
   for (const Undecided& each : undecided_) undecided_bound_ = std::min(undecided_bound_, each.score[0]);
+}
+
+void BranchAndBound::settle_open() {
+  const auto settle = [&](const Node& node) {
+    const bool can_end = node.score[0] < std::numeric_limits<double>::infinity();
+    if (labels_[node.label].alive && can_end) incumbents_.widen_to_settle(node.score, node.utilisation);
+  };
+  open_.for_each(settle);
+  for (const Undecided& each : undecided_) incumbents_.widen_to_settle(each.score, each.utilisation);
+  if (many_undecided_) incumbents_.widen_to_settle(least_undecided_, 0.0);
 }
 
 UndecidedDesigns BranchAndBound::undecided_designs() const {

@@ -40,6 +40,24 @@ double BranchAndBound::slack_of_labels() const {
   return share * incumbents_.tolerance() / static_cast<double>(plans_.size() - 1);
 }
 
+double BranchAndBound::slack_given() const { return slack_ * static_cast<double>(plans_.size() - 1); }
+
+/// Where a front widens: what is settled, what a point stands for and what labels give up grow alike. (Labels in the
+/// set are forgotten only for what is as good without slack: so what is given up falls short of something known by the
+/// largest slack before each stage.)
+void BranchAndBound::widen() {
+  constexpr double step = 1.25;
+  if (criteria_.objectives < 2 || !control_.options().widens) return;
+  const double asked = control_.options().tolerance_of_front();
+  const double widening = control_.tolerance_of_front() / asked;
+  if (widening < step * widening_) return;
+  incumbents_.set_tolerance(std::max(incumbents_.tolerance(), 0.5 * asked * widening));
+  precision_.tolerance *= widening / widening_;
+  widening_ = widening;
+  slack_ = std::max(slack_, slack_of_labels());
+  for (LabelSet& labels : label_sets_) labels.set_slack(slack_);
+}
+
 bool BranchAndBound::useless(const Node& node) const {
   const Label& label = labels_[node.label];
   const bool can_end = node.score[0] < std::numeric_limits<double>::infinity();  // else no completion is feasible

@@ -45,6 +45,8 @@ class LabelSet {
            Dominating by,
            double slack);
 
+  /// From now on; more than before.
+  void set_slack(double slack) { slack_ = slack; }
   /// Whether some label makes everything in `worth` superfluous. `total`: lower bounds of the whole's scores.
   [[nodiscard]] bool dominates(const Worth& worth, std::span<const double> total) const;
   /// Adds label `index` of the store and marks those it dominates as not alive.

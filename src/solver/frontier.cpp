@@ -44,7 +44,7 @@ Frontier::Frontier(const Problem& problem,
     priced += is_covered(plan) ? 1 : 0;
   }
   // The stages' shares add up; a little is left for rounding.
-  const double tolerance = std::max(control_.options().front_tolerance, control_.options().gap);
+  const double tolerance = control_.options().tolerance_of_front();
   leaf_tolerance_ = 0.9 * tolerance / static_cast<double>(std::max<std::size_t>(priced, 1));
 }
 

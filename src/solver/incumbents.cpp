@@ -115,6 +115,12 @@ void Incumbents::set_tolerance(double tolerance) {
   for (const RankedBuild& known : builds_) note_corner(known.score);
 }
 
+void Incumbents::widen_to_settle(std::span<const double> score_lower, double utilisation_lower) {
+  constexpr double least = 1e-6, step = 1.1;
+  while (tolerance_ < 1.0 && !hopeless(score_lower, utilisation_lower))
+    set_tolerance(std::min(1.0, std::max(least, step * tolerance_)));
+}
+
 /// Whether a design with these lower bounds can have objectives below (first, second).
 bool Incumbents::may_reach(std::span<const double> score_lower, double first, double second, bool strictly) const {
   const auto below = [&](double lower, double upper) {

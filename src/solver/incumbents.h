@@ -28,6 +28,9 @@ class Incumbents {
   /// move scores; then the answer is exact.
   [[nodiscard]] double tolerance() const { return tolerance_; }
   void set_tolerance(double tolerance);
+  /// Raises the tolerance, by tenths of it, until designs with at least these total scores and this worst utilisation
+  /// cannot change the answer, or nothing is left of it (1).
+  void widen_to_settle(std::span<const double> score_lower, double utilisation_lower);
 
   /// Whether designs with at least these total scores and this worst utilisation cannot change the answer.
   [[nodiscard]] bool hopeless(std::span<const double> score_lower, double utilisation_lower) const;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -33,6 +34,16 @@ class SearchControl {
     if (options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed)) return true;
     if (nodes > options_.most_nodes) return true;
     return options_.time_limit_seconds < 1e300 && seconds() >= options_.time_limit_seconds;
+  }
+  /// What a front is to be covered to by now: what was asked for, or, where it widens, more with every part of the time
+  /// that is used up.
+  [[nodiscard]] double tolerance_of_front() const {
+    constexpr double widest = 0.2;  // of what is wider still, little would be proved
+    const double asked = options_.tolerance_of_front();
+    if (!options_.widens || !(asked < widest)) return asked;
+    const double used = std::max(seconds() / options_.time_limit_seconds,
+                                 static_cast<double>(nodes) / static_cast<double>(options_.most_nodes));
+    return asked * std::pow(widest / asked, std::clamp(used, 0.0, 1.0));
   }
   /// False when time was up before `preparation`, which asks the first desk, was done.
   template <class Preparation>

@@ -70,10 +70,11 @@ void SolveRun::find_ends() {
   add_guides_between(ends[0], ends[1]);
 }
 
-/// Builds that another run has found, and a guide between the first and the last of them.
+/// Builds that another run has found, and guides by how far they lie apart.
 void SolveRun::take_known() {
   for (const Build& build : known_) incumbents_.offer({scores_of(build), build});
   if (incumbents_.builds().empty()) return;
+  if (criteria_.objectives == 3) return add_guides_between_sides();
   const std::vector<double> first = incumbents_.builds().front().score;
   const std::vector<double> last = incumbents_.builds().back().score;
   add_guides_between(first, last);
@@ -168,10 +169,11 @@ std::optional<RankedBuild> SolveRun::best_among_equals() {
 
 /// Continuous variables are found within the gap only, so that of two builds the one may be lighter by that noise, for
 /// money. Of a front those are left out that another one beats by more than the gap, and does not fall short of by
-/// more.
+/// more. (No more than a little of the tolerance, whatever the gap: what builds settle and labels give up leaves 5 %.)
 void SolveRun::leave_out_noise() {
+  constexpr double little = 0.02;
   if (!priced_ || criteria_.objectives < 2) return;
-  const double gap = control_.options().gap;
+  const double gap = std::min(control_.options().gap, little * tolerated());
   std::vector<RankedBuild>& builds = incumbents_.builds();
   std::vector<bool> left_out(builds.size(), false);
   const auto stands_in_for = [&](const RankedBuild& a, const RankedBuild& b) {
@@ -189,6 +191,26 @@ void SolveRun::leave_out_noise() {
   builds = std::move(left);
 }
 
+/// To what tolerance the builds known settle what is left open; what is not, is searched on with the one it had.
+void SolveRun::widen_to_settle(const std::function<void()>& settle) {
+  const double tolerance = incumbents_.tolerance();
+  if (left_tolerance_ > tolerance) incumbents_.set_tolerance(left_tolerance_);
+  settle();
+  left_tolerance_ = incumbents_.tolerance();
+  incumbents_.set_tolerance(tolerance);
+}
+
+/// What the builds of a front settle, and what its labels have given up; beyond that `leave_out_noise`, and whoever
+/// adds builds later, may leave out one for another that falls short of it by the gap.
+double SolveRun::proved_tolerance() {
+  if (complete_ && (incumbents_.builds().empty() || !is_widened())) return asked_tolerance();
+  widen_to_settle([&] {
+    for (const std::vector<double>& score : left_open_) incumbents_.widen_to_settle(score, 0.0);
+  });
+  const double proved = left_tolerance_ + slack_given_ + control_.options().gap;
+  return incumbents_.builds().empty() || !(proved < 1.0) ? infinity : std::max(asked_tolerance(), proved);
+}
+
 Summary SolveRun::summary() {
   Summary out;
   out.combinations = search_space(problem_);
@@ -202,10 +224,11 @@ Summary SolveRun::summary() {
   for (const RankedBuild& ranked : incumbents_.builds()) out.builds.push_back(ranked.build);
   if (criteria_.objectives == 1 && out.builds.size() > 1) out.builds.resize(1);
   out.gap = std::isfinite(best) ? (best - out.lower_bound) / std::max(std::fabs(best), 1e-300) : infinity;
-  const bool closed = complete_ || (criteria_.objectives == 1 && out.gap <= control_.options().gap);
+  if (criteria_.objectives > 1) out.front_tolerance = proved_tolerance();
+  const bool closed = criteria_.objectives > 1 ? out.front_tolerance <= asked_tolerance()
+                                               : complete_ || out.gap <= control_.options().gap;
   out.status = !closed ? Status::limit : out.builds.empty() ? Status::infeasible : Status::optimal;
   out.seconds = control_.seconds();
-  if (priced_ && criteria_.objectives > 1) out.front_tolerance = front_tolerance();
   out.method = sentence_of({priced_,
                             criteria_.objectives > 1 && closed,
                             stagewise_,

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -27,8 +28,8 @@ class SolveRun {
  public:
   /// `stage_by_stage`: only what frontier.h does, the rest is left open.
   enum class Scope { all, stage_by_stage };
-  /// `tables`: what another run has found out about the same problem; null: nothing yet. `known`: builds of a front in
-  /// two objectives, to start from.
+  /// `tables`: what another run has found out about the same problem; null: nothing yet. `known`: builds of a front, to
+  /// start from.
   SolveRun(const Problem& problem,
            const Options& options,
            Scope scope = Scope::all,
@@ -79,7 +80,7 @@ class SolveRun {
   bool settle(OpenSearch& open, Effort effort);
   bool settle_briefly(OpenSearch& open, std::uint64_t share, const CurveEffort& effort = {});
   enum class Settled { no, but_for_equals, yes };
-  Settled stage_by_stage(std::vector<StagePlan>& plans, double lower_bound);
+  Settled stage_by_stage(std::vector<StagePlan>& plans, std::span<const double> score);
   void decide_equals();
   bool settle_by_front();
   void look_for_builds(const OpenSearch& open);
@@ -89,7 +90,7 @@ class SolveRun {
   void sharpen(std::vector<StagePlan>& plans, const CurveEffort& effort = {});
   [[nodiscard]] double leaf_tolerance() const;
   [[nodiscard]] LeafPrecision precision_for(const std::vector<StagePlan>& plans) const {
-    const bool left_open = criteria_.objectives == 2 && !control_.options().stagewise;
+    const bool left_open = criteria_.objectives == 2 && !control_.options().stagewise && !control_.options().widens;
     return first_precision(plans, leaf_tolerance(), criteria_.objectives, left_open);
   }
   std::unique_ptr<BranchAndBound> label_by_label(std::vector<StagePlan>& plans) {
@@ -98,18 +99,20 @@ class SolveRun {
   std::unique_ptr<BranchAndBound> label_by_label(std::vector<StagePlan>& plans, LeafPrecision precision) {
     return std::make_unique<BranchAndBound>(problem_, criteria_, plans, incumbents_, control_, std::move(precision));
   }
-  void leave_open(double lower_bound) {
-    complete_ = false;
-    open_bound_ = std::min(open_bound_, lower_bound);
-  }
-  void set_tolerance() { incumbents_.set_tolerance(priced_ ? 0.5 * tolerated() : 0.0); }
+  /// That nothing is known of designs but these lower bounds of their scores.
+  void leave_open(std::span<const double> score);
+  [[nodiscard]] double asked_tolerance() const { return priced_ ? tolerated() : 0.0; }
+  [[nodiscard]] double settled_tolerance() const { return 0.5 * asked_tolerance(); }
+  /// Never lower than before.
+  void set_tolerance() { incumbents_.set_tolerance(std::max(incumbents_.tolerance(), settled_tolerance())); }
   /// What an answer with priced variables may fall short of the best.
   [[nodiscard]] double tolerated() const {
-    return criteria_.objectives > 1 ? front_tolerance() : control_.options().gap;
+    return criteria_.objectives > 1 ? control_.options().tolerance_of_front() : control_.options().gap;
   }
-  [[nodiscard]] double front_tolerance() const {
-    return std::max(control_.options().front_tolerance, control_.options().gap);
-  }
+  /// Whether a front was searched more coarsely, for want of time.
+  [[nodiscard]] bool is_widened() const { return incumbents_.tolerance() > settled_tolerance(); }
+  void widen_to_settle(const std::function<void()>& settle);
+  double proved_tolerance();
 
   const Problem& problem_;
   Criteria criteria_;
@@ -119,6 +122,9 @@ class SolveRun {
   std::span<const Build> known_;
   std::shared_ptr<TableMemory> tables_;
   std::uint64_t earlier_evaluations_ = 0;
+  std::vector<std::vector<double>> left_open_;  ///< lower bounds of scores of what nothing else is known of
+  double left_tolerance_ = 0.0;                 ///< at which the builds of a front settle what is left open
+  double slack_given_ = 0.0;                    ///< by labels of a front, of the whole
   bool complete_ = true;
   bool beyond_scope_ = false;
   bool priced_ = false;

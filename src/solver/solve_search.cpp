@@ -36,11 +36,11 @@ void SolveRun::search() {
   // A single objective looks at every combination briefly first: what is found in one settles much of the others.
   for (std::size_t i = 0; i < combinations.size(); ++i) {
     const Combination& combination = combinations[i];
-    control_.enter(combination.score[0], std::min(least(combinations, i + 1), least(open, 0)));
     if (control_.time_is_up() || beyond_scope_) {
-      leave_open(combination.score[0]);
-      break;
+      leave_open(combination.score);
+      continue;
     }
+    control_.enter(combination.score[0], std::min(least(combinations, i + 1), least(open, 0)));
     if (incumbents_.hopeless(combination.score, 0.0)) continue;
     if (auto started = start(combination)) open.push_back(std::move(*started));
   }
@@ -151,7 +151,7 @@ std::optional<SolveRun::OpenSearch> SolveRun::start(const Combination& combinati
     plans =
         make_plans(problem_, combination.shared, criteria_, control_.desk(0), *tables_, PlannedRows::best_of_very_long);
   });
-  if (!prepared) leave_open(combination.score[0]);
+  if (!prepared) leave_open(combination.score);
   if (plans.empty()) return std::nullopt;
   open.questions = control_.evaluations() - before;
   priced_stages_.resize(plans.size());
@@ -162,15 +162,15 @@ std::optional<SolveRun::OpenSearch> SolveRun::start(const Combination& combinati
   beyond_scope_ =
       scope_ == Scope::stage_by_stage && !Frontier(problem_, criteria_, plans, incumbents_, control_).applicable();
   if (beyond_scope_) {
-    leave_open(combination.score[0]);
+    leave_open(combination.score);
     return std::nullopt;
   }
   if (criteria_.objectives > 1) {
     control_.while_there_is_time([&] { leave_out_dominated_rows(plans, control_.desk(0)); });
     sharpen(plans);
-    if (stage_by_stage(plans, combination.score[0]) == Settled::yes) return std::nullopt;
+    if (stage_by_stage(plans, combination.score) == Settled::yes) return std::nullopt;
     if (scope_ == Scope::stage_by_stage) {
-      leave_open(combination.score[0]);
+      leave_open(combination.score);
       return std::nullopt;
     }
   }
@@ -253,7 +253,7 @@ SearchResult SolveRun::search_whole(OpenSearch& open) {
 void SolveRun::finish(OpenSearch& open) {
   if (settled_by_front_) return;
   if (criteria_.objectives == 1) {
-    const Settled settled = stage_by_stage(*open.plans, open.score[0]);
+    const Settled settled = stage_by_stage(*open.plans, open.score);
     if (settled == Settled::but_for_equals) {
       open.score[0] = std::max(open.score[0], incumbents_.best());
       return equals_left_.push_back(std::move(open));
@@ -266,15 +266,27 @@ void SolveRun::finish(OpenSearch& open) {
   }
   set_tolerance();
   SearchResult result = search_whole(open);
-  while (!result.complete && !control_.time_is_up()) {
+  // (What a front that has widened leaves undecided, its tolerance tells.)
+  while (!result.complete && !control_.time_is_up() && !is_widened()) {
     std::optional<LeafPrecision> precision = next_precision(
         open.search->precision(), open.search->undecided_designs(), leaf_tolerance(), criteria_.objectives);
     if (!precision) break;
+    slack_given_ = std::max(slack_given_, open.search->slack_given());
     open.search = nullptr;  // it may be large
     open.search = label_by_label(*open.plans, std::move(*precision));
     result = open.search->run();
   }
-  if (!result.complete) leave_open(std::max(open.score[0], result.lower_bound));
+  slack_given_ = std::max(slack_given_, open.search->slack_given());
+  if (result.complete) return;
+  complete_ = false;
+  open_bound_ = std::min(open_bound_, std::max(open.score[0], result.lower_bound));
+  if (criteria_.objectives > 1) widen_to_settle([&] { open.search->settle_open(); });
+}
+
+void SolveRun::leave_open(std::span<const double> score) {
+  complete_ = false;
+  open_bound_ = std::min(open_bound_, score[0]);
+  if (criteria_.objectives > 1) left_open_.emplace_back(score.begin(), score.end());
 }
 
 /// Of a single objective, where no build is known yet that keeps the limit of one more resource: the front of both, of
@@ -297,18 +309,20 @@ bool SolveRun::settle_by_front() {
 }
 
 /// One or two objectives by frontier.h; `no` when that method does not apply or leaves something undecided.
-SolveRun::Settled SolveRun::stage_by_stage(std::vector<StagePlan>& plans, double lower_bound) {
+SolveRun::Settled SolveRun::stage_by_stage(std::vector<StagePlan>& plans, std::span<const double> score) {
   if (criteria_.objectives > 2 || !control_.options().stagewise) return Settled::no;
   Frontier frontier(problem_, criteria_, plans, incumbents_, control_);
   if (!frontier.applicable()) return Settled::no;
   stagewise_ = true;
-  const bool settled = frontier.run(allowances_priced_, lower_bound, [this] { return settle_by_front(); });
+  const bool settled = frontier.run(allowances_priced_, score[0], [this] { return settle_by_front(); });
   allowances_priced_ = allowances_priced_ || frontier.used_prices();
   // Where a later stage refuses the points of a cover it might not refuse what they stand for: builds may be missing.
   const bool covered = std::ranges::any_of(plans, is_covered);
   if (settled && !covered) return frontier.equals_left() ? Settled::but_for_equals : Settled::yes;
   if (frontier.undecided() && !covered && !control_.time_is_up()) return Settled::no;
-  leave_open(criteria_.objectives == 1 ? std::max(lower_bound, frontier.least_total()) : lower_bound);
+  std::vector<double> left(score.begin(), score.end());
+  if (criteria_.objectives == 1) left[0] = std::max(left[0], frontier.least_total());
+  leave_open(left);
   return Settled::yes;
 }
 

@@ -25,4 +25,11 @@ Summary solve(const Problem& problem, const Options& options) {
   return both;
 }
 
+Summary cover_front(const Problem& problem, const Options& options, std::span<const Build> known) {
+  Options widening = options;
+  widening.widens = true;
+  widening.stagewise = false;  // that method knows nothing of what it has not come to
+  return SolveRun(problem, widening, SolveRun::Scope::all, nullptr, known).run();
+}
+
 }  // namespace millwright::solver

@@ -3,9 +3,11 @@
 // Exact optimum and exact Pareto front of a chain of stages. Options in, summary out.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -49,6 +51,11 @@ struct Options {
   /// Nodes at which a search ends as for the time limit; those that a solve begins with and ends with (by single
   /// objectives, among equals) count for themselves.
   std::uint64_t most_nodes = std::numeric_limits<std::uint64_t>::max();
+  /// A front is searched more and more coarsely, the more of its time or its nodes is used up (cover_front).
+  bool widens = false;
+
+  /// Of a front: no finer than the gap.
+  [[nodiscard]] double tolerance_of_front() const { return std::max(front_tolerance, gap); }
 };
 
 /// The choices of one stage in a build.
@@ -84,7 +91,9 @@ struct Summary {
   double combinations = 0.0;  ///< size of the discrete search space
   std::uint64_t nodes = 0;
   std::uint64_t evaluations = 0;
-  double front_tolerance = 0.0;             ///< to which a front is covered (Options::front_tolerance); 0 = exact
+  /// To which a front is covered (Options::front_tolerance), 0 = exact: no feasible design is better than all of its
+  /// builds by more. Of one that a limit has ended, what was proved by then; infinity: nothing.
+  double front_tolerance = 0.0;
   std::string method;                       ///< a sentence for the certificate
   std::vector<Confirmation> confirmations;  ///< of a single objective that continuous variables move; else empty
   double seconds = 0.0;
@@ -92,5 +101,10 @@ struct Summary {
 
 /// Solves the problem exactly (see branch_and_bound.h and labels.h for how).
 Summary solve(const Problem& problem, const Options& options);
+
+/// A front of which `solve` has not come to the end in its time, from builds of it that are known, all feasible. Its
+/// tolerance rises from the one asked for to a fifth while time, or Options::most_nodes, is used up, so that something
+/// is proved: Summary::front_tolerance. A front that is no closer than asked for has Status::limit.
+Summary cover_front(const Problem& problem, const Options& options, std::span<const Build> known);
 
 }  // namespace millwright::solver

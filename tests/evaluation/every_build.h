@@ -191,4 +191,11 @@ class EveryBuild {
   bool on_grid_ = false, ramps_on_grid_ = false;
 };
 
+/// Whether one of some builds is no worse than this one, but for a part of what it is itself.
+inline bool any_covers(const std::vector<EveryBuild::Value>& builds, const EveryBuild::Value& value, double part) {
+  return std::ranges::any_of(builds, [&](const EveryBuild::Value& build) {
+    return (1.0 - part) * build.cost <= value.cost && (1.0 - part) * build.mass <= value.mass;
+  });
+}
+
 }  // namespace millwright

@@ -284,4 +284,39 @@ TEST_CASE("Of a search in three objectives that is cut short the front in two of
   CHECK(3 * cut_short >= machines);
 }
 
+TEST_CASE("A front in three objectives that is cut short is covered to the tolerance that it states") {
+  unsigned stated = 0, closer = 0;
+  for (unsigned seed = 1; seed <= (millwright::sanitized ? 4 : 40); ++seed) {
+    for (const std::int64_t patience : {100, 1000, 3000, 10000, 30000}) {
+      CAPTURE(seed, patience);
+      std::atomic<std::int64_t> questions = patience;
+      std::atomic<bool> stop = false;
+      const Machine machine(4000 + seed, 2, 7, {.timed = seed % 3 != 0, .questions = &questions, .stop = &stop});
+      const std::vector<Total> builds = all_builds(machine);
+      const auto check = [&](const Summary& found) {
+        const double slack = 1.0 / (1.0 - found.front_tolerance) - 1.0 + 1e-9;
+        const std::vector<Total> totals = totals_of(found);
+        for (const Total& build : builds) REQUIRE(any_covers(totals, build, slack));
+      };
+      Options options;
+      options.objectives = {0, 1, 2};
+      options.stop = &stop;
+      options.look_first = seed % 2 == 0;
+      const Summary found = solve(machine.problem, options);
+      if (found.status != Status::limit || !std::isfinite(found.front_tolerance)) continue;
+      ++stated;
+      check(found);
+      options.stop = nullptr;
+      options.most_nodes = static_cast<std::uint64_t>(patience);
+      const Summary widened = cover_front(machine.problem, options, found.builds);
+      REQUIRE(std::isfinite(widened.front_tolerance));
+      check(widened);
+      closer += widened.front_tolerance < 0.5 * found.front_tolerance ? 1 : 0;
+    }
+  }
+  if (millwright::sanitized) return;
+  CHECK(stated >= 30);
+  CHECK(closer >= 10);
+}
+
 }  // namespace three_objectives_test
