@@ -90,7 +90,9 @@ bool CsvReader::read_head() {
   table_.comments_ = std::move(preamble.comments);
   table_.separator_ = preamble.separator;
   if (preamble.header_begin >= contents.size()) {
-    error(whole(table_.text_), contents.empty() ? "is empty: a header was expected" : "has no header");
+    error(whole(table_.text_),
+          contents.empty() ? "is empty: a header was expected" : "has no header",
+          "the first line that is no comment names the columns, separated by commas");
     return false;
   }
   // A line of nothing but separators would take many times the memory of the file.

@@ -175,6 +175,7 @@ TEST_CASE("Catalogues of a problem that do not exist are named where the problem
 
 TEST_CASE("An empty catalogue, and an empty folder") {
   refuses_drivers("", "parts/drivers/d.csv: error: is empty: a header was expected");
+  refuses_drivers("# only this\n", "hint: the first line that is no comment names the columns, separated by commas");
   const Workshop shop;
   shop.write("m.toml", one_slide);
   shop.write("parts/drivers/readme.txt", "");
