@@ -91,8 +91,9 @@ struct Summary {
   double combinations = 0.0;  ///< size of the discrete search space
   std::uint64_t nodes = 0;
   std::uint64_t evaluations = 0;
-  /// To which a front is covered (Options::front_tolerance), 0 = exact: no feasible design is better than all of its
-  /// builds by more. Of one that a limit has ended, what was proved by then; infinity: nothing.
+  /// To which a front is covered (Options::front_tolerance), 0 = exact: for every feasible design some build, less this
+  /// part of each of its objectives, is no worse. Of one that a limit has ended, what was proved by then; infinity:
+  /// nothing.
   double front_tolerance = 0.0;
   std::string method;                       ///< a sentence for the certificate
   std::vector<Confirmation> confirmations;  ///< of a single objective that continuous variables move; else empty
