@@ -2,10 +2,10 @@
 //
 // `--robust`: constraints are added scenario by scenario, each a set of values that broke the best build so far.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
+#include "evaluation/allowed_time.h"
 #include "evaluation/longer_bars.h"
 #include "evaluation/synthesis.h"
 #include "evaluation/toleranced_machine.h"
@@ -145,15 +145,14 @@ RobustSynthesis synthesise_robustly(const machine::Problem& problem,
   how.tolerances = true;
   const bool is_front = options.objectives.size() > 1;
   ModelOptions with = model_options;
-  const auto begin = std::chrono::steady_clock::now();
-  const auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
+  const AllowedTime time(options.time_limit_seconds);
   for (;;) {
-    how.time_limit_seconds = std::max(0.0, options.time_limit_seconds - seconds());
+    how.time_limit_seconds = time.left();
     const MachineModel model(problem, catalogue, {}, with);
     Synthesis found = synthesise(model, how);
     found.nodes += result.best.nodes;
     found.evaluations += result.best.evaluations;
-    found.seconds = seconds();
+    found.seconds = time.used();
     result.best = std::move(found);
     result.scenarios = with.scenarios.size();
     if (result.best.designs.empty()) return result;
@@ -164,7 +163,7 @@ RobustSynthesis synthesise_robustly(const machine::Problem& problem,
       return result;
     }
     const std::size_t most = is_front ? most_scenarios_of_fronts : most_scenarios;
-    const bool stopped = (options.stop != nullptr && options.stop->load()) || seconds() >= options.time_limit_seconds;
+    const bool stopped = (options.stop != nullptr && options.stop->load()) || time.left() == 0.0;
     if (result.best.status == solver::Status::limit || with.scenarios.size() >= most || stopped) {
       leave_open(result.best);
       if (is_front) leave_out_broken(result.best);

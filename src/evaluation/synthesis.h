@@ -8,26 +8,10 @@
 #include <vector>
 
 #include "evaluation/incomplete_parts.h"
-#include "evaluation/machine_model.h"
+#include "evaluation/search_options.h"
 #include "machine/bill_of_materials.h"
 
 namespace millwright::evaluation {
-
-struct SearchOptions {
-  /// By name (machine/objective.h): one to solve, two or more, of one quantity each, for a front.
-  std::vector<std::string> objectives{"cost"};
-  double gap = 1e-6;
-  double front_tolerance = 1e-3;  ///< of a front that free dimensions move; no finer than the gap
-  double time_limit_seconds = std::numeric_limits<double>::infinity();
-  unsigned threads = 1;
-  std::size_t builds = 1;  ///< of one objective: the best, the second best, ...; more need a model with every candidate
-  bool worksheets = false;  ///< with the calculation behind every check of the designs
-  /// Whether the best design, or every one of a front, holds for every value within the stated tolerances; what the
-  /// time or the stop leaves unasked is unsettled.
-  bool tolerances = false;
-  const std::atomic<bool>* stop = nullptr;
-  std::function<void(const solver::Progress&)> progress;
-};
 
 struct Synthesis {
   solver::Status status = solver::Status::infeasible;
@@ -44,10 +28,6 @@ struct Synthesis {
   std::string method;
   double seconds = 0.0;
 };
-
-/// The solver's options for these. Throws std::invalid_argument when an objective asks for what the model does not
-/// count (machine::Problem::counted) or was not made for (ModelOptions::objectives), or a front for a weighted sum.
-solver::Options solver_options(const MachineModel& model, const SearchOptions& options);
 
 /// The best compliant build by one objective, or as many of the best as are asked for, or the front of several.
 Synthesis synthesise(const MachineModel& model, const SearchOptions& options);

@@ -161,6 +161,10 @@ std::optional<Quantity> Objective::single() const {
   return terms.front().quantity;
 }
 
+bool Objective::counts(Quantity quantity) const {
+  return std::ranges::any_of(terms, [&](const ObjectiveTerm& term) { return term.quantity == quantity; });
+}
+
 std::optional<Objective> parse_objective(std::string_view text, ObjectiveFault& fault) {
   return ObjectiveReader(text, fault).read();
 }

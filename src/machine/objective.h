@@ -48,6 +48,8 @@ struct Objective {
   [[nodiscard]] std::string name() const;
   /// The quantity, where there is only one and it has no weight.
   [[nodiscard]] std::optional<Quantity> single() const;
+  /// Whether the quantity is among the terms.
+  [[nodiscard]] bool counts(Quantity quantity) const;
 };
 
 /// What is wrong with a text that should be an objective, and where: `length` bytes from byte `offset`.
