@@ -14,7 +14,8 @@ scalar::Interval utilisation(const scalar::Interval& demand, const scalar::Inter
   const double upper = capacity.lower <= 0.0 ? infinity
                        : demand.upper <= 0.0 ? 0.0
                                              : scalar::rounding::quotient_up(demand.upper, capacity.lower);
-  return {std::min(without_rounding(lower), machine::useless_utilisation), std::max(without_rounding(upper), 0.0)};
+  return {std::min(solver::without_rounding(lower), machine::useless_utilisation),
+          std::max(solver::without_rounding(upper), 0.0)};
 }
 
 }  // namespace millwright::evaluation

@@ -38,18 +38,11 @@ enum ResourceIndex : std::size_t { cost_resource = 0, mass_resource = 1, first_c
 inline constexpr std::size_t power_state = 0;
 inline constexpr std::size_t first_load_state = 1;
 
-/// What exceeds its capacity by no more than figures in decimals are rounded by keeps it: 24 W with a reserve of 2.2
-/// are 52.8 W, and in binary a little more.
-inline double without_rounding(double utilisation) {
-  constexpr double most = 1.0 + 1e-12;
-  return utilisation > 1.0 && utilisation <= most ? 1.0 : utilisation;
-}
-
 /// demand over capacity; a capacity of nothing is a large finite utilisation.
 inline double utilisation(double demand, double capacity) {
   if (demand <= 0.0 && capacity >= 0.0) return 0.0;
   if (!(capacity > 0.0)) return machine::useless_utilisation;
-  const double u = without_rounding(demand / capacity);
+  const double u = solver::without_rounding(demand / capacity);
   return u < machine::useless_utilisation ? u : machine::useless_utilisation;
 }
 

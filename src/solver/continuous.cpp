@@ -90,6 +90,11 @@ void widen_to_enclosure(const LeafQuestion& question, Desk& desk, StagePoint& po
   if (assess(*question.plan, question.label->enclosure, region, bounds, desk)) widen_to(bounds, point);
 }
 
+/// All that a label stands for; an exact one need not have its enclosure written out.
+std::vector<Interval> states_of(const Label& label) {
+  return label.exact ? std::vector<Interval>(label.state.begin(), label.state.end()) : label.enclosure;
+}
+
 LeafAnswer solve_feasibility(const LeafQuestion& question, Desk& desk) {
   LeafAnswer answer;
   LeafDesign design(question, desk);
@@ -110,9 +115,7 @@ LeafAnswer solve_feasibility(const LeafQuestion& question, Desk& desk) {
   if (verdict == Verdict::infeasible && question.label->exact) return answer;
   Bounds bounds;
   Region region = *question.region;
-  const auto& state = question.label->state;  // an exact label need not have its enclosure written out
-  const std::vector<Interval> enclosure =
-      question.label->exact ? std::vector<Interval>(state.begin(), state.end()) : question.label->enclosure;
+  const std::vector<Interval> enclosure = states_of(*question.label);
   // As above: that later stages cannot bear what this label hands on is no answer for all that share it.
   const bool possible = assess(*question.plan, enclosure, region, bounds, desk);
   if (!possible && (!question.label->exact || bearable(*question.plan, bounds.handed_on))) return answer;
@@ -170,7 +173,11 @@ std::optional<LeafAnswer> solve_least(const LeafQuestion& question, Desk& desk) 
     return answer;
   }
   if (question.tolerance > 0.0) return std::nullopt;
-  answer.undecided = true;  // nothing could cover it
+  // Nothing could cover it.
+  Bounds bounds;
+  Region region = *question.region;
+  const bool possible = assess(*question.plan, states_of(*question.label), region, bounds, desk);
+  if (possible || !bearable(*question.plan, bounds.handed_on)) answer.leave_undecided(bounds.score);
   return answer;
 }
 

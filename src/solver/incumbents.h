@@ -4,6 +4,8 @@
 // `evaluate` in double has found every utilisation <= 1 and every limit kept.
 //
 // Order between builds: objectives, then tie scores, then the smaller worst utilisation, then the smaller row numbers.
+// (The last two decide between builds that are met. Labels are not told apart by what only moves utilisations that are
+// kept anyway, so that a build of equal scores and smaller worst utilisation may never be met.)
 #pragma once
 
 #include <array>

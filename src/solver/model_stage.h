@@ -123,6 +123,7 @@ class ModelStage final : public Stage {
     ModelInput<double> input(point.shared, point.inherited, point.variables);
     set_rows(input, point.rows);
     ask(input, answer);
+    for (double& u : answer.utilisation) u = without_rounding(u);
   }
 
   void bound(const Box& box, Answer<Interval>& answer) const override {
@@ -130,6 +131,7 @@ class ModelStage final : public Stage {
     std::vector<std::vector<Interval>> read_here;
     set_rows(input, box, read_here);
     ask(input, answer);
+    for (Interval& u : answer.utilisation) u = without_rounding(u);
   }
 
   void slopes(const Box& box, Input with_respect_to, Answer<Interval>& answer) const override {

@@ -86,10 +86,21 @@ struct Box {
   std::uint64_t kept = 0;
 };
 
+/// A utilisation above 1 by no more than sums of decimals are rounded by in binary is 1: 24 W with a reserve of 2.2 are
+/// 52.8 W, and in binary a little more. The search takes states as equal that are the same sum in another order
+/// (criteria.h), so a stage must let all of them keep a limit, or none.
+inline double without_rounding(double utilisation) {
+  constexpr double most = 1.0 + 1e-12;
+  return utilisation > 1.0 && utilisation <= most ? 1.0 : utilisation;
+}
+inline Interval without_rounding(const Interval& utilisation) {
+  return {without_rounding(utilisation.lower), without_rounding(utilisation.upper)};
+}
+
 /// What a stage answers. T is double for a design and Interval for a set of designs or for slopes.
 template <class T>
 struct Answer {
-  std::vector<T> utilisation;  ///< one per constraint; satisfied when <= 1
+  std::vector<T> utilisation;  ///< one per constraint; satisfied when <= 1 (see without_rounding)
   std::vector<T> resources;    ///< one per resource of the problem; this stage's own share
   std::vector<T> handed_on;    ///< the state for the next stage, as long as `inherited`
 };
