@@ -182,9 +182,14 @@ void SolveRun::leave_out_noise() {
       beats = beats || a.score[k] < b.score[k] - gap * std::fabs(b.score[k]);
     return beats && criteria_.is_as_good(a.score, b.score, gap);
   };
-  for (std::size_t i = 0; i < builds.size(); ++i)
-    for (std::size_t j = 0; j < builds.size() && !left_out[i]; ++j)
-      left_out[i] = !left_out[j] && stands_in_for(builds[j], builds[i]);
+  // Whoever stands in for a build must stay itself: of a chain each would fall short of the next by the gap.
+  std::vector<bool> stands_in(builds.size(), false);
+  for (std::size_t i = 0; i < builds.size(); ++i) {
+    for (std::size_t j = 0; j < builds.size() && !stands_in[i] && !left_out[i]; ++j) {
+      if (left_out[j] || !stands_in_for(builds[j], builds[i])) continue;
+      left_out[i] = stands_in[j] = true;
+    }
+  }
   std::vector<RankedBuild> left;
   for (std::size_t i = 0; i < builds.size(); ++i)
     if (!left_out[i]) left.push_back(std::move(builds[i]));

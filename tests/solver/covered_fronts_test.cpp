@@ -245,4 +245,48 @@ TEST_CASE("Where a free dimension decides how many whole watts a drive takes the
   }
 }
 
+TEST_CASE("Builds that each are nearly as good as the next one are not all left out for the last of them") {
+  struct Steps {
+    std::size_t rows;
+    double gap, rise, fall;  // of the price and the mass, from each row to the next
+  };
+  for (const Steps& steps : {Steps{500, 2e-5, 1.9e-5, 5.5e-4}, Steps{120, 1e-2, 1.9e-4, 6e-3}}) {
+    Columns choices{"choice", 2, {}};
+    for (std::size_t i = 0; i < steps.rows; ++i) {
+      choices.numbers.push_back(1000.0 * (1.0 + steps.rise * static_cast<double>(i)));
+      choices.numbers.push_back(1000.0 * std::pow(1.0 - steps.fall, static_cast<double>(i)));
+    }
+    const auto choice = model_stage("choice", {&choices}, {}, 0, [](const auto& in, auto& out) {
+      out.resources.push_back(in.row(0, 0));
+      out.resources.push_back(in.row(0, 1));
+      out.handed_on.push_back(in.state(0));
+    });
+    constexpr double little = 1e-6, needed = 1.5;  // a shaft that hardly counts: its diameter is free
+    const auto shaft = model_stage("shaft", {}, {{"diameter", 1.0, 2.0}}, 1, [](const auto& in, auto& out) {
+      out.utilisation.push_back(needed / in.variable(0));
+      for (int k = 0; k < 2; ++k) out.resources.push_back(in.variable(0) * little);
+      out.handed_on.push_back(in.state(0));
+    });
+    Problem problem;
+    problem.first_state = {1.0};
+    problem.stages = {&choice, &shaft};
+    problem.resources = {{"cost"}, {"mass"}};
+    Options options;
+    options.objectives = {0, 1};
+    options.gap = steps.gap;
+    const Summary front = solve(problem, options);
+    REQUIRE(front.status == Status::optimal);
+    REQUIRE(front.front_tolerance == options.tolerance_of_front());
+    const double left = 1.0 - front.front_tolerance;
+    for (Row i = 0; i < choices.rows(); ++i) {
+      CAPTURE(steps.rows, i);
+      const double least = needed * little;
+      REQUIRE(std::ranges::any_of(front.builds, [&](const Build& build) {
+        return left * build.resources[0] <= choices.row(i)[0] + least &&
+               left * build.resources[1] <= choices.row(i)[1] + least;
+      }));
+    }
+  }
+}
+
 }  // namespace covered_fronts_test
