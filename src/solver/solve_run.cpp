@@ -241,7 +241,9 @@ Summary SolveRun::summary() {
                             allowances_priced_,
                             settled_by_front_,
                             among_equals_});
-  if (priced_ && control_.options().confirm && criteria_.objectives == 1 && !out.builds.empty()) {
+  // (Of many axes at once it takes long; after the time is up nobody waits for it.)
+  const bool asked = control_.options().confirm && !control_.time_is_up();
+  if (priced_ && asked && criteria_.objectives == 1 && !out.builds.empty()) {
     out.confirmations = confirm(problem_, criteria_, out.builds.front(), priced_stages_);
     out.method += confirmation_sentence(out.confirmations);
   }
