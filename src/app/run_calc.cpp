@@ -87,6 +87,7 @@ std::optional<report::Calculation> calculate(const Formula& formula,
   calculation.warnings = formula.violations(arguments->values);
   const Traced result = formula.evaluate<Traced>(traced(formula, *arguments));
   calculation.value = result.value;
+  if (std::isinf(result.value)) calculation.warnings.push_back("the result is infinite, or too large for a number");
   calculation.derivation = scalar::derivation(result, formula.symbol(), calculation.unit);
   calculation.inputs = std::move(arguments->inputs);
   return calculation;

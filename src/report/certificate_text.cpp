@@ -9,6 +9,7 @@
 #include "report/alternatives.h"
 #include "report/incomplete.h"
 #include "report/machine_text.h"
+#include "report/rounded.h"
 #include "report/tolerance_text.h"
 #include "scalar/unit.h"
 
@@ -20,8 +21,8 @@ namespace {
 
 /// Two digits, so that what is said to be proved is.
 std::string percent_rounded_up(double part) {
-  const double digit = std::pow(10.0, std::floor(std::log10(100.0 * part)) - 1.0);
-  return fmt::format("{:.2g}", digit * std::ceil(100.0 * part / digit));
+  constexpr int digits = 2;
+  return fmt::format("{:.{}g}", rounded_up(100.0 * part, last_digit(100.0 * part, digits)), digits);
 }
 
 /// "is cheaper"
@@ -67,8 +68,8 @@ std::string certificate_text(const MachineResult& result, const Style& style, co
                                                                    : "certificate.best_asked",
                                        better)
                                 : fill("certificate.open",
-                                       objective_text(objective, result.lower_bound, design->currency),
-                                       fmt::format("{:.2f}", 100.0 * result.gap)));
+                                       objective_bound_text(objective, result.lower_bound, design->currency),
+                                       gap_percent(result.gap)));
     if (const std::string others = alternatives_certificate(result, t); !others.empty()) line(others);
     if (preferred) line(premium_text(result, t));
   } else if (result.objectives.size() > 1) {

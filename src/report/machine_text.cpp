@@ -15,6 +15,7 @@
 #include "report/design_text.h"
 #include "report/incomplete.h"
 #include "report/page_texts.h"
+#include "report/rounded.h"
 #include "report/steering.h"
 #include "report/tolerance_text.h"
 #include "scalar/unit.h"
@@ -26,6 +27,8 @@ using evaluation::Design;
 using evaluation::Verdict;
 
 namespace {
+
+constexpr int digits_of_sums = 7;
 
 /// "Cheapest", "Lightest"; "Best" of a weighted sum.
 std::string best_word(const std::string& objective) {
@@ -153,7 +156,8 @@ std::string end_text(const MachineResult& result,
                      const Design& design,
                      const std::string& objective,
                      const Style& style) {
-  return style.heading(best_word(objective) + ": " + all_totals(objective, design)) + "\n\n" +
+  const char* of = result.status == Status::limit ? " of these" : "";  // a better one may not have been met
+  return style.heading(best_word(objective) + of + ": " + all_totals(objective, design)) + "\n\n" +
          parts_text(result, design, style) + governing_text(result, design, style);
 }
 
@@ -212,8 +216,16 @@ std::string nothing_text(const MachineResult& result, const Style& style) {
 std::string objective_text(const std::string& objective, double value, const std::string& currency) {
   if (const auto quantity = machine::objective_named(objective).single())
     return quantity_text(*quantity, value, currency);
-  return scalar::format_number(value, 7);
+  return scalar::format_number(value, digits_of_sums);
 }
+
+std::string objective_bound_text(const std::string& objective, double bound, const std::string& currency) {
+  if (const auto quantity = machine::objective_named(objective).single())
+    return quantity_bound_text(*quantity, bound, currency);
+  return scalar::format_number(rounded_down(bound, last_digit(bound, digits_of_sums)), digits_of_sums);
+}
+
+std::string gap_percent(double gap) { return fmt::format("{:.2f}", rounded_up(100.0 * gap, 0.01)); }
 
 std::string objective_unit(const std::string& objective, const std::string& currency) {
   const auto quantity = machine::objective_named(objective).single();
@@ -232,9 +244,9 @@ std::string solve_text(const MachineResult& result, const Style& style) {
   out += best_is_proved(result)
              ? style.heading(build_words(result) + ": " + all_totals(objective, design)) + "\n\n"
              : style.heading("Best build found before the search was ended: " + all_totals(objective, design)) +
-                   fmt::format("\n  proved so far: not below {}, gap {:.2f} %\n\n",
-                               objective_text(objective, result.lower_bound, design.currency),
-                               100.0 * result.gap);
+                   fmt::format("\n  proved so far: not below {}, gap {} %\n\n",
+                               objective_bound_text(objective, result.lower_bound, design.currency),
+                               gap_percent(result.gap));
   if (result.fixed_objective && result.status == Status::optimal)
     out += "  Moves state their times, so every build takes as long: this is the cheapest.\n\n";
   out += parts_text(result, design, style) + dimensions_text(design, style) + alternatives_text(result, style);

@@ -27,6 +27,10 @@ std::string nothing_text(const MachineResult& result, const Style& style);
 
 /// "612.34 USD", "41.200 kg", "12.500 s": a value of an objective; of a weighted sum only its number.
 std::string objective_text(const std::string& objective, double value, const std::string& currency);
+/// The same of a lower bound of it, rounded down.
+std::string objective_bound_text(const std::string& objective, double bound, const std::string& currency);
+/// What is left between a bound and a build, in percent, rounded up: "0.01".
+std::string gap_percent(double gap);
 
 /// The unit of an objective's values, empty for a weighted sum.
 std::string objective_unit(const std::string& objective, const std::string& currency);

@@ -168,6 +168,16 @@ TEST_CASE("A relation between arguments that does not hold is warned of, in text
   CHECK(json_of(column("length=100 mm")).at("warnings").empty());
 }
 
+TEST_CASE("A result that is too large for a number is warned of") {
+  const Workshop shop;
+  const std::vector<std::string> huge{
+      "calc", "power_screw.raising_torque", "force=1e300 N", "mean_diameter=1e300 mm", "lead=8 mm", "friction=0.08"};
+  CHECK(shop.run(huge).prints("infinite, or too large for a number"));
+  const Json json = json_of(huge);
+  CHECK(json.at("value").is_null());
+  CHECK(json.at("warnings").back() == "the result is infinite, or too large for a number");
+}
+
 TEST_CASE("Formulas are found by words, and told with all that calc needs") {
   const Workshop shop;
   const Outcome text = shop.run({"formulas", "critical speed"});

@@ -279,6 +279,30 @@ TEST_CASE("A limit is said with the gap") {
   CHECK(text.find("Not proved") != std::string::npos);
 }
 
+TEST_CASE("Of a bound no more is said than was proved, of a gap no less") {
+  using machine::Quantity;
+  CHECK(quantity_bound_text(Quantity::cost, 6.019999, "USD") == "6.01 USD");
+  CHECK(quantity_bound_text(Quantity::cost, 6.02, "USD") == "6.02 USD");
+  CHECK(quantity_bound_text(Quantity::cost, 0.0, "USD") == "0.00 USD");
+  CHECK(quantity_bound_text(Quantity::mass, 11.9038, "USD") == "11.903 kg");
+  CHECK(quantity_bound_text(Quantity::cycle_time, 2.0009, "USD") == "2.000 s");
+  CHECK(quantity_bound_text(Quantity::energy, 1907.978, "USD") == "1907.9 J");
+  CHECK(quantity_bound_text(Quantity::energy, 1908.0, "USD") == "1908 J");
+  CHECK(quantity_bound_text(Quantity::position_error, 207.398e-6, "USD") == "207.3 um");
+  CHECK(objective_bound_text("cost + 25*mass", 123.456789, "USD") == "123.4567");
+  CHECK(gap_percent(0.2) == "20.00");
+  CHECK(gap_percent(1.6e-5) == "0.01");
+  CHECK(gap_percent(0.12341) == "12.35");
+  CHECK(gap_percent(0.0) == "0.00");
+  MachineResult result = result_of_three_checks();
+  result.status = Status::limit;
+  result.lower_bound = 7.4999;
+  result.gap = 1.4e-5;
+  const std::string text = solve_text(result, {});
+  CHECK(text.find("not below 7.49 USD, gap 0.01 %") != std::string::npos);
+  CHECK(text.find("a build of 7.49 USD or more may still exist (gap 0.01 %)") != std::string::npos);
+}
+
 TEST_CASE("The bill of materials quotes what it must and keeps every bit of a dimension") {
   const MachineResult result = result_of_three_checks();
   CHECK(bom_csv(result.designs.front()) ==
