@@ -111,6 +111,8 @@ class MachineModel {
   [[nodiscard]] const machine::Problem& machine() const { return problem_; }
   /// With a row for every offer of a part.
   [[nodiscard]] const catalogue::Catalogue& catalogue() const { return catalogue_; }
+  [[nodiscard]] std::span<const CountedPart> counted_parts() const { return counted_parts_; }
+  [[nodiscard]] const Shops& shops() const { return shops_; }
   [[nodiscard]] const PriceBook& prices() const { return prices_; }
   [[nodiscard]] const std::vector<StageEntry>& entries() const { return entries_; }
   /// What pieces are cut from where whole bars are sold.

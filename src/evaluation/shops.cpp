@@ -6,10 +6,8 @@
 #include <algorithm>
 
 namespace millwright::evaluation {
-namespace {
 
-/// Equal for candidates that differ only in who sells their parts.
-std::string name_of(const catalogue::Catalogue& catalogue, const Candidate& candidate) {
+std::string parts_name(const catalogue::Catalogue& catalogue, const Candidate& candidate) {
   std::string name(candidate.form);
   for (const PartUse& use : candidate.parts) {
     const catalogue::Table& table = catalogue.table(use.family);
@@ -21,6 +19,8 @@ std::string name_of(const catalogue::Catalogue& catalogue, const Candidate& cand
   for (const Setting& setting : candidate.settings) name += fmt::format("{} {}\n", setting.name, setting.value);
   return name;
 }
+
+namespace {
 
 /// Which of two candidates with the same parts is never the better one.
 class Comparison {
@@ -116,7 +116,7 @@ std::vector<SlotShops> Shops::slots(const catalogue::Catalogue& catalogue,
     std::map<std::string, std::vector<solver::Row>> alike;
     for (std::size_t row = 0; row < table.rows(); ++row) {
       slot.needed.push_back(needed(table.candidate(row)));
-      alike[name_of(catalogue, table.candidate(row))].push_back(static_cast<solver::Row>(row));
+      alike[parts_name(catalogue, table.candidate(row))].push_back(static_cast<solver::Row>(row));
     }
     for (const auto& [name, rows] : alike)
       for (const solver::Row row : rows)

@@ -75,6 +75,9 @@ class Shops {
   std::vector<Shop> shops_;
 };
 
+/// Equal for candidates that differ only in who sells their parts.
+std::string parts_name(const catalogue::Catalogue& catalogue, const Candidate& candidate);
+
 /// Goes through the parts of a build and says what is ordered from whom.
 class ShopLedger {
  public:

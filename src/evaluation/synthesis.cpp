@@ -9,6 +9,7 @@
 #include "evaluation/allowed_time.h"
 #include "evaluation/best_build.h"
 #include "evaluation/best_front.h"
+#include "evaluation/build_identity.h"
 #include "solver/alternatives.h"
 
 namespace millwright::evaluation {
@@ -25,11 +26,14 @@ Synthesis synthesise(const MachineModel& model, const SearchOptions& asked_for) 
   synthesis.fixed_objective = fastest && is_the_same_for_all(model, "cycle_time");
   solver::Summary summary;
   if (options.builds > 1) {
+    solver::BuildIdentity identity;
+    if (!model.shops().empty()) identity = [&](const solver::Build& build) { return build_identity(model, build); };
     solver::Alternatives best = solver::best_builds(
         model.problem(),
         solver_options(model, options),
         options.builds,
-        [&](std::size_t stage, std::size_t slot, solver::Row row) { return model.covering_rows(stage, slot, row); });
+        [&](std::size_t stage, std::size_t slot, solver::Row row) { return model.covering_rows(stage, slot, row); },
+        identity);
     summary = std::move(best.first);
     summary.status = best.status;
     summary.builds = std::move(best.builds);

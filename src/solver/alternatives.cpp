@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstring>
 #include <queue>
 #include <set>
 #include <stdexcept>
@@ -32,11 +33,16 @@ struct PartOfProblem {
 
 class AlternativeSearch {
  public:
-  AlternativeSearch(const Problem& problem, const Options& options, std::size_t count, const CoveringRows& covering)
+  AlternativeSearch(const Problem& problem,
+                    const Options& options,
+                    std::size_t count,
+                    const CoveringRows& covering,
+                    const BuildIdentity& identity)
       : problem_(problem),
         options_(options),
         count_(count),
         covering_(covering),
+        identity_(identity),
         neighbours_(problem),
         start_(std::chrono::steady_clock::now()) {
     if (!options.weights.empty() || options.objectives.size() != 1)
@@ -105,6 +111,14 @@ class AlternativeSearch {
     return choices;
   }
 
+  [[nodiscard]] std::string identity_of(const Build& build) const {
+    if (identity_) return identity_(build);
+    const std::vector<Row> choices = choices_of(build);
+    std::string identity(choices.size() * sizeof(Row), '\0');
+    std::memcpy(identity.data(), choices.data(), identity.size());
+    return identity;
+  }
+
   /// What the last of the best builds known is worth: nothing dearer is asked for.
   [[nodiscard]] double limit() const { return known_worth_.size() < count_ ? infinity : known_worth_.back(); }
 
@@ -114,8 +128,8 @@ class AlternativeSearch {
     return std::isfinite(most) ? most + (1e-9 + 2.0 * options_.gap) * std::fabs(most) : most;
   }
 
-  void know(const std::vector<Row>& choices, double worth) {
-    if (worth >= limit() || !known_.insert(choices).second) return;
+  void know(const Build& build, double worth) {
+    if (worth >= limit() || !known_.insert(identity_of(build)).second) return;
     known_worth_.insert(std::upper_bound(known_worth_.begin(), known_worth_.end(), worth), worth);
     if (known_worth_.size() > count_) known_worth_.pop_back();
   }
@@ -226,7 +240,7 @@ class AlternativeSearch {
     ++result_.parts;
     for (Build& build : summary.builds) {
       build = restricted.whole_build(std::move(build));
-      know(choices_of(build), rounded(build.resources[objective_]));
+      know(build, rounded(build.resources[objective_]));
     }
     if (whole) result_.first = summary;
     if (summary.status == Status::limit) {
@@ -246,7 +260,7 @@ class AlternativeSearch {
   void look_around(const Build& build) {
     ++neighbours_asked_;
     neighbours_.visit(build, objective_, [&](const Build& next) {
-      know(choices_of(next), rounded(next.resources[objective_]));
+      know(next, rounded(next.resources[objective_]));
       return limit();
     });
   }
@@ -254,7 +268,7 @@ class AlternativeSearch {
   /// The best build of the part is the next one; what is left of the part is divided.
   void split(PartOfProblem& part) {
     const std::vector<Row> best = choices_of(*part.best);
-    result_.builds.push_back(*std::move(part.best));
+    if (listed_.insert(identity_of(*part.best)).second) result_.builds.push_back(*std::move(part.best));
     PartOfProblem rest;
     rest.lower = part.lower;
     rest.held = part.held;
@@ -283,10 +297,8 @@ class AlternativeSearch {
     sort(result_.builds);
     sort(unproved_);
     for (Build& build : unproved_) {
-      const bool there = std::any_of(result_.builds.begin(), result_.builds.end(), [&](const Build& known) {
-        return choices_of(known) == choices_of(build);
-      });
-      if (!there && result_.builds.size() < count_) result_.builds.push_back(std::move(build));
+      if (result_.builds.size() < count_ && listed_.insert(identity_of(build)).second)
+        result_.builds.push_back(std::move(build));
     }
     result_.first.nodes = nodes_;
     result_.first.evaluations = evaluations_;
@@ -311,6 +323,7 @@ class AlternativeSearch {
   const Options& options_;
   std::size_t count_;
   const CoveringRows& covering_;
+  const BuildIdentity& identity_;
   Neighbours neighbours_;
   std::chrono::steady_clock::time_point start_;
   std::size_t objective_ = 0;
@@ -318,10 +331,11 @@ class AlternativeSearch {
   std::vector<Place> place_;  ///< per slot of a stage, in the order of the choices
   std::priority_queue<PartOfProblem, std::vector<PartOfProblem>, Later> queue_;
   std::uint64_t order_ = 0;
-  std::set<std::vector<Row>> known_;  ///< choices of feasible builds
-  std::vector<double> known_worth_;   ///< upper bounds of their objectives, ascending, no more than are asked for
-  std::vector<Build> unproved_;       ///< found in a part that was not settled
-  std::vector<RowWorth> worth_;       ///< of the whole problem, in its rows
+  std::set<std::string> known_;      ///< identities of feasible builds
+  std::set<std::string> listed_;     ///< of those in the result
+  std::vector<double> known_worth_;  ///< upper bounds of their objectives, ascending, no more than are asked for
+  std::vector<Build> unproved_;      ///< found in a part that was not settled
+  std::vector<RowWorth> worth_;      ///< of the whole problem, in its rows
   bool worth_known_ = false;
   std::size_t neighbours_asked_ = 0;
   std::uint64_t nodes_ = 0, evaluations_ = 0;
@@ -333,8 +347,9 @@ class AlternativeSearch {
 Alternatives best_builds(const Problem& problem,
                          const Options& options,
                          std::size_t count,
-                         const CoveringRows& covering) {
-  return AlternativeSearch(problem, options, count, covering).run();
+                         const CoveringRows& covering,
+                         const BuildIdentity& identity) {
+  return AlternativeSearch(problem, options, count, covering, identity).run();
 }
 
 }  // namespace millwright::solver

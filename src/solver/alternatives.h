@@ -3,7 +3,7 @@
 // The best builds of a problem, one after the other: the best, the second best, ..., each proved to be the next.
 //
 // Two builds are distinct when a shared choice or a row of a slot differs; each combination of rows counts once, with
-// its best values of the continuous variables.
+// its best values of the continuous variables. Builds whose identities are equal count as one.
 //
 // By splitting what is left (Lawler 1972, Murty 1968): the best build of a part of the problem divides the rest of that
 // part into disjoint parts, one for each choice - there the choices before are held at the build's rows, the build's
@@ -21,6 +21,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 #include "solver/solver.h"
 
@@ -31,9 +32,13 @@ namespace millwright::solver {
 /// `row` is not looked at.
 using CoveringRows = std::function<std::vector<Row>(std::size_t stage, std::size_t slot, Row row)>;
 
+/// Builds of which this is equal count as one, the best of them, though their rows differ.
+using BuildIdentity = std::function<std::string(const Build& build)>;
+
 struct Alternatives {
   Summary first;              ///< of the best build; nodes, evaluations and seconds are those of everything
-  std::vector<Build> builds;  ///< the best first; equal objectives by ties, worst utilisation and row numbers
+  std::vector<Build> builds;  ///< the best first; equal objectives by ties, then, of those met, by worst
+                              ///< utilisation and row numbers
   std::size_t proved = 0;     ///< so many of them, from the first on, are proved to be the next best
   std::size_t parts = 0;      ///< parts that were solved
   /// optimal: all of `builds` are proved, and where they are fewer than asked for there are no more. limit: what is
@@ -46,6 +51,7 @@ struct Alternatives {
 Alternatives best_builds(const Problem& problem,
                          const Options& options,
                          std::size_t count,
-                         const CoveringRows& covering = {});
+                         const CoveringRows& covering = {},
+                         const BuildIdentity& identity = {});
 
 }  // namespace millwright::solver

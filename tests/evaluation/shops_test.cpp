@@ -5,6 +5,7 @@
 
 #include <map>
 #include <random>
+#include <set>
 
 #include "catch.h"
 #include "evaluation/best_of_all.h"
@@ -320,6 +321,48 @@ TEST_CASE("The next best builds differ in their parts or in who sells them") {
     CHECK(seen.insert(names).second);
   }
   CHECK(found.designs[0].cost == Approx(solved(MachineModel(two_axes(1.0), offered), {"cost"}).designs[0].cost));
+}
+
+// Motors that are owned need no shop: that one is open beside them makes no other build.
+TEST_CASE("The next best builds differ where some of what shops sell is in stock") {
+  const TinyCatalogue tiny({}, {"ball_screws"});
+  Market market;
+  market.shops[0].fee = 1.5;
+  market.shops.push_back({"Shop A", 1.0, 0.0});
+  market.shops.push_back({"Shop B", 2.0, 0.0});
+  market.offers["M17"] = {{1, 8.0}, {2, 7.0}};
+  for (const int owned : {1, 2, 3}) {
+    CAPTURE(owned);
+    market.owned["M17"] = owned;
+    TemporaryFolder overlay;
+    market.write(overlay);
+    const catalogue::Catalogue offered = catalogue_of({tiny.path(), overlay.path()});
+    evaluation::ModelOptions every;
+    every.every_candidate = true;
+    const MachineModel model(two_axes(1.0), offered, {}, every);
+    evaluation::SearchOptions options;
+    options.builds = 8;
+    const Synthesis found = evaluation::synthesise(model, options);
+    REQUIRE(found.designs.size() == 8);
+    CHECK(found.proved == 8);
+    std::set<std::vector<std::string>> seen;
+    double last = 0.0;
+    for (const Design& design : found.designs) {
+      CHECK(design.cost >= last * (1.0 - 1e-9));
+      last = design.cost;
+      std::vector<std::string> names;
+      std::map<std::string, double> bought;
+      for (const evaluation::PartLine& part : design.parts) {
+        names.push_back(part.axis + part.slot + part.part_number);
+        const double pieces = part.quantity + part.spares - part.owned;
+        if (pieces > 0.0) bought[part.part_number + " of " + part.supplier] += pieces;
+      }
+      for (const auto& [what, pieces] : bought) names.push_back(fmt::format("{} {}", pieces, what));
+      names.push_back(fmt::format("{}", design.supply_voltage));
+      CHECK(seen.insert(names).second);
+    }
+    CHECK(found.designs[0].cost == Approx(solved(MachineModel(two_axes(1.0), offered), {"cost"}).designs[0].cost));
+  }
 }
 
 }  // namespace shops_test
