@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <string>
+#include <vector>
 
 #include "evaluation/allowed_time.h"
 #include "evaluation/best_build.h"
@@ -19,6 +21,19 @@ namespace {
 /// can be proved in so much time.
 double time_to_cover(double limit) { return std::max(0.4 * limit, std::min(2.0, 0.5 * limit)); }
 
+/// The objectives by which a build is best at an end of the front. Where none is known, by cost before all: that way
+/// one is found soonest.
+std::vector<std::string> ends_of(const MachineModel& model, const SearchOptions& options, bool none_known) {
+  std::vector<std::string> ends;
+  for (const std::string& objective : options.objectives)
+    if (!is_left_out(model, options, objective)) ends.push_back(objective);
+  if (none_known) {
+    std::erase(ends, "cost");
+    ends.insert(ends.begin(), "cost");
+  }
+  return ends;
+}
+
 }  // namespace
 
 solver::Summary best_front(const MachineModel& model, const SearchOptions& options) {
@@ -33,12 +48,12 @@ solver::Summary best_front(const MachineModel& model, const SearchOptions& optio
   const double to_cover = std::isfinite(left) ? 0.5 * left : 0.0;
   const auto time_left = [&] { return std::max(0.0, time.left() - to_cover); };
   const auto stop = [&] { return time_left() == 0.0 || is_stopped(); };
-  for (std::size_t k = 0; k < options.objectives.size() && !stop(); ++k) {
-    if (is_left_out(model, options, options.objectives[k])) continue;
+  const std::vector<std::string> ends = ends_of(model, options, summary.builds.empty());
+  for (std::size_t k = 0; k < ends.size() && !stop(); ++k) {
     SearchOptions single = options;
-    single.objectives = {options.objectives[k]};
+    single.objectives = {ends[k]};
     // As much is left for the spreading as each of them gets, or a little if there is no build yet to go on from.
-    const double share = summary.builds.empty() ? 0.8 : 1.0 / static_cast<double>(options.objectives.size() - k + 1);
+    const double share = summary.builds.empty() ? 0.8 : 1.0 / static_cast<double>(ends.size() - k + 1);
     single.time_limit_seconds = share * time_left();
     single.progress = nullptr;  // it would tell of another objective
     solver::Summary found = best_build(model, single);

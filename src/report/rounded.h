@@ -13,7 +13,7 @@ inline double rounded_down(double value, double step) {
   return step * std::floor(value / step + rounding * std::fabs(value / step));
 }
 
-inline double rounded_up(double value, double step) { return -rounded_down(-value, step); }
+inline double rounded_up(double value, double step) { return 0.0 - rounded_down(-value, step); }
 
 /// Of so many significant digits what one unit of the last of them is.
 inline double last_digit(double value, int digits) {
