@@ -6,6 +6,7 @@
 #include <string>
 
 #include "report/page_texts.h"
+#include "report/quantity_text.h"
 #include "report/result.h"
 #include "report/text_table.h"
 
@@ -21,10 +22,6 @@ std::vector<std::string> stated_only_lines(const evaluation::Design& design, con
 /// The parts axis by axis, with lengths, prices and masses; estimates marked and explained.
 std::string parts_text(const MachineResult& result, const evaluation::Design& design, const Style& style);
 
-/// "612.34 USD", "41.200 kg", "12.500 s": a value of a quantity.
-std::string quantity_text(machine::Quantity quantity, double value, const std::string& currency);
-/// The same of a lower bound: what is said is no more than what was proved.
-std::string quantity_bound_text(machine::Quantity quantity, double bound, const std::string& currency);
 /// "+1.50", "-0.02"; "=" for what rounds to nothing.
 std::string signed_text(double difference, int digits);
 /// All totals that were counted, `first` before the others.
