@@ -90,6 +90,7 @@ solver::Summary solve_with_start(const MachineModel& model, const SearchOptions&
   SearchOptions cheapest = options;
   cheapest.objectives = {"cost"};
   cheapest.time_limit_seconds = 0.25 * options.time_limit_seconds;
+  cheapest.confirm = false;
   if (options.progress) {
     // Its bound and its builds are of another objective; no quantity is less than nothing.
     cheapest.progress = [&](solver::Progress progress) {

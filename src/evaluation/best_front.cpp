@@ -56,6 +56,7 @@ solver::Summary best_front(const MachineModel& model, const SearchOptions& optio
     const double share = summary.builds.empty() ? 0.8 : 1.0 / static_cast<double>(ends.size() - k + 1);
     single.time_limit_seconds = share * time_left();
     single.progress = nullptr;  // it would tell of another objective
+    single.confirm = false;
     solver::Summary found = best_build(model, single);
     summary.nodes += found.nodes;
     summary.evaluations += found.evaluations;

@@ -24,6 +24,10 @@ std::string build_identity(const MachineModel& model, const solver::Build& build
     identity += parts_name(model.catalogue(), candidate) + "\n";
     for (const PartUse& use : candidate.parts) {
       if (!use.stated.empty()) continue;
+      if (use.length > 0.0) {  // nobody owns cut pieces, and which of them is ordered where is another order
+        identity += fmt::format("{}\n", use.row);
+        continue;
+      }
       const double pieces = use.pieces() - counted.take(use).owned;
       if (pieces > 0.0) bought[{use.family, use.row}] += pieces;
     }

@@ -71,8 +71,8 @@ bool is_fixed(const machine::BillOfMaterials& fixed, const std::string& axis, co
 }
 
 /// Whether comparing builds by these objectives reads the cost, and the mass. What does not count tells equals apart
-/// where it is first asked for (ties in synthesis.cpp); points of a front that are equal in all its objectives are told
-/// apart by neither, so where it has no cost and no mass both count.
+/// where it is first asked for (ties in search_options.cpp); points of a front that are equal in all its objectives are
+/// told apart by neither, so where it has no cost and no mass both count.
 void note_what_counts(const std::vector<std::string>& objectives, machine::Problem& problem) {
   bool by_cost = false, by_mass = false, by_more = false;
   for (const std::string& name : objectives)

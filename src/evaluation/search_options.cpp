@@ -69,6 +69,7 @@ solver::Options solver_options(const MachineModel& model, const SearchOptions& o
   result.threads = options.threads;
   result.stop = options.stop;
   result.progress = options.progress;
+  result.confirm = options.confirm;
   return result;
 }
 

@@ -28,6 +28,7 @@ struct SearchOptions {
   bool tolerances = false;
   const std::atomic<bool>* stop = nullptr;
   std::function<void(const solver::Progress&)> progress;
+  bool confirm = true;  ///< as solver::Options::confirm
 };
 
 /// The solver's options for these. Throws std::invalid_argument when an objective asks for what the model does not

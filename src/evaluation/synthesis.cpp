@@ -27,7 +27,8 @@ Synthesis synthesise(const MachineModel& model, const SearchOptions& asked_for) 
   solver::Summary summary;
   if (options.builds > 1) {
     solver::BuildIdentity identity;
-    if (!model.shops().empty()) identity = [&](const solver::Build& build) { return build_identity(model, build); };
+    if (!model.shops().empty() || !model.counted_parts().empty())
+      identity = [&](const solver::Build& build) { return build_identity(model, build); };
     solver::Alternatives best = solver::best_builds(
         model.problem(),
         solver_options(model, options),

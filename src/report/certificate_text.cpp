@@ -9,7 +9,7 @@
 #include "report/alternatives.h"
 #include "report/incomplete.h"
 #include "report/machine_text.h"
-#include "report/rounded.h"
+#include "report/quantity_text.h"
 #include "report/tolerance_text.h"
 #include "scalar/unit.h"
 
@@ -18,12 +18,6 @@ namespace millwright::report {
 using evaluation::Design;
 
 namespace {
-
-/// Two digits, so that what is said to be proved is.
-std::string percent_rounded_up(double part) {
-  constexpr int digits = 2;
-  return fmt::format("{:.{}g}", rounded_up(100.0 * part, last_digit(100.0 * part, digits)), digits);
-}
 
 /// "is cheaper"
 std::string better_words(const std::string& objective, const Texts& t) {

@@ -47,4 +47,8 @@ std::string quantity_bound_text(machine::Quantity quantity, double bound, const 
   return {};
 }
 
+std::string percent_rounded_up(double part, int digits) {
+  return fmt::format("{:.{}g}", rounded_up(100.0 * part, last_digit(100.0 * part, digits)), digits);
+}
+
 }  // namespace millwright::report

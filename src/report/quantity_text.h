@@ -12,4 +12,7 @@ std::string quantity_text(machine::Quantity quantity, double value, const std::s
 /// The same of a lower bound: what is said is no more than what was proved.
 std::string quantity_bound_text(machine::Quantity quantity, double bound, const std::string& currency);
 
+/// What is left open, as a part, in percent of so many digits; rounded up, so that what is said to be proved is.
+std::string percent_rounded_up(double part, int digits = 2);
+
 }  // namespace millwright::report

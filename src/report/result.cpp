@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "report/quantity_text.h"
 #include "scalar/unit.h"
 
 namespace millwright::report {
@@ -42,7 +43,7 @@ std::optional<std::string> proof_gap(const MachineResult& result) {
   constexpr double rounding = 1e-5;  // the usual gap is 1e-6
   if (result.designs.empty() || result.objectives.size() != 1 || !best_is_proved(result) || !(result.gap > rounding))
     return {};
-  return fmt::format("{:.3g}", 100.0 * result.gap);
+  return percent_rounded_up(result.gap, 3);
 }
 
 std::vector<RequirementLine> used_requirements(const machine::Problem& problem, const evaluation::Design& design) {

@@ -9,8 +9,10 @@ namespace millwright::report {
 
 /// The next multiple of a step that is not above a value, but for the rounding of binary numbers.
 inline double rounded_down(double value, double step) {
-  constexpr double rounding = 1e-12;
-  return step * std::floor(value / step + rounding * std::fabs(value / step));
+  constexpr double rounding = 1e-12, most = 1e-6;
+  const double steps = value / step;
+  if (!std::isfinite(steps)) return value;
+  return step * std::floor(steps + std::fmin(rounding * std::fabs(steps), most));
 }
 
 inline double rounded_up(double value, double step) { return 0.0 - rounded_down(-value, step); }

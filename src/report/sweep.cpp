@@ -12,6 +12,7 @@
 #include "report/design_text.h"
 #include "report/incomplete.h"
 #include "report/machine_text.h"
+#include "report/quantity_text.h"
 #include "report/steering.h"
 
 namespace millwright::report {
@@ -32,7 +33,7 @@ double objective_value(const SweepPoint& point, const std::string& objective) {
 std::string proof_text(const SweepPoint& point) {
   if (!point.solved) return "not tried";
   if (point.proved()) return proof_gap(point.result) ? fmt::format("to {} %", *proof_gap(point.result)) : "proved";
-  return point.design() == nullptr ? "open" : fmt::format("gap {:.2g} %", 100.0 * point.result.gap);
+  return point.design() == nullptr ? "open" : fmt::format("gap {} %", percent_rounded_up(point.result.gap));
 }
 
 /// "axis.x.moves[0].time" as "time".

@@ -11,6 +11,7 @@
 #include "report/incomplete.h"
 #include "report/machine_text.h"
 #include "report/page_parts.h"
+#include "report/quantity_text.h"
 #include "report/steering.h"
 #include "report/sweep.h"
 
@@ -193,7 +194,7 @@ std::string proof_mark(const SweepPoint& point, const Texts& t) {
   const char* key = point.proved() ? "sweep.proved" : "sweep.open";
   const bool open = !point.proved() || proof_gap(point.result);
   const std::string gap = open && point.design() != nullptr && std::isfinite(point.result.gap)
-                              ? fmt::format(" ({:.2g} %)", 100.0 * point.result.gap)
+                              ? fmt::format(" ({} %)", percent_rounded_up(point.result.gap))
                               : std::string();
   return fmt::format("<span class=\"mark {}\">{}</span>", point.proved() ? "good" : "near", escaped(t(key) + gap));
 }

@@ -19,10 +19,12 @@ constexpr double largest_violation = 1e-6;
 std::vector<Confirmation> confirm(const Problem& problem,
                                   const Criteria& criteria,
                                   const Build& build,
-                                  const std::vector<bool>& priced) {
+                                  const std::vector<bool>& priced,
+                                  const std::function<bool()>& stop) {
   std::vector<Confirmation> result;
   VariableChain chain(problem, criteria, build);
-  const LocalProblem local = chain.local_problem();
+  LocalProblem local = chain.local_problem();
+  local.stop = stop;
   const std::vector<double> start = chain.start();
   const double objective = chain.objective_at(start);
   for (std::size_t i = 0; i < problem.stages.size(); ++i) {
@@ -47,6 +49,7 @@ std::vector<Confirmation> confirm(const Problem& problem,
     c.objective_by_nlopt = value;
     c.variables_by_nlopt = std::move(variables);
   });
+  if (stop()) result.clear();
   return result;
 }
 

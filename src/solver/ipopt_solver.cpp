@@ -73,6 +73,21 @@ class IpoptProblem : public Ipopt::TNLP {
     std::copy(jacobian_.begin(), jacobian_.end(), value);
     return std::all_of(jacobian_.begin(), jacobian_.end(), [](double v) { return std::isfinite(v); });
   }
+  bool intermediate_callback(Ipopt::AlgorithmMode,
+                             Index,
+                             Number,
+                             Number,
+                             Number,
+                             Number,
+                             Number,
+                             Number,
+                             Number,
+                             Number,
+                             Index,
+                             const Ipopt::IpoptData*,
+                             Ipopt::IpoptCalculatedQuantities*) override {
+    return !problem_.stop || !problem_.stop();
+  }
   void finalize_solution(Ipopt::SolverReturn,
                          Index n,
                          const Number* x,

@@ -21,6 +21,7 @@ struct LocalProblem {
                        std::span<double> objective_gradient,
                        std::span<double> constraint_gradient)>
       function;
+  std::function<bool()> stop = {};  ///< asked now and then, if it is set: what is reached by then is the answer
 };
 
 struct LocalSolution {

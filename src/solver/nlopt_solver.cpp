@@ -23,6 +23,7 @@ struct NloptProblem {
   void at(const double* point) {
     const std::size_t n = problem.lower.size();
     if (x.size() == n && std::equal(x.begin(), x.end(), point)) return;
+    if (problem.stop && problem.stop()) throw nlopt::forced_stop();
     x.assign(point, point + n);
     objective = problem.function(x, constraint, objective_gradient, constraint_gradient);
     // NLopt runs on with NaN for ever; a large number makes it turn back.

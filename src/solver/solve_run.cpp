@@ -168,8 +168,9 @@ std::optional<RankedBuild> SolveRun::best_among_equals() {
 }
 
 /// Continuous variables are found within the gap only, so that of two builds the one may be lighter by that noise, for
-/// money. Of a front those are left out that another one beats by more than the gap, and does not fall short of by
-/// more. (No more than a little of the tolerance, whatever the gap: what builds settle and labels give up leaves 5 %.)
+/// money. Of a front those are left out that another one, which stays, beats by more than the gap, and does not fall
+/// short of by more. (No more than a little of the tolerance, whatever the gap: what builds settle and labels give up
+/// leaves 5 %.)
 void SolveRun::leave_out_noise() {
   constexpr double little = 0.02;
   if (!priced_ || criteria_.objectives < 2) return;
@@ -242,9 +243,10 @@ Summary SolveRun::summary() {
                             settled_by_front_,
                             among_equals_});
   // (Of many axes at once it takes long; after the time is up nobody waits for it.)
-  const bool asked = control_.options().confirm && !control_.time_is_up();
+  const auto stop = [this] { return control_.time_is_up(); };
+  const bool asked = control_.options().confirm && !stop();
   if (priced_ && asked && criteria_.objectives == 1 && !out.builds.empty()) {
-    out.confirmations = confirm(problem_, criteria_, out.builds.front(), priced_stages_);
+    out.confirmations = confirm(problem_, criteria_, out.builds.front(), priced_stages_, stop);
     out.method += confirmation_sentence(out.confirmations);
   }
   return out;

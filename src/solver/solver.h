@@ -95,8 +95,9 @@ struct Summary {
   /// part of each of its objectives, is no worse. Of one that a limit has ended, what was proved by then; infinity:
   /// nothing.
   double front_tolerance = 0.0;
-  std::string method;                       ///< a sentence for the certificate
-  std::vector<Confirmation> confirmations;  ///< of a single objective that continuous variables move; else empty
+  std::string method;  ///< a sentence for the certificate
+  /// Of a single objective that continuous variables move; else empty, and where time was up.
+  std::vector<Confirmation> confirmations;
   double seconds = 0.0;
 };
 

@@ -7,16 +7,8 @@
 namespace millwright::solver {
 namespace {
 
-/// Slopes of constants come out of interval arithmetic with this much rounding at most: as a part of the slope, or,
-/// where what is added up cancels, of what is handed on.
+/// Slopes of constants come out of interval arithmetic with this much rounding at most, as a part of themselves.
 constexpr double rounding_width = 1e-13;
-
-bool is_constant(const Interval& slope, const Interval& inherited, const Interval& handed_on) {
-  const double width = slope.upper - slope.lower;
-  if (width <= rounding_width * magnitude(slope)) return true;
-  const double moves = width * (inherited.upper - inherited.lower), most = magnitude(handed_on);
-  return std::isfinite(most) && moves <= rounding_width * most;
-}
 
 bool vanishes(const Interval& slope) { return slope.lower >= -1e-200 && slope.upper <= 1e-200; }
 
@@ -30,7 +22,6 @@ StateForm find_state_form(const StagePlan& plan, Desk& desk) {
   form.exact.assign(components, true);
   form.slope.assign(components, std::vector<double>(components, 0.0));
   form.slope_error = form.slope;
-  const std::vector<Interval> handed_on = desk.bound(*plan.stage, plan.shared, plan.inherited, plan.region).handed_on;
   for (std::size_t c = 0; c < components; ++c) {
     if (plan.inherited[c].lower == plan.inherited[c].upper) continue;  // the same for every label
     const auto& slopes =
@@ -43,7 +34,7 @@ StateForm find_state_form(const StagePlan& plan, Desk& desk) {
       const Interval& slope = slopes.handed_on[h];
       // Steps of a rounded figure have slopes without bound.
       const bool bounded = std::isfinite(slope.lower) && std::isfinite(slope.upper);
-      const bool constant = bounded && is_constant(slope, plan.inherited[c], handed_on[h]);
+      const bool constant = bounded && slope.upper - slope.lower <= rounding_width * magnitude(slope);
       // What is irrelevant now may have mattered when prices were found that are still in use.
       if (constant) form.slope[h][c] = middle(slope);
       if (constant) form.slope_error[h][c] = slope.upper - slope.lower;

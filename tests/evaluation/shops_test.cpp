@@ -365,4 +365,34 @@ TEST_CASE("The next best builds differ where some of what shops sell is in stock
   }
 }
 
+// Of screws of two lengths it matters which is bought where. (A shop with a minimum is never left out for a cheaper
+// one.)
+TEST_CASE("Where each screw is cut is another build") {
+  const TinyCatalogue tiny({}, {"ball_screws"});
+  TemporaryFolder overlay;
+  overlay.write("suppliers.csv",
+                "supplier,shipping_fee,minimum_order,currency\nShop A,0.01,0.5,USD\nShop B,0.01,0.5,USD\n");
+  overlay.write("offers.csv",
+                "part_number,supplier,price_per_length [1/m],currency\n"
+                "Tr10x2,Shop A,10.001,USD\nTr10x2,Shop B,10.002,USD\n"
+                "Tr16x4,Shop A,20.001,USD\nTr16x4,Shop B,20.002,USD\n");
+  const catalogue::Catalogue offered = catalogue_of({tiny.path(), overlay.path()});
+  evaluation::ModelOptions every;
+  every.every_candidate = true;
+  const MachineModel model(two_axes(1.0), offered, {}, every);
+  evaluation::SearchOptions options;
+  options.builds = 9;  // of the best parts, each of three sellers on each of two axes
+  const Synthesis found = evaluation::synthesise(model, options);
+  REQUIRE(found.designs.size() == 9);
+  CHECK(found.proved == 9);
+  std::set<std::string> sellers;
+  for (const Design& design : found.designs) {
+    std::string of_screws;
+    for (const evaluation::PartLine& part : design.parts)
+      if (part.slot == "screw") of_screws += part.axis + ": " + part.supplier + ", ";
+    sellers.insert(of_screws);
+  }
+  CHECK(sellers.size() == 9);
+}
+
 }  // namespace shops_test
