@@ -57,12 +57,13 @@ Eigen::MatrixXd gradients_of(const std::vector<Column>& columns, const std::vect
 
 }  // namespace
 
-Build settled(const Problem& problem, const Options& options, const Build& build) {
+Build settled(const Problem& problem, const Options& options, const Build& build, const std::function<bool()>& stop) {
   constexpr double violation = 1e-7;
   const Criteria criteria = make_criteria(problem, options);
   VariableChain chain(problem, criteria, build);
   if (chain.free().empty()) return build;
-  const LocalProblem local = chain.local_problem();
+  LocalProblem local = chain.local_problem();
+  local.stop = stop;
   std::vector<double> best = chain.start();
   double least = chain.objective_at(best);
   // Each goes on from where the other ended: SLSQP ends sharply, Ipopt gets away from where SLSQP is stuck.

@@ -14,8 +14,12 @@
 namespace millwright::solver {
 
 /// The build with its variables moved to where the local solvers find the least objective for its rows: to about 1e-8,
-/// where a proof ends at its gap. Never worse than the build by more than that; nothing is proved about it.
-Build settled(const Problem& problem, const Options& options, const Build& build);
+/// where a proof ends at its gap. Never worse than the build by more than that; nothing is proved about it. `stop`, if
+/// it is set, is asked now and then: what they have reached by then counts.
+Build settled(const Problem& problem,
+              const Options& options,
+              const Build& build,
+              const std::function<bool()>& stop = {});
 
 class Multipliers {
  public:

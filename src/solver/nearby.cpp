@@ -44,7 +44,7 @@ class Nearby {
   /// Local solvers end on constraints or a little beyond: where all variables together do not go all the way or a part
   /// of it, each goes by itself.
   void move_variables(Build& build) {
-    const Build moved = settled(problem_, options_, build);
+    const Build moved = settled(problem_, options_, build, stop_);
     if (move(build, [&](std::size_t i, std::size_t v) { return moved.stages[i].variables[v]; })) return;
     for (std::size_t stage = 0; stage < build.stages.size(); ++stage)
       for (std::size_t variable = 0; variable < build.stages[stage].variables.size(); ++variable)

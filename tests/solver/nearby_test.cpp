@@ -9,8 +9,10 @@
 #include "catch.h"
 #include "sanitized.h"
 #include "solver/box.h"
+#include "solver/forwarding_stage.h"
 #include "solver/front_spread.h"
 #include "solver/model_stage.h"
+#include "solver/multipliers.h"
 
 namespace nearby_test {
 
@@ -167,6 +169,37 @@ TEST_CASE("A front that is spread from its lightest build is feasible, ordered, 
   if (millwright::sanitized) return;  // too few to say how often
   CHECK(2 * wide > trials);
   CHECK(3 * cheapest > trials);
+}
+
+TEST_CASE("Local solvers that are told to stop ask no more, and leave a build that is no worse") {
+  class Counted : public zoo::ForwardingStage {
+   public:
+    using ForwardingStage::ForwardingStage;
+    void gradient(const Point& point, Input input, Answer<double>& answer) const override {
+      ++gradients;
+      inner_.gradient(point, input, answer);
+    }
+    mutable int gradients = 0;
+  };
+  std::mt19937 rng(7);
+  const TwoBars bars(rng);
+  const Counted upper(*bars.problem.stages[0]), lower(*bars.problem.stages[1]);
+  Problem problem = bars.problem;
+  problem.stages = {&upper, &lower};
+  Build thick = solve(bars.problem, lightest()).builds.at(0);
+  for (StageChoice& stage : thick.stages) stage.variables = {5.0};
+  thick.resources = totals_of(bars.problem, thick).value();
+  const auto settled_until = [&](const std::function<bool()>& stop) {
+    upper.gradients = lower.gradients = 0;
+    const Build result = settled(problem, lightest(), thick, stop);
+    CHECK(result.resources[1] <= thick.resources[1] * (1.0 + 1e-12));
+    return std::pair(upper.gradients + lower.gradients, result.resources[1]);
+  };
+  const auto [asked, mass] = settled_until({});
+  CHECK(mass < 0.9 * thick.resources[1]);
+  const auto [asked_at_once, mass_at_once] = settled_until([] { return true; });
+  CHECK(mass_at_once == Approx(thick.resources[1]));
+  CHECK(4 * asked_at_once < asked);
 }
 
 }  // namespace nearby_test
