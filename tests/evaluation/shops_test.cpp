@@ -183,6 +183,15 @@ Market random_market(std::mt19937& random, unsigned seed) {
   return market;
 }
 
+/// So many best builds of the two axes.
+Synthesis next_best(const catalogue::Catalogue& offered, std::size_t builds) {
+  evaluation::ModelOptions every;
+  every.every_candidate = true;
+  evaluation::SearchOptions options;
+  options.builds = builds;
+  return evaluation::synthesise(MachineModel(two_axes(1.0), offered, {}, every), options);
+}
+
 }  // namespace
 
 TEST_CASE("With several shops the cheapest build and the front equal those of all builds and orders") {
@@ -301,12 +310,7 @@ TEST_CASE("The next best builds differ in their parts or in who sells them") {
   TemporaryFolder overlay;
   market.write(overlay);
   const catalogue::Catalogue offered = catalogue_of({tiny.path(), overlay.path()});
-  evaluation::ModelOptions every;
-  every.every_candidate = true;
-  const MachineModel model(two_axes(1.0), offered, {}, every);
-  evaluation::SearchOptions options;
-  options.builds = 6;
-  const Synthesis found = evaluation::synthesise(model, options);
+  const Synthesis found = next_best(offered, 6);
   REQUIRE(found.designs.size() == 6);
   std::set<std::vector<std::string>> seen;
   double last = 0.0;
@@ -337,12 +341,7 @@ TEST_CASE("The next best builds differ where some of what shops sell is in stock
     TemporaryFolder overlay;
     market.write(overlay);
     const catalogue::Catalogue offered = catalogue_of({tiny.path(), overlay.path()});
-    evaluation::ModelOptions every;
-    every.every_candidate = true;
-    const MachineModel model(two_axes(1.0), offered, {}, every);
-    evaluation::SearchOptions options;
-    options.builds = 8;
-    const Synthesis found = evaluation::synthesise(model, options);
+    const Synthesis found = next_best(offered, 8);
     REQUIRE(found.designs.size() == 8);
     CHECK(found.proved == 8);
     std::set<std::vector<std::string>> seen;
@@ -377,12 +376,7 @@ TEST_CASE("Where each screw is cut is another build") {
                 "Tr10x2,Shop A,10.001,USD\nTr10x2,Shop B,10.002,USD\n"
                 "Tr16x4,Shop A,20.001,USD\nTr16x4,Shop B,20.002,USD\n");
   const catalogue::Catalogue offered = catalogue_of({tiny.path(), overlay.path()});
-  evaluation::ModelOptions every;
-  every.every_candidate = true;
-  const MachineModel model(two_axes(1.0), offered, {}, every);
-  evaluation::SearchOptions options;
-  options.builds = 9;  // of the best parts, each of three sellers on each of two axes
-  const Synthesis found = evaluation::synthesise(model, options);
+  const Synthesis found = next_best(offered, 9);  // of the best parts, each of three sellers on each of two axes
   REQUIRE(found.designs.size() == 9);
   CHECK(found.proved == 9);
   std::set<std::string> sellers;
