@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string_view>
 #include <tuple>
+#include <utility>
 
 #include "evaluation/figure_reader.h"
 
@@ -48,6 +50,20 @@ DriverChoices::DriverChoices(const catalogue::Table& drivers,
         !std::isnan(microsteps + d.peak_current + d.largest_voltage + d.least_voltage + d.price + d.mass);
     is_known ? drivers_.push_back(d) : incomplete_.push_back({{Family::drivers, row}, std::move(missing)});
   }
+  find_cheapest(drivers);
+}
+
+/// Who sells each of them for least; of equals the first.
+void DriverChoices::find_cheapest(const catalogue::Table& drivers) {
+  std::map<std::pair<std::string_view, std::string_view>, Driver*> cheapest;
+  for (Driver& driver : drivers_) {
+    const auto [place, is_new] =
+        cheapest.try_emplace({drivers.manufacturer(driver.row), drivers.part_number(driver.row)}, &driver);
+    if (is_new) continue;
+    const bool cheaper = driver.price < place->second->price;
+    (cheaper ? place->second : &driver)->is_cheapest = false;
+    if (cheaper) place->second = &driver;
+  }
 }
 
 bool DriverChoices::runs_at(const Driver& driver, double voltage) const {
@@ -65,6 +81,7 @@ bool DriverChoices::covers(const Driver& a, const Driver& b, double current) con
   if (a.mass > b.mass && (axis_.mass_counts || !(worth_a < clearly * worth_b))) return false;
   // An order more is not for nothing, and what is bought may help to reach a minimum.
   if (a.supplier != nullptr && a.supplier != b.supplier) return false;
+  if (axis_.keep_covered_candidates && (a.supplier != b.supplier || !a.is_cheapest)) return false;
   if (b.supplier != nullptr && b.supplier->minimum_order > 0.0) return false;
   for (const double v : voltages_)
     if (runs_at(b, v) && !runs_at(a, v)) return false;

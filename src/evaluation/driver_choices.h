@@ -24,6 +24,7 @@ struct Driver {
   double peak_current, largest_voltage, least_voltage, price, mass;
   double preference = 1.0;                        ///< of its price, where builds are compared
   const catalogue::Supplier* supplier = nullptr;  ///< where an order costs more than the driver
+  bool is_cheapest = true;                        ///< of those who sell it
 };
 
 class DriverChoices {
@@ -48,6 +49,7 @@ class DriverChoices {
 
  private:
   [[nodiscard]] bool covers(const Driver& a, const Driver& b, double current) const;
+  void find_cheapest(const catalogue::Table& drivers);
   [[nodiscard]] bool possible(const Driver& driver, double current) const;
   [[nodiscard]] Choice choice_at(double current) const;
   void drop_covered(std::vector<const Driver*>& drivers, std::size_t most, double current) const;

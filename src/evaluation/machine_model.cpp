@@ -167,6 +167,7 @@ MachineModel::MachineModel(const machine::Problem& given,
     auto whole = std::make_unique<WholeStage>(problem, tool_error);
     whole->set_charges(std::move(charges));
     whole->set_suppliers(shops_.shops());
+    whole->set_owned_first(owned_first_);
     entries_.push_back({"machine", "whole", std::move(whole)});
   }
   for (const StageEntry& entry : entries_) {
@@ -225,6 +226,12 @@ void MachineModel::count_parts(const PriceBook& prices) {
   }
   counted_parts_ = std::move(counted).finish();
   state.resize(state.size() + counted_parts_.size(), 0.0);
+  if (options_.every_candidate) {
+    std::vector<std::span<const SlotTable>> tables;
+    for (const StageEntry& entry : entries_) tables.emplace_back(entry.tables());
+    owned_first_ = find_owned_first(catalogue_, prices, counted_parts_, tables, state.size(), counts);
+    state.resize(state.size() + owned_first_.size(), 0.0);
+  }
   for (std::size_t i = 0; i < entries_.size(); ++i) bars_->find(i, entries_[i].axis, entries_[i].tables());
   state.resize(state.size() + bars_->settle(state.size()), 0.0);
   state.resize(state.size() + shops_.settle(state.size(), options_.every_candidate), 0.0);

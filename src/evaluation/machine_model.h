@@ -16,6 +16,7 @@
 #include "catalogue/catalogue.h"
 #include "evaluation/counted_parts.h"
 #include "evaluation/ledger.h"
+#include "evaluation/owned_first.h"
 #include "evaluation/price_book.h"
 #include "evaluation/shops.h"
 #include "evaluation/slot_table.h"
@@ -164,6 +165,7 @@ class MachineModel {
   PriceBook prices_;
   std::vector<StageEntry> entries_;
   std::vector<CountedPart> counted_parts_;
+  std::vector<OwnedFirst> owned_first_;
   std::optional<std::size_t> compared_resource_;
   std::unique_ptr<StockBars> bars_;  ///< looks at what stands above
   Shops shops_;

@@ -31,7 +31,7 @@ class Comparison {
   [[nodiscard]] bool beats(const Candidate& by, const Candidate& beaten) const {
     double saved = 0.0, saved_compared = 0.0;
     for (std::size_t i = 0; i < by.parts.size(); ++i) {
-      if (by.parts[i].row == beaten.parts[i].row) continue;
+      if (by.parts[i].row == beaten.parts[i].row || takes_owned_too(by.parts[i], beaten.parts[i])) continue;
       if (is_counted(by.parts[i]) || is_counted(beaten.parts[i]) || helps_to_minimum(beaten.parts[i])) return false;
       const double saves = beaten.parts[i].price - by.parts[i].price;
       saved += saves;
@@ -44,6 +44,13 @@ class Comparison {
   /// The same whoever sells the part.
   [[nodiscard]] double preference(const PartUse& use) const {
     return use.stated.empty() ? prices_.preference(catalogue_.table(use.family), use.row) : 1.0;
+  }
+  /// Of a part of which some are owned: what may only be one of those, beside what is bought when they are gone.
+  [[nodiscard]] bool takes_owned_too(const PartUse& by, const PartUse& beaten) const {
+    if (!beaten.stated.empty()) return false;
+    const catalogue::Table& table = catalogue_.table(beaten.family);
+    return table.ownership(beaten.row) == catalogue::Ownership::only &&
+           table.ownership(by.row) == catalogue::Ownership::usual;
   }
   /// What it costs is not known before the end.
   [[nodiscard]] bool is_counted(const PartUse& use) const {

@@ -51,6 +51,11 @@ void WholeStage::set_suppliers(std::vector<Shop> shops) {
   for (const Shop& shop : suppliers_) constraint_count_ += shop.used_state ? 1 : 0;
 }
 
+void WholeStage::set_owned_first(std::vector<OwnedFirst> rules) {
+  owned_first_ = std::move(rules);
+  constraint_count_ += owned_first_.size();
+}
+
 /// What is charged counts among the cost, and where preferred parts are compared otherwise that share of it there.
 template <class T>
 void WholeStage::pay(const T& charged, double preference, solver::Answer<T>& out) const {
@@ -80,11 +85,23 @@ void WholeStage::charge_orders(const Selection<T>& s, solver::Answer<T>& out) co
 }
 
 template <class T>
+void WholeStage::check_owned(const Selection<T>& s, solver::Answer<T>& out) const {
+  using scalar::larger, scalar::smaller;
+  std::size_t constraint = out.utilisation.size() - owned_first_.size();
+  for (const OwnedFirst& rule : owned_first_) {
+    // In whole pieces: what lies about although it would do for a line.
+    const T idle = larger(T(0.0), T(rule.owned - rule.line + 1.0) - s.inherited[rule.taken_state]);
+    out.utilisation[constraint++] = T(2.0) * smaller(idle, s.inherited[rule.elsewhere_state]);
+  }
+}
+
+template <class T>
 void WholeStage::answer(const Selection<T>& s, solver::Answer<T>& out) const {
   const WholeMachine<T> d = design(s);
   whole_constraints(UtilisationVisitor<T, WholeMachine<T>>(d, s.kept, out.utilisation));
   for (const LateCharge& late : charges_) pay(charge(late, s.inherited[late.state]), late.preference, out);
   charge_orders(s, out);
+  check_owned(s, out);
   if (!error_resource_) return;
   for (std::size_t i = 0; i < states_.error.size(); ++i)
     if (states_.error[i]) out.resources[*error_resource_] = out.resources[*error_resource_] + tool_error(d, i);

@@ -9,6 +9,7 @@
 
 #include "evaluation/axis_place.h"
 #include "evaluation/element_stage.h"
+#include "evaluation/owned_first.h"
 #include "machine/problem.h"
 #include "mechanics/tool_point.h"
 
@@ -133,6 +134,9 @@ class WholeStage final : public ElementStage<WholeStage> {
   /// Whose shipping and minimum is charged here; before the stage is asked for the first time.
   void set_suppliers(std::vector<Shop> shops);
 
+  /// What must not be bought while it is owned; after set_suppliers().
+  void set_owned_first(std::vector<OwnedFirst> rules);
+
   template <class T>
   [[nodiscard]] WholeMachine<T> design(const Selection<T>& selection) const;
   template <class T>
@@ -144,12 +148,15 @@ class WholeStage final : public ElementStage<WholeStage> {
   std::optional<std::size_t> error_resource_;
   std::vector<LateCharge> charges_;
   std::vector<Shop> suppliers_;
-  std::size_t declared_constraints_ = 0;  ///< those of suppliers stand behind them
+  std::vector<OwnedFirst> owned_first_;
+  std::size_t declared_constraints_ = 0;  ///< those of suppliers and of what is owned stand behind them
 
   template <class T>
   void pay(const T& charged, double preference, solver::Answer<T>& out) const;
   template <class T>
   void charge_orders(const Selection<T>& selection, solver::Answer<T>& out) const;
+  template <class T>
+  void check_owned(const Selection<T>& selection, solver::Answer<T>& out) const;
 };
 
 extern template WholeMachine<double> WholeStage::design(const Selection<double>&) const;

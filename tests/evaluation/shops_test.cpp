@@ -5,11 +5,11 @@
 
 #include <map>
 #include <random>
-#include <set>
 
 #include "catch.h"
 #include "evaluation/best_of_all.h"
 #include "evaluation/exhaustive.h"
+#include "evaluation/market.h"
 #include "evaluation/two_axes.h"
 #include "sanitized.h"
 
@@ -21,40 +21,6 @@ using evaluation::MachineModel;
 using evaluation::Synthesis;
 
 namespace {
-
-struct Shop {
-  std::string name;
-  double fee = 0.0, minimum = 0.0;
-};
-
-/// Who sells what. The shop without a name sells everything at the catalogue's price.
-struct Market {
-  std::vector<Shop> shops = {{"", 0.0, 0.0}};
-  std::map<std::string, std::map<std::size_t, double>> offers;  ///< [part][shop]: price
-  std::map<std::string, int> owned;
-  std::map<std::string, double> preferred = {};  ///< [part]: by how much of its price it may be dearer, one for all
-
-  [[nodiscard]] double factor(const std::string& part) const {
-    const auto found = preferred.find(part);
-    return found == preferred.end() ? 1.0 : 1.0 / (1.0 + found->second);
-  }
-
-  void write(const TemporaryFolder& folder) const {
-    std::string text = "supplier,shipping_fee,minimum_order,currency\n";
-    for (const Shop& shop : shops) text += fmt::format("{},{},{},USD\n", shop.name, shop.fee, shop.minimum);
-    folder.write("suppliers.csv", text);
-    text = "part_number,supplier,price,currency\n";
-    for (const auto& [part, by] : offers)
-      for (const auto& [shop, price] : by) text += fmt::format("{},{},{},USD\n", part, shops[shop].name, price);
-    folder.write("offers.csv", text);
-    text = "part_number,owned,available\n";
-    for (const auto& [part, pieces] : owned)
-      text += fmt::format("{},{},{}\n", part, pieces, preferred.contains(part) ? "preferred" : "");
-    for (const auto& [part, premium] : preferred)
-      if (!owned.contains(part)) text += fmt::format("{},,preferred\n", part);
-    if (!owned.empty() || !preferred.empty()) folder.write("stock.csv", text);
-  }
-};
 
 /// A piece that a build takes, and what it costs by the catalogue.
 using Piece = std::pair<std::string, double>;
@@ -139,57 +105,9 @@ Discount saving(const MachineModel& model, const Market& market) {
   };
 }
 
-/// Lines and orders of a design add up to its cost, and every order is what its lines say.
-void require_sound(const Design& design, const Market& market) {
-  double cost = 0.0;
-  std::map<std::string, double> goods;
-  for (const evaluation::PartLine& part : design.parts) {
-    cost += part.price;
-    if (part.owned < part.quantity) goods[part.supplier] += part.price;
-  }
-  for (const evaluation::ShopOrder& order : design.orders) {
-    const auto shop = std::find_if(
-        market.shops.begin(), market.shops.end(), [&](const Shop& each) { return each.name == order.supplier; });
-    REQUIRE(shop != market.shops.end());
-    CHECK(order.shipping_fee == shop->fee);
-    REQUIRE(goods.count(order.supplier) == 1);
-    CHECK(order.goods == Approx(goods[order.supplier]).margin(1e-9));
-    CHECK(order.top_up == Approx(std::max(0.0, shop->minimum - order.goods)).margin(1e-9));
-    cost += order.shipping_fee + order.top_up;
-  }
-  CHECK(design.cost == Approx(cost).epsilon(1e-12));
-}
-
 std::size_t shops_used(const Design& design) {
   return static_cast<std::size_t>(std::count_if(
       design.orders.begin(), design.orders.end(), [](const auto& order) { return !order.supplier.empty(); }));
-}
-
-Market random_market(std::mt19937& random, unsigned seed) {
-  const auto between = [&](double low, double high) {
-    return std::round(100.0 * (low + (high - low) * static_cast<double>(random() >> 8U) / 16777216.0)) / 100.0;
-  };
-  Market market;
-  market.shops.push_back({"Shop A", between(0.0, 6.0), 0.0});
-  market.shops.push_back({"Shop B", between(0.0, 3.0), seed % 3 == 0 ? 0.0 : between(5.0, 40.0)});
-  if (seed % 4 == 1) market.shops[0] = {"", between(1.0, 8.0), 0.0};
-  if (seed % 4 == 2) market.shops[0] = {"", between(1.0, 4.0), between(50.0, 200.0)};
-  const std::map<std::string, double> usual = {{"M17", 9.0}, {"M23", 16.0}, {"D2", 6.0}, {"D4", 20.0}, {"K8", 2.0}};
-  for (const auto& [part, price] : usual)
-    for (const std::size_t shop : {std::size_t{1}, std::size_t{2}})
-      if (random() % 3 != 0) market.offers[part][shop] = std::round(100.0 * between(0.5, 1.1) * price) / 100.0;
-  for (const char* part : {"M17", "D2", "K8"})
-    if (random() % 4 == 0) market.owned[part] = 1 + static_cast<int>(random() % 2);
-  return market;
-}
-
-/// So many best builds of the two axes.
-Synthesis next_best(const catalogue::Catalogue& offered, std::size_t builds) {
-  evaluation::ModelOptions every;
-  every.every_candidate = true;
-  evaluation::SearchOptions options;
-  options.builds = builds;
-  return evaluation::synthesise(MachineModel(two_axes(1.0), offered, {}, every), options);
 }
 
 }  // namespace
@@ -297,96 +215,6 @@ TEST_CASE("A second shop is ordered from only if it saves more than its shipping
   const auto together = cost_with("Shop A");
   CHECK(together.second == 1);
   CHECK(together.first == Approx(plain.designs[0].cost - 3.0));
-}
-
-// The best builds of a machine with a shop: none stands there twice for a shop that nothing is bought from.
-TEST_CASE("The next best builds differ in their parts or in who sells them") {
-  const TinyCatalogue tiny({}, {"ball_screws"});
-  Market market;
-  market.shops.push_back({"Shop A", 1.0, 0.0});
-  market.shops.push_back({"Shop B", 2.0, 10.0});
-  market.offers["M17"] = {{1, 8.0}, {2, 7.0}};
-  market.offers["K8"] = {{1, 1.0}};
-  TemporaryFolder overlay;
-  market.write(overlay);
-  const catalogue::Catalogue offered = catalogue_of({tiny.path(), overlay.path()});
-  const Synthesis found = next_best(offered, 6);
-  REQUIRE(found.designs.size() == 6);
-  std::set<std::vector<std::string>> seen;
-  double last = 0.0;
-  for (const Design& design : found.designs) {
-    require_sound(design, market);
-    CHECK(design.cost >= last);
-    last = design.cost;
-    std::vector<std::string> names;
-    for (const evaluation::PartLine& part : design.parts)
-      names.push_back(part.axis + part.slot + part.part_number + " " + part.supplier);
-    names.push_back(fmt::format("{}", design.supply_voltage));
-    CHECK(seen.insert(names).second);
-  }
-  CHECK(found.designs[0].cost == Approx(solved(MachineModel(two_axes(1.0), offered), {"cost"}).designs[0].cost));
-}
-
-// Motors that are owned need no shop: that one is open beside them makes no other build.
-TEST_CASE("The next best builds differ where some of what shops sell is in stock") {
-  const TinyCatalogue tiny({}, {"ball_screws"});
-  Market market;
-  market.shops[0].fee = 1.5;
-  market.shops.push_back({"Shop A", 1.0, 0.0});
-  market.shops.push_back({"Shop B", 2.0, 0.0});
-  market.offers["M17"] = {{1, 8.0}, {2, 7.0}};
-  for (const int owned : {1, 2, 3}) {
-    CAPTURE(owned);
-    market.owned["M17"] = owned;
-    TemporaryFolder overlay;
-    market.write(overlay);
-    const catalogue::Catalogue offered = catalogue_of({tiny.path(), overlay.path()});
-    const Synthesis found = next_best(offered, 8);
-    REQUIRE(found.designs.size() == 8);
-    CHECK(found.proved == 8);
-    std::set<std::vector<std::string>> seen;
-    double last = 0.0;
-    for (const Design& design : found.designs) {
-      CHECK(design.cost >= last * (1.0 - 1e-9));
-      last = design.cost;
-      std::vector<std::string> names;
-      std::map<std::string, double> bought;
-      for (const evaluation::PartLine& part : design.parts) {
-        names.push_back(part.axis + part.slot + part.part_number);
-        const double pieces = part.quantity + part.spares - part.owned;
-        if (pieces > 0.0) bought[part.part_number + " of " + part.supplier] += pieces;
-      }
-      for (const auto& [what, pieces] : bought) names.push_back(fmt::format("{} {}", pieces, what));
-      names.push_back(fmt::format("{}", design.supply_voltage));
-      CHECK(seen.insert(names).second);
-    }
-    CHECK(found.designs[0].cost == Approx(solved(MachineModel(two_axes(1.0), offered), {"cost"}).designs[0].cost));
-  }
-}
-
-// Of screws of two lengths it matters which is bought where. (A shop with a minimum is never left out for a cheaper
-// one.)
-TEST_CASE("Where each screw is cut is another build") {
-  const TinyCatalogue tiny({}, {"ball_screws"});
-  TemporaryFolder overlay;
-  overlay.write("suppliers.csv",
-                "supplier,shipping_fee,minimum_order,currency\nShop A,0.01,0.5,USD\nShop B,0.01,0.5,USD\n");
-  overlay.write("offers.csv",
-                "part_number,supplier,price_per_length [1/m],currency\n"
-                "Tr10x2,Shop A,10.001,USD\nTr10x2,Shop B,10.002,USD\n"
-                "Tr16x4,Shop A,20.001,USD\nTr16x4,Shop B,20.002,USD\n");
-  const catalogue::Catalogue offered = catalogue_of({tiny.path(), overlay.path()});
-  const Synthesis found = next_best(offered, 9);  // of the best parts, each of three sellers on each of two axes
-  REQUIRE(found.designs.size() == 9);
-  CHECK(found.proved == 9);
-  std::set<std::string> sellers;
-  for (const Design& design : found.designs) {
-    std::string of_screws;
-    for (const evaluation::PartLine& part : design.parts)
-      if (part.slot == "screw") of_screws += part.axis + ": " + part.supplier + ", ";
-    sellers.insert(of_screws);
-  }
-  CHECK(sellers.size() == 9);
 }
 
 }  // namespace shops_test
