@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What the search found, against all builds: the cheapest (lightest) one, and every point of the front of cost and
-// mass. `sound` is called with each design and checks it by itself: that its lines add up, for example.
+// mass, and the next best ones. `sound` is called with each design and checks it by itself: that its lines add up, for
+// example.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -53,6 +56,35 @@ void require_best_of(const Exhaustive& all,
                      const Sound& sound) {
   require_cheapest_of(all, cost, sound);
   require_front_of(all, front, sound);
+}
+
+/// The so many cheapest builds of a problem are the first of all builds; of equal cost the lighter one comes first.
+template <class Sound>
+void require_next_best_of(const Exhaustive& all,
+                          const machine::Problem& problem,
+                          const catalogue::Catalogue& offered,
+                          std::size_t builds,
+                          const Sound& sound) {
+  evaluation::ModelOptions every;
+  every.every_candidate = true;
+  every.builds = builds;
+  evaluation::SearchOptions options;
+  options.builds = builds;
+  const evaluation::Synthesis found =
+      evaluation::synthesise(evaluation::MachineModel(problem, offered, {}, every), options);
+  std::vector<BuildValue> expected = all.builds;
+  std::sort(expected.begin(), expected.end(), [](const BuildValue& a, const BuildValue& b) {
+    const double cost_a = std::round(1e8 * a.cost), cost_b = std::round(1e8 * b.cost);
+    return cost_a != cost_b ? cost_a < cost_b : a.mass < b.mass;
+  });
+  REQUIRE(found.designs.size() == std::min(builds, expected.size()));
+  CHECK(found.proved == found.designs.size());
+  for (std::size_t i = 0; i < found.designs.size(); ++i) {
+    CAPTURE(i);
+    CHECK(found.designs[i].cost == Approx(expected[i].cost).epsilon(1e-9));
+    CHECK(found.designs[i].mass == Approx(expected[i].mass).epsilon(1e-9));
+    sound(found.designs[i]);
+  }
 }
 
 /// Found once more (by more threads, for example), design by design at the same cost to the last digit.
