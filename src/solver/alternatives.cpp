@@ -13,6 +13,7 @@
 #include "solver/neighbours.h"
 #include "solver/restricted_problem.h"
 #include "solver/row_worth.h"
+#include "solver/solve_run.h"
 
 namespace millwright::solver {
 
@@ -44,6 +45,7 @@ class AlternativeSearch {
         covering_(covering),
         identity_(identity),
         neighbours_(problem),
+        directions_(problem, options),
         start_(std::chrono::steady_clock::now()) {
     if (!options.weights.empty() || options.objectives.size() != 1)
       throw std::invalid_argument("best_builds needs a single objective without weights");
@@ -171,6 +173,15 @@ class AlternativeSearch {
     return restriction;
   }
 
+  /// What is known of the stages, in the rows of what is left of a part.
+  [[nodiscard]] DirectionsOf known_in(const Restriction& restriction) {
+    return [this, &restriction](std::span<const Row> shared, Desk& desk) {
+      std::vector<Row> combination;
+      for (std::size_t i = 0; i < shared.size(); ++i) combination.push_back(restriction.shared[i][shared[i]]);
+      return directions_.of(combination, desk);
+    };
+  }
+
   /// Rows with which no build is worth asking for, at any combination of shared choices that is left.
   void drop_dear(std::vector<std::vector<Row>>& left) const {
     const double most = ceiling();
@@ -198,7 +209,7 @@ class AlternativeSearch {
   void find_worths(const RestrictedProblem& whole, const Restriction& restriction) {
     Options options = options_;
     options.time_limit_seconds -= seconds();
-    worth_ = row_worths(whole.problem(), options, ceiling(), evaluations_);
+    worth_ = row_worths(whole.problem(), options, ceiling(), evaluations_, known_in(restriction));
     worth_known_ = !worth_.empty();
     for (RowWorth& worth : worth_) {
       for (std::size_t i = 0; i < worth.shared.size(); ++i) worth.shared[i] = restriction.shared[i][worth.shared[i]];
@@ -234,7 +245,9 @@ class AlternativeSearch {
     RestrictedProblem restricted(problem_, *restriction);
     double& most = restricted.problem().resources[objective_].limit;
     most = std::min(most, ceiling());
-    Summary summary = solve(restricted.problem(), options);
+    const auto tables = std::make_shared<TableMemory>();
+    tables->known_directions = known_in(*restriction);
+    Summary summary = SolveRun(restricted.problem(), options, SolveRun::Scope::all, tables).run();
     nodes_ += summary.nodes;
     evaluations_ += summary.evaluations;
     ++result_.parts;
@@ -325,6 +338,7 @@ class AlternativeSearch {
   const CoveringRows& covering_;
   const BuildIdentity& identity_;
   Neighbours neighbours_;
+  ProvedDirections directions_;
   std::chrono::steady_clock::time_point start_;
   std::size_t objective_ = 0;
   std::vector<Row> rows_;     ///< per choice

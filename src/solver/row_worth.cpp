@@ -71,7 +71,8 @@ class OwnWorths {
 std::vector<RowWorth> row_worths(const Problem& problem,
                                  const Options& options,
                                  double most,
-                                 std::uint64_t& evaluations) try {
+                                 std::uint64_t& evaluations,
+                                 const DirectionsOf& known) try {
   double combinations = 1.0;
   for (const Slot& slot : problem.shared) combinations *= static_cast<double>(slot.rows);
   std::vector<RowWorth> result;
@@ -84,6 +85,7 @@ std::vector<RowWorth> row_worths(const Problem& problem,
     return spent.count() > options.time_limit_seconds || (options.stop != nullptr && options.stop->load());
   };
   TableMemory tables;
+  tables.known_directions = known;
   std::vector<Row> shared(problem.shared.size(), 0);
   for (bool more = true; more;) {
     const std::vector<StagePlan> plans = make_plans(problem, shared, criteria, desk, tables);

@@ -5,6 +5,7 @@
 // for what is asked of a part can be left out before it is solved.
 #pragma once
 
+#include "solver/proved_directions.h"
 #include "solver/solver.h"
 
 namespace millwright::solver {
@@ -19,10 +20,11 @@ struct RowWorth {
 /// Lower bounds of the options' single objective, for every combination of shared choices that may be feasible. Long
 /// tables are cut into sets of alike rows as long as the bound over a set is not above `most`: what is dearer is only
 /// known to be so. Empty when there are too many combinations to be worth it, and when time is up (the options' limit,
-/// from now on, or stop).
+/// from now on, or stop). `known`: what a larger problem says of its stages.
 std::vector<RowWorth> row_worths(const Problem& problem,
                                  const Options& options,
                                  double most,
-                                 std::uint64_t& evaluations);
+                                 std::uint64_t& evaluations,
+                                 const DirectionsOf& known = {});
 
 }  // namespace millwright::solver

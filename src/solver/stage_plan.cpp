@@ -211,6 +211,31 @@ void find_priced(StagePlan& plan, const MonotonicityQuestion& question, Desk& de
   if (!scores && in_steps && one && plan.after[states[0]] != Direction::equal_only) plan.moved_state = states[0];
 }
 
+/// Takes over what a larger problem says, unless it says it of other states. What cannot arrive there in a feasible
+/// build cannot here.
+bool take_known_directions(StagePlan& plan) {
+  if (plan.known_directions == nullptr) return false;
+  const StageDirections& known = *plan.known_directions;
+  std::vector<Interval> inherited = plan.inherited;
+  for (std::size_t c = 0; c < inherited.size(); ++c) {
+    const bool as_there = plan.after[c] == known.after[c] || plan.after[c] == Direction::irrelevant ||
+                          known.after[c] == Direction::equal_only;
+    const std::optional<Interval> both = intersect(inherited[c], known.inherited[c]);
+    if (!as_there || !both) return false;
+    inherited[c] = *both;
+  }
+  for (std::size_t v = 0; v < known.variables.size(); ++v) {
+    const Interval& here = plan.region.variables[v];
+    if (here.lower < known.variables[v].lower || here.upper > known.variables[v].upper) return false;
+  }
+  // In place: questions about the stage look at it.
+  std::copy(inherited.begin(), inherited.end(), plan.inherited.begin());
+  for (std::size_t c = 0; c < known.most_after.size(); ++c)
+    plan.most_after[c] = std::min(plan.most_after[c], known.most_after[c]);
+  plan.before = known.before;
+  return true;
+}
+
 /// From the base to the tool: directions, and which variables move what matters. Of very long tables only the rows that
 /// no other one stands in for are kept, if so `planned`.
 void find_directions(std::vector<StagePlan>& plans, PlannedRows planned, Desk& desk) {
@@ -225,10 +250,14 @@ void find_directions(std::vector<StagePlan>& plans, PlannedRows planned, Desk& d
     });
     const MonotonicityQuestion question{
         plan->stage, plan->shared, plan->criteria, &plan->region, plan->inherited, plan->after, &halves};
+    const bool taken_over = take_known_directions(*plan);
     for (std::size_t c = 0; c < next.size(); ++c) {
       // A state that is known exactly needs no direction.
       const bool known = plan->inherited[c].lower == plan->inherited[c].upper;
-      plan->before.push_back(known ? Direction::irrelevant : prove_direction(question, c, desk));
+      if (!taken_over)
+        plan->before.push_back(known ? Direction::irrelevant : prove_direction(question, c, desk));
+      else if (known)
+        plan->before[c] = Direction::irrelevant;
     }
     find_priced(*plan, question, desk);
     next = plan->before;
@@ -317,6 +346,10 @@ std::vector<StagePlan> make_plans(const Problem& problem,
   if (!all_offered(problem, shared)) return plans;
   for (const Stage* stage : problem.stages) plans.emplace_back(*stage, shared, criteria, tables);
   if (!find_states(problem, plans, desk) || !find_limits(plans, desk, tables)) return {};
+  if (tables.known_directions) {
+    const std::span<const StageDirections> known = tables.known_directions(shared, desk);
+    for (std::size_t i = 0; i < known.size(); ++i) plans[i].known_directions = &known[i];
+  }
   find_directions(plans, planned, desk);
   std::vector<Interval> best(problem.first_state.begin(), problem.first_state.end());
   for (StagePlan& plan : plans) {
@@ -334,6 +367,22 @@ std::vector<StagePlan> make_plans(const Problem& problem,
     for (std::size_t k = 0; k < rest.size(); ++k) rest[k] += plan->least[k];
   }
   return plans;
+}
+
+std::vector<StageDirections> directions_of(const Problem& problem,
+                                           std::span<const Row> shared,
+                                           const Criteria& criteria,
+                                           Desk& desk) {
+  TableMemory tables;
+  std::vector<StagePlan> plans;
+  std::vector<StageDirections> directions;
+  if (!all_offered(problem, shared)) return directions;
+  for (const Stage* stage : problem.stages) plans.emplace_back(*stage, shared, criteria, tables);
+  if (!find_states(problem, plans, desk) || !find_limits(plans, desk, tables)) return directions;
+  find_directions(plans, PlannedRows::all, desk);
+  for (const StagePlan& plan : plans)
+    directions.push_back({plan.inherited, plan.region.variables, plan.before, plan.after, plan.most_after});
+  return directions;
 }
 
 }  // namespace millwright::solver

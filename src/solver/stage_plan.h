@@ -23,6 +23,7 @@
 #include "solver/criteria.h"
 #include "solver/fits.h"
 #include "solver/monotonicity.h"
+#include "solver/proved_directions.h"
 #include "solver/rest_vectors.h"
 #include "solver/row_profile.h"
 #include "solver/staircase.h"
@@ -91,12 +92,13 @@ struct StagePlan {
   std::span<const Row> shared;
   const Criteria* criteria = nullptr;
   Fits fits;
-  Region region;                         ///< rows and intervals that can be in a feasible design
-  std::vector<Interval> inherited;       ///< every state that can arrive
-  std::vector<Interval> best_inherited;  ///< the best that can arrive
-  std::vector<Direction> before, after;  ///< of the inherited and of the handed-on components
-  std::vector<double> most_after;        ///< per handed-on component: from more no later stage has a feasible design
-  std::vector<bool> priced;              ///< per variable: it moves a score or a state that matters
+  Region region;                                      ///< rows and intervals that can be in a feasible design
+  std::vector<Interval> inherited;                    ///< every state that can arrive
+  std::vector<Interval> best_inherited;               ///< the best that can arrive
+  std::vector<Direction> before, after;               ///< of the inherited and of the handed-on components
+  const StageDirections* known_directions = nullptr;  ///< of a larger problem
+  std::vector<double> most_after;  ///< per handed-on component: from more no later stage has a feasible design
+  std::vector<bool> priced;        ///< per variable: it moves a score or a state that matters
   bool any_priced = false;
   /// The priced variables move this handed-on component in steps and nothing else, and it has a direction
   /// (least_state.h).
@@ -182,5 +184,11 @@ inline std::vector<StagePlan> make_plans(const Problem& problem,
   TableMemory tables;
   return make_plans(problem, shared, criteria, desk, tables);
 }
+
+/// What is proved of the directions of all stages; empty when it is proved that some stage has no feasible design.
+std::vector<StageDirections> directions_of(const Problem& problem,
+                                           std::span<const Row> shared,
+                                           const Criteria& criteria,
+                                           Desk& desk);
 
 }  // namespace millwright::solver

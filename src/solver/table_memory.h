@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "solver/box.h"
+#include "solver/proved_directions.h"
 
 namespace millwright::solver {
 
@@ -28,6 +29,9 @@ class TableMemory {
   std::vector<RowSet> parts(const Stage& stage, std::span<const Row> shared, std::size_t slot, const Rows& rows);
   /// Remembers parts if no others are remembered that have more rows together.
   void keep_parts(const Stage& stage, std::span<const Row> shared, std::size_t slot, std::vector<RowSet> parts);
+
+  /// What a larger problem says of the stages (proved_directions.h), if this one is a part of it.
+  DirectionsOf known_directions = {};
 
  private:
   struct Whole {
