@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "app/empty_names.h"
+#include "app/file_names.h"
 #include "app/help.h"
 #include "app/help_formatter.h"
 #include "app/import_options.h"
@@ -151,7 +151,7 @@ class CommandLine {
     add_compare();
     add_other_verbs();
     add_catalogue_verbs();
-    refuse_empty_names(app_);
+    refuse_wrong_names(app_);
   }
 
   CLI::App& app() { return app_; }
