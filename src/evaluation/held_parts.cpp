@@ -141,17 +141,21 @@ class Holder {
         }
     }
     if (!held.allowed.front().empty()) return true;
-    report_apart(entry, given);
+    report_apart(
+        entry,
+        given,
+        "belt and pulleys need one profile and one width; at the far end turns an idler, or the drive pulley's like");
     return false;
   }
 
-  void report_apart(const StageEntry& entry, const std::vector<const BomLine*>& given) {
+  /// Each of the lines could be, but not together.
+  void report_apart(const StageEntry& entry, const std::vector<const BomLine*>& given, const char* hint) {
     std::vector<std::string> parts;
     for (const BomLine* line : given) parts.push_back(fmt::format("'{}' as {}", line->part_number, line->slot));
     result_.problems.push_back(
         {given.back()->where,
          fmt::format("{} of axis '{}': they do not run together", fmt::join(parts, ", "), entry.axis),
-         "belt and pulleys need one profile and one width; at the far end turns an idler, or the drive pulley's like"});
+         hint});
   }
 
   /// Fewer or shorter pieces than the axis needs would be another machine than the one that is checked.
@@ -249,9 +253,13 @@ class Holder {
       report_unfit(entry, *line);
       said = true;
     }
-    // Each could be; not together.
-    const auto first = std::find_if(given.begin(), given.end(), [](const BomLine* line) { return line != nullptr; });
-    if (!said) report_unfit(entry, **first);
+    if (said) return;
+    std::vector<const BomLine*> lines = given;
+    std::erase(lines, nullptr);
+    if (lines.size() == 1)
+      report_unfit(entry, *lines.front());
+    else
+      report_apart(entry, lines, "each can be had with another one: leave one of them open");
   }
 
   /// Whether some candidate has this part, whatever its other parts are.

@@ -250,7 +250,9 @@ TEST_CASE("What cannot be fixed is said at the word") {
           {"1:15: error: '23HS22-2804S' cannot be the motor of axis 'x'",
            "1:16: error: 'T10-2' cannot be the driver of axis 'x'"});
   // Each could be: the nut runs on another screw.
-  refuses({"--fix", "x.screw=T10-2", "--fix", "x.nut=T8x8 brass flange"}, {"cannot be the screw of axis 'x'"});
+  refuses({"--fix", "x.screw=T10-2", "--fix", "x.nut=T8x8 brass flange"},
+          {"1:13: error: 'T10-2' as screw, 'T8x8 brass flange' as nut of axis 'x': they do not run together",
+           "hint: each can be had with another one"});
 }
 
 TEST_CASE("Alternatives are distinct, ascending, and each is what solve finds when those before are not to be had") {
