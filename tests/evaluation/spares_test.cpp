@@ -115,7 +115,8 @@ TEST_CASE("With spare parts the cheapest build and the front equal those of all 
                            if (slot == "screw" && axis == "y") return screws;
                            return slot == "supply" ? supplies : 0.0;
                          }));
-    const MachineModel model(two_axes(load, lead_screws, spares), stocked);
+    const machine::Problem problem = two_axes(load, lead_screws, spares);
+    const MachineModel model(problem, stocked);
     INFO("machine " << seed << ", " << all.builds.size() << " compliant builds");
     const Synthesis cost = solved(model, {"cost"});
     const Synthesis front = solved(model, {"cost", "mass"});
@@ -123,6 +124,7 @@ TEST_CASE("With spare parts the cheapest build and the front equal those of all 
     if (all.builds.empty()) continue;
     ++compared;
     require_best_of(all, cost, front, require_sound);
+    if (seed % 3 == 2) require_next_best_of(all, problem, stocked, 2 + seed / 2, require_sound);
     const Synthesis without = solved(MachineModel(two_axes(load, lead_screws, ""), stocked), {"cost"});
     REQUIRE(without.designs.size() == 1);
     for (std::size_t i = 0; i < without.designs[0].parts.size() && i < cost.designs[0].parts.size(); ++i)
