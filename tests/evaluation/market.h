@@ -89,7 +89,7 @@ inline void require_sound(const evaluation::Design& design, const Market& market
   std::map<std::string, double> goods;
   for (const evaluation::PartLine& part : design.parts) {
     cost += part.price;
-    if (part.owned < part.quantity) goods[part.supplier] += part.price;
+    if (part.owned < part.quantity + part.spares) goods[part.supplier] += part.price;
   }
   for (const evaluation::ShopOrder& order : design.orders) {
     const auto shop = std::find_if(
