@@ -17,6 +17,8 @@
 
 #include <new>
 
+#include "app/memory_watch.h"
+
 namespace millwright::app {
 namespace {
 
@@ -46,6 +48,9 @@ void want_large_pages() {
 [[gnu::section(".preinit_array"), gnu::used]] void (*const before_all)() = &want_large_pages;
 
 }  // namespace
+
+void give_memory_back() { mi_collect(true); }
+
 }  // namespace millwright::app
 
 namespace {

@@ -26,6 +26,10 @@ std::optional<MemoryState> memory_state(const std::filesystem::path& root = "/")
 /// of it while next to nothing is available.
 bool is_too_much(const MemoryState& state, std::uint64_t limit);
 
+/// Gives the system back what was freed: it is kept for whoever asks next, otherwise (allocator.cpp). Null where the
+/// sanitizers have an allocator of their own.
+[[gnu::weak]] void give_memory_back();
+
 /// While it lives, calls `on_too_much` once, from a thread of its own, when that is so.
 class MemoryWatch {
  public:

@@ -86,7 +86,7 @@ int run_search(const Options& options) {
   if (!model || !writable || diagnostics.has_errors()) return exit_bad_input;
   report::MachineResult result;
   {
-    const StopSignal stop(options.memory_limit);
+    StopSignal stop(options.memory_limit);
     ProgressLine line(options.quiet, objective_unit_of(options, *input));
     result = search_machine(options, *input, *model, stop, line);
     add_ways_out(options, *model, stop, result);

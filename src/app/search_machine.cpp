@@ -48,13 +48,14 @@ std::string objective_unit_of(const Options& options, const MachineInput& input)
 report::MachineResult search_machine(const Options& options,
                                      const MachineInput& input,
                                      const evaluation::MachineModel& model,
-                                     const StopSignal& stop,
+                                     StopSignal& stop,
                                      ProgressLine& line) {
   report::MachineResult result = result_for(input);
   result.objectives = objectives_of(options, input);
   const Stopwatch watch;
   evaluation::SearchOptions how = search_options(options, result.objectives);
   how.stop = stop.stopped();
+  how.resume = [&stop] { return stop.resume(); };
   how.builds = options.builds;
   how.worksheets = !options.report.empty() && options.verb == Verb::solve;
   how.tolerances = options.verb == Verb::solve;

@@ -21,7 +21,7 @@ std::string objective_unit_of(const Options& options, const MachineInput& input)
 report::MachineResult search_machine(const Options& options,
                                      const MachineInput& input,
                                      const evaluation::MachineModel& model,
-                                     const StopSignal& stop,
+                                     StopSignal& stop,
                                      ProgressLine& line);
 
 /// Adds to the answer of a machine without a build the ways out; the search for them is within the time limit too.

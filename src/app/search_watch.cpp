@@ -19,10 +19,13 @@ namespace {
 
 constexpr double gigabyte = 1e9;
 
-std::atomic<bool> stop_requested{false};
+std::atomic<bool> stop_requested{false}, interrupted{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "set from a signal handler");
 
-extern "C" void request_stop(int) { stop_requested.store(true); }
+extern "C" void request_stop(int) {
+  interrupted.store(true);
+  stop_requested.store(true);
+}
 
 void handle(int signal, void (*handler)(int)) {
   struct sigaction action = {};
@@ -35,14 +38,31 @@ void handle(int signal, void (*handler)(int)) {
 
 }  // namespace
 
-StopSignal::StopSignal(double memory_limit) {
+StopSignal::StopSignal(double memory_limit)
+    : limit_(static_cast<std::uint64_t>(std::ceil(std::min(memory_limit * gigabyte, 1e18)))) {
+  interrupted.store(false);
   stop_requested.store(false);
   for (const int signal : {SIGINT, SIGTERM}) handle(signal, request_stop);
-  memory_.emplace(static_cast<std::uint64_t>(std::ceil(std::min(memory_limit * gigabyte, 1e18))),
-                  [this](const MemoryState& state) {
-                    taken_.store(state.taken);
-                    stop_requested.store(true);
-                  });
+  watch_memory();
+}
+
+void StopSignal::watch_memory() {
+  memory_.emplace(limit_, [this](const MemoryState& state) {
+    taken_.store(state.taken);
+    stop_requested.store(true);
+  });
+}
+
+bool StopSignal::resume() {
+  if (taken_.load() == 0 || resumed_ || interrupted.load()) return false;
+  if (give_memory_back != nullptr) give_memory_back();
+  const std::optional<MemoryState> state = memory_state();
+  if (!state || 2 * state->taken > taken_.load()) return false;
+  resumed_ = true;
+  watch_memory();
+  stop_requested.store(false);
+  if (interrupted.load()) stop_requested.store(true);
+  return true;
 }
 
 StopSignal::~StopSignal() {
@@ -52,8 +72,9 @@ StopSignal::~StopSignal() {
   text::Diagnostics diagnostics;
   diagnostics.warning(
       {},
-      fmt::format("the search had taken {:.3g} GB of memory and was told to end: what is said was known by then",
-                  static_cast<double>(taken_.load()) / gigabyte),
+      fmt::format("the search had taken {:.3g} GB of memory and was told to end: what is said was known by then{}",
+                  static_cast<double>(taken_.load()) / gigabyte,
+                  resumed_ ? ", or found in a shorter search from there" : ""),
       "let it choose less (--fix, --limit, fewer dimensions), or more memory: --memory-limit");
   print(diagnostics);
 }

@@ -22,9 +22,16 @@ class StopSignal {
   StopSignal(const StopSignal&) = delete;
   StopSignal& operator=(const StopSignal&) = delete;
   const std::atomic<bool>* stopped() const;
+  /// Takes the stop back, once, if it was for want of memory and at least half of it has been given back since. Whether
+  /// it did.
+  bool resume();
 
  private:
+  void watch_memory();
+
+  std::uint64_t limit_;                  ///< bytes; 0: none is given
   std::atomic<std::uint64_t> taken_{0};  ///< bytes when it was too much
+  bool resumed_ = false;
   std::optional<MemoryWatch> memory_;
 };
 

@@ -21,6 +21,10 @@ namespace {
 /// can be proved in so much time.
 double time_to_cover(double limit) { return std::max(0.4 * limit, std::min(2.0, 0.5 * limit)); }
 
+/// A front that has used up the memory goes on for so much of the time that it took: what it asks for then is a part of
+/// what it had.
+constexpr double part_after_memory = 0.4;
+
 /// The objectives by which a build is best at an end of the front. Where none is known, by cost before all: that way
 /// one is found soonest.
 std::vector<std::string> ends_of(const MachineModel& model, const SearchOptions& options, bool none_known) {
@@ -43,10 +47,13 @@ solver::Summary best_front(const MachineModel& model, const SearchOptions& optio
     front.time_limit_seconds = options.time_limit_seconds - time_to_cover(options.time_limit_seconds);
   solver::Summary summary = solver::solve(model.problem(), front);
   const auto is_stopped = [&] { return options.stop != nullptr && options.stop->load(); };
-  const double left = time.left();
+  double left = time.left();
+  const bool resumed = summary.status == solver::Status::limit && is_stopped() && options.resume && options.resume();
+  if (resumed) left = std::min(left, part_after_memory * time.used());
   if (summary.status != solver::Status::limit || is_stopped() || !(left > 0.0)) return summary;
+  const AllowedTime rest(left);
   const double to_cover = std::isfinite(left) ? 0.5 * left : 0.0;
-  const auto time_left = [&] { return std::max(0.0, time.left() - to_cover); };
+  const auto time_left = [&] { return std::max(0.0, rest.left() - to_cover); };
   const auto stop = [&] { return time_left() == 0.0 || is_stopped(); };
   const std::vector<std::string> ends = ends_of(model, options, summary.builds.empty());
   for (std::size_t k = 0; k < ends.size() && !stop(); ++k) {
@@ -69,9 +76,10 @@ solver::Summary best_front(const MachineModel& model, const SearchOptions& optio
     }
   }
   summary.builds = solver::spread_front(model.problem(), front, std::move(summary.builds), stop);
-  summary.method += "; when time was nearly up, the best by each objective, and from those builds all over the front";
+  summary.method += resumed ? "; when memory was used up" : "; when time was nearly up";
+  summary.method += ", the best by each objective, and from those builds all over the front";
   summary.front_tolerance += options.gap;  // builds as good but for the gap are left out of it
-  front.time_limit_seconds = time.left();
+  front.time_limit_seconds = rest.left();
   if (!is_stopped() && to_cover > 0.0 && front.time_limit_seconds > 0.0) {
     solver::Summary covered = solver::cover_front(model.problem(), front, summary.builds);
     summary.nodes += covered.nodes;

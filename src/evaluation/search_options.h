@@ -27,6 +27,9 @@ struct SearchOptions {
   /// time or the stop leaves unasked is unsettled.
   bool tolerances = false;
   const std::atomic<bool>* stop = nullptr;
+  /// Asked by a front that was stopped before it was done: whether it may go on for a part of the time it has taken, as
+  /// it may when it was stopped for want of memory that is there again. It takes `stop` back then.
+  std::function<bool()> resume = {};
   std::function<void(const solver::Progress&)> progress;
   bool confirm = true;  ///< as solver::Options::confirm
 };

@@ -215,6 +215,9 @@ const std::vector<Saying>& sayings() {
        "dari rancangan yang tidak lebih buruk, tidak semua dibandingkan dalam hal berikutnya"},
       {"then label by label, to a tolerance that rose with the time",
        "kemudian label demi label, sampai toleransi yang melonggar seiring waktu"},
+      {"when memory was used up, the best by each objective, and from those builds all over the front",
+       "ketika memori habis terpakai, yang terbaik menurut tiap tujuan, dan dari sana rancangan di sepanjang garis "
+       "depan"},
       {"when time was nearly up, the best by each objective, and from those builds all over the front",
        "menjelang waktu habis, yang terbaik menurut tiap tujuan, dan dari sana rancangan di sepanjang garis depan"},
       {"started from the objective found, {}, Ipopt ends at {} and NLopt SLSQP ends at {}",

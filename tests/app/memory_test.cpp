@@ -10,6 +10,7 @@
 #include "app/memory_watch.h"
 #include "catch.h"
 #include "program.h"
+#include "sanitized.h"
 
 namespace memory_test {
 
@@ -110,6 +111,27 @@ TEST_CASE("A search that takes too much says what it knows, and why it ended") {
   CHECK(nlohmann::json::parse(front.out).at("status") == "limit");
   CHECK(front.says("GB of memory and was told to end"));
   CHECK(front.says("--memory-limit"));
+}
+
+TEST_CASE("A front that has used up the memory goes on for a while with what it gave back") {
+  if (millwright::sanitized) return;  // their allocator gives nothing back
+  const Workshop shop;
+  const Outcome front = shop.run({"pareto",
+                                  MILLWRIGHT_SOURCE_DIR "/problems/router.toml",
+                                  "--minimise",
+                                  "cost,energy",
+                                  "--memory-limit",
+                                  "0.12",
+                                  "--json",
+                                  "-"});
+  CAPTURE(front.err);
+  CHECK(front.exit_code == 3);
+  const auto result = nlohmann::json::parse(front.out);
+  CHECK(result.at("status") == "limit");
+  CHECK(result.at("front").size() >= 1);
+  const std::string method = result.at("certificate").at("method");
+  CHECK(method.find("when memory was used up, the best by each objective") != std::string::npos);
+  CHECK(front.says("what is said was known by then, or found in a shorter search from there"));
 }
 
 }  // namespace memory_test
