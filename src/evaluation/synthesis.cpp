@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "evaluation/allowed_time.h"
@@ -13,6 +14,25 @@
 #include "solver/alternatives.h"
 
 namespace millwright::evaluation {
+
+namespace {
+
+/// How far the objective of the build found is above the bound, relative. It may order from fewer suppliers than the
+/// set that the search had open, and costs less then than the search counted.
+double gap_of(const MachineModel& model,
+              const SearchOptions& options,
+              const solver::Summary& summary,
+              const Design& design) {
+  const double cost = design.preference ? design.preference->compared_cost : design.cost;
+  double value = 0.0;
+  for (const machine::ObjectiveTerm& term : machine::objective_named(options.objectives.front()).terms) {
+    const double counted = summary.builds.front().resources[model.compared(term.quantity)];
+    value += term.weight * (term.quantity == machine::Quantity::cost ? std::min(counted, cost) : counted);
+  }
+  return std::min(summary.gap, std::max(0.0, value - summary.lower_bound) / std::max(std::abs(value), 1e-300));
+}
+
+}  // namespace
 
 Synthesis synthesise(const MachineModel& model, const SearchOptions& asked_for) {
   const AllowedTime time(asked_for.time_limit_seconds);
@@ -58,6 +78,8 @@ Synthesis synthesise(const MachineModel& model, const SearchOptions& asked_for) 
     design.tolerances =
         std::make_shared<const ToleranceCheck>(check_tolerances(model, summary.builds[i], design, effort));
   }
+  if (summary.status == solver::Status::limit && options.objectives.size() == 1 && !synthesis.designs.empty())
+    summary.gap = gap_of(model, options, summary, synthesis.designs.front());
   synthesis.builds = std::move(summary.builds);
   synthesis.lower_bound = summary.lower_bound;
   synthesis.gap = summary.gap;

@@ -189,6 +189,30 @@ TEST_CASE("With several shops and preferred parts the best build is that of all 
   CHECK(ordered > 0);
 }
 
+// A set of suppliers may be open of which nothing is bought: then the build found costs less than the search counted.
+TEST_CASE("A search that is ended says how far its build is above its bound, as it is bought") {
+  const TinyCatalogue tiny;
+  Market market;
+  market.shops = {{"", 1.0, 300.0}, {"Shop A", 9.0, 90.0}, {"Shop B", 7.0, 80.0}};
+  market.offers["M17"] = {{1, 5.0}, {2, 6.0}};
+  market.offers["K8"] = {{1, 1.0}, {2, 1.5}};
+  TemporaryFolder overlay;
+  market.write(overlay);
+  const catalogue::Catalogue offered = catalogue_of({tiny.path(), overlay.path()});
+  const MachineModel model(two_axes(4.0), offered);
+  for (const double seconds : {0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5}) {
+    evaluation::SearchOptions options;
+    options.time_limit_seconds = seconds;
+    const Synthesis found = evaluation::synthesise(model, options);
+    if (found.designs.empty()) continue;
+    require_sound(found.designs[0], market);
+    const double cost = found.designs[0].cost;
+    CAPTURE(seconds, found.lower_bound);
+    CHECK(found.lower_bound <= cost * (1.0 + 1e-9));
+    CHECK(found.gap == Approx((cost - found.lower_bound) / cost).margin(1e-6));
+  }
+}
+
 // Two motors M17 (9 USD) and two drivers D2 (6 USD): 30 USD. Shop A asks 5 for shipping and has the motors for 7, Shop
 // B asks 5 and has the drivers for 4: each alone saves 4 of what its shipping costs 5. With both at Shop A they save 8.
 TEST_CASE("A second shop is ordered from only if it saves more than its shipping") {
