@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "report/design_difference.h"
 #include "report/design_json.h"
@@ -27,6 +28,14 @@ const char* better_word(const MachineResult& result) {
   return result.objectives.front() == "mass" ? "lighter" : "cheaper";
 }
 
+/// Other parts and settings, and the same parts bought elsewhere.
+std::vector<DesignDifference> changes_from(const Design& best, const Design& design) {
+  std::vector<DesignDifference> changes = differences(best, design);
+  const std::vector<DesignDifference> bought = purchase_differences(best, design);
+  changes.insert(changes.end(), bought.begin(), bought.end());
+  return changes;
+}
+
 }  // namespace
 
 std::string alternatives_text(const MachineResult& result, const Style& style) {
@@ -45,7 +54,7 @@ std::string alternatives_text(const MachineResult& result, const Style& style) {
   for (std::size_t i = 1; i < result.designs.size(); ++i) {
     const Design& design = result.designs[i];
     std::vector<std::string> changes;
-    for (const DesignDifference& d : differences(best, design))
+    for (const DesignDifference& d : changes_from(best, design))
       changes.push_back(fmt::format("{}.{} {} (was {})", d.axis, d.slot, d.short_now, d.short_before));
     table.add({fmt::format("{}{}", i + 1, i < result.proved ? "" : "?"),
                fmt::format("{:.2f}", design.cost),
@@ -82,7 +91,7 @@ void add_alternatives(const MachineResult& result, Json& json) {
   for (std::size_t i = 1; i < result.designs.size(); ++i) {
     const Design& design = result.designs[i];
     Json changes = Json::array();
-    for (const DesignDifference& d : differences(best, design))
+    for (const DesignDifference& d : changes_from(best, design))
       changes.push_back({{"axis", d.axis}, {"name", d.slot}, {"now", d.short_now}, {"before", d.short_before}});
     json["alternatives"].push_back({{"rank", i + 1},
                                     {"proved", i < result.proved},

@@ -59,6 +59,27 @@ void add(const DimensionLine* before, const DimensionLine* now, std::vector<Desi
 
 }  // namespace
 
+std::vector<DesignDifference> purchase_differences(const Design& before, const Design& now) {
+  const auto source_of = [](const PartLine& part) -> std::string {
+    if (part.owned > 0.0 && part.owned >= part.quantity + part.spares) return "in stock";
+    return part.supplier.empty() ? "as the catalogue offers it" : "from " + part.supplier;
+  };
+  std::vector<DesignDifference> result;
+  for (const PartLine& part : now.parts) {
+    const PartLine* there = part_at(before, part);
+    if (there == nullptr || part_name(*there) != part_name(part)) continue;
+    const std::string was = source_of(*there), is = source_of(part);
+    if (was != is)
+      result.push_back({part.axis,
+                        part.slot,
+                        part_name(*there) + " " + was,
+                        part_name(part) + " " + is,
+                        part.part_number + " " + was,
+                        part.part_number + " " + is});
+  }
+  return result;
+}
+
 std::vector<DesignDifference> differences(const Design& before, const Design& now) {
   std::vector<DesignDifference> result;
   for (const PartLine& part : now.parts) add(part_at(before, part), &part, result);

@@ -21,4 +21,7 @@ struct DesignDifference {
 /// Dimensions that follow from the parts are not looked at.
 std::vector<DesignDifference> differences(const evaluation::Design& before, const evaluation::Design& now);
 
+/// The same parts, but from another shop, or from stock in one of the builds: "17HS19-2004S1 from Shop A".
+std::vector<DesignDifference> purchase_differences(const evaluation::Design& before, const evaluation::Design& now);
+
 }  // namespace millwright::report

@@ -49,5 +49,28 @@ TEST_CASE("Builds differ in parts and settings, and what one of them has not is 
   CHECK(found[1].short_now == "Clone D1");
 }
 
+TEST_CASE("The same parts differ where they are bought elsewhere, or one of them is in stock") {
+  evaluation::Design before;
+  before.parts = {part("x", "motor", "Maker", "A1"),
+                  part("x", "driver", "Other", "D1"),
+                  part("x", "coupling", "", "K1"),
+                  part("y", "motor", "Maker", "A1")};
+  for (evaluation::PartLine& line : before.parts) line.quantity = 1.0;
+  evaluation::Design now = before;
+  CHECK(purchase_differences(before, now).empty());
+  now.parts[0].supplier = "Shop A";
+  now.parts[1].part_number = "D2";  // another part: not said here
+  now.parts[1].supplier = "Shop A";
+  now.parts[2].owned = 1.0;
+  now.parts[3].owned = 1.0;
+  now.parts[3].spares = 1.0;  // one is bought
+  CHECK(differences(before, now).size() == 1);
+  const std::vector<DesignDifference> found = purchase_differences(before, now);
+  REQUIRE(found.size() == 2);
+  CHECK(sentence(found[0]) == "x.motor: Maker A1 as the catalogue offers it -> Maker A1 from Shop A");
+  CHECK(found[0].short_now == "A1 from Shop A");
+  CHECK(sentence(found[1]) == "x.coupling: K1 as the catalogue offers it -> K1 in stock");
+}
+
 }  // namespace
 }  // namespace millwright::report::design_difference_test
