@@ -42,18 +42,26 @@ void check_screws(const Axis& axis,
 /// answer that is proved for the others.
 void note_unpriced(const Problem& problem, const catalogue::Catalogue& catalogue, text::Diagnostics& diagnostics) {
   std::map<std::string_view, std::pair<int, std::string>> by_currency;  // rows, and the first of them
+  const auto has_rate = [&](std::string_view currency) {
+    return currency.empty() || currency == problem.currency || problem.currencies.contains(currency);
+  };
+  const auto note = [&](std::string_view currency, const auto& name) {
+    auto& [rows, first] = by_currency[currency];
+    if (rows++ == 0) first = name();
+  };
   for (std::size_t family = 0; family < catalogue::family_count; ++family) {
     const catalogue::Table& table = catalogue.table(static_cast<catalogue::Family>(family));
     for (int row = 0; row < table.rows(); ++row) {
       const catalogue::Price price = table.price(row);
       const std::string_view currency = price.currency;
       const bool priced = !std::isnan(price.piece) || !std::isnan(price.length) || !std::isnan(price.mass);
-      if (!priced || currency.empty() || currency == problem.currency || problem.currencies.contains(currency))
-        continue;
-      auto& [rows, first] = by_currency[currency];
-      if (rows++ == 0) first = fmt::format("{} {}", table.manufacturer(row), table.part_number(row));
+      if (priced && !has_rate(currency))
+        note(currency, [&] { return fmt::format("{} {}", table.manufacturer(row), table.part_number(row)); });
     }
   }
+  for (const catalogue::Offer& offer : catalogue.suppliers().offers)
+    if (!has_rate(offer.currency))
+      note(offer.currency, [&] { return fmt::format("{} of {}", offer.part_number, offer.supplier); });
   for (const auto& [currency, parts] : by_currency)
     diagnostics.warning(problem.currencies_where,
                         fmt::format("the problem gives no rate for {}: {} priced in it {} not for sale ({}{})",

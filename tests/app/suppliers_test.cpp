@@ -125,6 +125,13 @@ TEST_CASE("Parts that no rate brings into the choice are warned of") {
   CHECK(outcome.says("the problem gives no rate for 'EUR'"));
   CHECK(outcome.says("parts priced in it are not for sale"));
   CHECK_FALSE(shop.run({"solve", lifter, "--quiet"}).says("not for sale"));
+  // So are offers of a shop.
+  shop.write("shops/suppliers.csv", "supplier,shipping_fee,currency\nShop A,2,USD\n");
+  shop.write("shops/offers.csv", "part_number,supplier,price,currency\n23HS45-4204S,Shop A,20,GBP\n");
+  const Outcome offer = shop.run({"solve", lifter, "--catalogue", "shops", "--quiet"});
+  CHECK(offer.exit_code == 0);
+  CHECK(offer.says(
+      "the problem gives no rate for 'GBP': the part priced in it is not for sale (23HS45-4204S of Shop A)"));
 }
 
 TEST_CASE("Spares are priced and ordered, and weigh nothing") {
