@@ -96,16 +96,25 @@ TEST_CASE("A watch calls once, and ends when it is told to") {
   CHECK(calls == 1);
 }
 
+namespace {
+
+/// A front that takes half an hour and 20 GB, if it may.
+Outcome front_within(const Workshop& shop, const char* gigabytes) {
+  return shop.run({"pareto",
+                   MILLWRIGHT_SOURCE_DIR "/problems/router.toml",
+                   "--minimise",
+                   "cost,energy",
+                   "--memory-limit",
+                   gigabytes,
+                   "--json",
+                   "-"});
+}
+
+}  // namespace
+
 TEST_CASE("A search that takes too much says what it knows, and why it ended") {
   const Workshop shop;
-  const Outcome front = shop.run({"pareto",
-                                  MILLWRIGHT_SOURCE_DIR "/problems/router.toml",
-                                  "--minimise",
-                                  "cost,energy",
-                                  "--memory-limit",
-                                  "0.001",
-                                  "--json",
-                                  "-"});
+  const Outcome front = front_within(shop, "0.001");
   CAPTURE(front.err);
   CHECK(front.exit_code == 3);
   CHECK(nlohmann::json::parse(front.out).at("status") == "limit");
@@ -116,14 +125,7 @@ TEST_CASE("A search that takes too much says what it knows, and why it ended") {
 TEST_CASE("A front that has used up the memory goes on for a while with what it gave back") {
   if (millwright::sanitized) return;  // their allocator gives nothing back
   const Workshop shop;
-  const Outcome front = shop.run({"pareto",
-                                  MILLWRIGHT_SOURCE_DIR "/problems/router.toml",
-                                  "--minimise",
-                                  "cost,energy",
-                                  "--memory-limit",
-                                  "0.12",
-                                  "--json",
-                                  "-"});
+  const Outcome front = front_within(shop, "0.12");
   CAPTURE(front.err);
   CHECK(front.exit_code == 3);
   const auto result = nlohmann::json::parse(front.out);
