@@ -8,6 +8,7 @@
 #include <random>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include "catch.h"
 #include "evaluation/exhaustive.h"
@@ -147,7 +148,8 @@ TEST_CASE("The next best builds differ in their parts or in who sells them") {
 // Every build, every way to order it.
 TEST_CASE("The next best builds of a machine with shops are the first of all builds and orders") {
   std::size_t compared = 0, with_stock = 0, with_minimum = 0;
-  for (unsigned seed = 0; seed < (sanitized ? 1 : 8); ++seed) {
+  // In the last one it pays to buy what is preferred, though one is owned.
+  for (const unsigned seed : sanitized ? std::vector<unsigned>{0} : std::vector<unsigned>{0, 1, 2, 3, 4, 5, 6, 19}) {
     std::mt19937 random(700 + seed);
     Market market = random_market(random, seed);
     double apart = 0.0;  // of shops that ask for the same, which one is listed is nobody's business
