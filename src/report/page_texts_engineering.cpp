@@ -202,6 +202,7 @@ const std::vector<Saying>& sayings() {
        "tahap demi tahap, dengan rancangan tiap tahap dicari sekali untuk semua label"},
       {"allowances that stages share at prices (Lagrangian bounds)",
        "kelonggaran yang dipakai bersama antartahap diberi harga (batas Lagrange)"},
+      {"what is limited at prices (Lagrangian bounds)", "yang dibatasi diberi harga (batas Lagrange)"},
       {"then label by label, from the builds found that way",
        "lalu label demi label, dari rancangan yang ditemukan begitu"},
       {"where continuous variables move the objectives the front is covered to its tolerance",

@@ -67,12 +67,31 @@ void Criteria::lower_guides(std::span<double> score) const {
   using scalar::rounding::sum_down;
   for (std::size_t g = 0; g < guides; ++g) {
     double sum = 0.0;
-    for (std::size_t k = 0; k < objectives; ++k)
+    for (std::size_t k = 0; k < guide_mix[g].size(); ++k)
       if (guide_mix[g][k] != 0.0) sum = sum_down(sum, product_down(guide_mix[g][k], score[k]));
     double& guide = score[size() - guides + g];
     guide = std::min(guide, sum);
   }
 }
+
+void Criteria::raise_by_limit_prices(std::span<double> total) const {
+  for (std::size_t g = 0; g < limit_worth.size(); ++g)
+    total[0] = std::max(total[0], scalar::rounding::sum_down(total[size() - guides + g], -limit_worth[g]));
+}
+
+namespace {
+
+void add_guide(Criteria& criteria, std::vector<double> mix) {
+  std::vector<double> weight(criteria.weight[0].size(), 0.0);
+  for (std::size_t r = 0; r < weight.size(); ++r)
+    for (std::size_t k = 0; k < mix.size(); ++k) weight[r] += mix[k] * criteria.weight[k][r];
+  criteria.weight.push_back(std::move(weight));
+  criteria.limit.push_back(infinity);
+  criteria.guide_mix.push_back(std::move(mix));
+  ++criteria.guides;
+}
+
+}  // namespace
 
 void add_guides(Criteria& criteria, std::span<const double> apart) {
   // So much of each objective, as shares of what builds differ by.
@@ -86,14 +105,20 @@ void add_guides(Criteria& criteria, std::span<const double> apart) {
       useful = useful && (shares[k] == 0.0 || (apart[k] > 0.0 && std::isfinite(apart[k])));
       mix.push_back(shares[k] == 0.0 ? 0.0 : shares[k] / apart[k]);
     }
-    if (!useful) continue;
-    std::vector<double> weight(criteria.weight[0].size(), 0.0);
-    for (std::size_t r = 0; r < weight.size(); ++r)
-      for (std::size_t k = 0; k < mix.size(); ++k) weight[r] += mix[k] * criteria.weight[k][r];
-    criteria.weight.push_back(std::move(weight));
-    criteria.limit.push_back(std::numeric_limits<double>::infinity());
-    criteria.guide_mix.push_back(std::move(mix));
-    ++criteria.guides;
+    if (useful) add_guide(criteria, std::move(mix));
+  }
+}
+
+void add_limit_prices(Criteria& criteria, std::size_t score, std::span<const double> prices) {
+  for (const double price : prices) {
+    std::vector<double> mix(score + 1, 0.0);
+    mix.front() = 1.0;
+    mix.back() = price;
+    // Totals may exceed a limit by rounding (within_limit), and sums in another order differ by less.
+    constexpr double slack = 1e-11;
+    const double worth = price * criteria.limit[score];
+    criteria.limit_worth.push_back(worth + slack * std::fabs(worth));
+    add_guide(criteria, std::move(mix));
   }
 }
 

@@ -38,10 +38,11 @@ inline bool within_limit(double total, double limit) { return total <= limit + 1
 struct Criteria {
   std::size_t objectives = 1;                       ///< how many of the scores are objectives; they come first
   std::size_t ties = 0;                             ///< how many scores after them decide between equals
-  std::size_t guides = 0;                           ///< weighted sums of objectives, the last scores: see add_guides
+  std::size_t guides = 0;                           ///< weighted sums of others, the last scores: see add_guides
   std::vector<std::vector<double>> weight;          ///< [score][resource], never negative
   std::vector<double> limit;                        ///< [score]: the total must not exceed this
-  std::vector<std::vector<double>> guide_mix = {};  ///< [guide][objective]: weight in the sum
+  std::vector<std::vector<double>> guide_mix = {};  ///< [guide][score]: weight in the sum; further scores have none
+  std::vector<double> limit_worth = {};             ///< [guide] by add_limit_prices: what the limit comes to in the sum
 
   [[nodiscard]] std::size_t size() const { return weight.size(); }
   /// The score that is set against the first one in staircases: the second objective, or the first tie; 0 without one.
@@ -66,14 +67,21 @@ struct Criteria {
   void least_scores(std::span<const Interval> resources, std::span<double> out) const;
   /// Whether, in the objectives, one build falls short of another by no more than a part of it.
   [[nodiscard]] bool is_as_good(std::span<const double> score, std::span<const double> than, double part) const;
-  /// Lowers guides to the sums of these objectives, where they say more.
+  /// Lowers guides to the sums of these scores, where they say more.
   void lower_guides(std::span<double> score) const;
+  /// Raises a lower bound of a single objective's total by what guides say of designs that keep a limit.
+  void raise_by_limit_prices(std::span<double> total) const;
 };
 
 /// For a front in two or three objectives: adds weighted sums of them as further scores. They decide nothing, but the
 /// least of a sum says far more about what can still be on the front than the least of each objective on its own.
 /// `apart`: by how much builds of the front differ in each objective; one in which they do not is in no sum.
 void add_guides(Criteria& criteria, std::span<const double> apart);
+
+/// For a single objective and one more score with a limit: adds the objective plus each of these prices times that
+/// score. Of designs that keep the limit, the least of such a sum less what the limit comes to in it is a lower bound
+/// of the objective (Lagrange's relaxation of the limit).
+void add_limit_prices(Criteria& criteria, std::size_t score, std::span<const double> prices);
 
 /// Throws std::invalid_argument, naming the option, when an index or a weight makes no sense.
 Criteria make_criteria(const Problem& problem, const Options& options);

@@ -58,7 +58,8 @@ bool Incumbents::within_limits(std::span<const double> score_lower) const {
 bool Incumbents::hopeless(std::span<const double> score_lower, double utilisation_lower) const {
   if (!within_limits(score_lower)) return true;
   if (criteria_->objectives == 3) return fills_no_corner(score_lower, utilisation_lower);
-  if (criteria_->guides > 0 && !builds_.empty()) return fills_no_gap(score_lower, utilisation_lower);
+  if (criteria_->objectives == 2 && criteria_->guides > 0 && !builds_.empty())
+    return fills_no_gap(score_lower, utilisation_lower);
   if (criteria_->objectives == 2 && tolerance_ > 0.0) {
     // Of those that are good enough in the first objective the last is the best in the second.
     const double first = rounded(score_lower[0]);

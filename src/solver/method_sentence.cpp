@@ -10,6 +10,7 @@ std::string sentence_of(const MethodsUsed& used) {
   if (used.stagewise || used.in_turn) text += "; stage by stage, with the designs of a stage found once for all labels";
   if (used.in_turn) text += "; then label by label, from the builds found that way";
   if (used.allowances) text += "; allowances that stages share at prices (Lagrangian bounds)";
+  if (used.limit) text += "; what is limited at prices (Lagrangian bounds)";
   if (used.by_front) text += "; as the end of a front, of the objective and of what is limited";
   if (used.priced && used.whole_front)
     text += "; where continuous variables move the objectives the front is covered to its tolerance";

@@ -19,6 +19,7 @@ struct MethodsUsed {
   bool allowances = false;   ///< rest_plane.h
   bool by_front = false;     ///< of a single objective and a resource that is limited (SolveRun::settle_by_front)
   AmongEquals among_equals = AmongEquals::not_looked_for;
+  bool limit = false;  ///< limit_prices.cpp
 };
 
 std::string sentence_of(const MethodsUsed& used);

@@ -152,7 +152,7 @@ std::optional<RankedBuild> SolveRun::best_among_equals() {
   options.progress = nullptr;  // it would tell of another objective
   options.time_limit_seconds -= control_.seconds();
   options.most_nodes = std::min(4 * control_.nodes + 500, control_.nodes / 2 + 6000);
-  const Summary found = SolveRun(within, options, Scope::all, tables_).run();
+  const Summary found = SolveRun(within, options, Scope::unpriced, tables_).run();
   control_.nodes += found.nodes;
   earlier_evaluations_ += found.evaluations;
   if (found.status != Status::optimal) return std::nullopt;
@@ -241,7 +241,8 @@ Summary SolveRun::summary() {
                             !known_.empty(),
                             allowances_priced_,
                             settled_by_front_,
-                            among_equals_});
+                            among_equals_,
+                            limit_priced_});
   // (Of many axes at once it takes long; after the time is up nobody waits for it.)
   const auto stop = [this] { return control_.time_is_up(); };
   const bool asked = control_.options().confirm && !stop();

@@ -26,8 +26,9 @@ namespace millwright::solver {
 
 class SolveRun {
  public:
-  /// `stage_by_stage`: only what frontier.h does, the rest is left open.
-  enum class Scope { all, stage_by_stage };
+  /// `stage_by_stage`: only what frontier.h does, the rest is left open. `unpriced`: all, but limits get no prices
+  /// (limit_prices.cpp).
+  enum class Scope { all, unpriced, stage_by_stage };
   /// `tables`: what another run has found out about the same problem; null: nothing yet. `known`: builds of a front, to
   /// start from.
   SolveRun(const Problem& problem,
@@ -75,13 +76,17 @@ class SolveRun {
   void look_around(std::vector<OpenSearch>& open);
   bool look_briefly(std::vector<OpenSearch>& open);
   void settle_more(std::vector<OpenSearch>& open);
-  template <class Settle>
-  void go_through(std::vector<OpenSearch>& open, Settle&& settle);
+  void go_through(std::vector<OpenSearch>& open, const std::function<bool(OpenSearch&)>& settle);
   bool settle(OpenSearch& open, Effort effort);
   bool settle_briefly(OpenSearch& open, std::uint64_t share, const CurveEffort& effort = {});
   enum class Settled { no, but_for_equals, yes };
   Settled stage_by_stage(std::vector<StagePlan>& plans, std::span<const double> score);
   void decide_equals();
+  [[nodiscard]] std::optional<std::size_t> limited_score() const;
+  void price_limit(std::vector<OpenSearch>& open, std::size_t limited);
+  std::optional<Pair> best_at_price(const Problem& unlimited, std::size_t limited, double price);
+  double price_at_limit(std::size_t limited);
+  bool begin_again(OpenSearch& open);
   bool settle_by_front();
   void look_for_builds(const OpenSearch& open);
   SearchResult search_whole(OpenSearch& open);
@@ -132,6 +137,7 @@ class SolveRun {
   bool allowances_priced_ = false;  ///< by it
   bool front_tried_ = false;        ///< by settle_by_front
   bool settled_by_front_ = false;   ///< every combination
+  bool limit_priced_ = false;       ///< by price_limit
   AmongEquals among_equals_ = AmongEquals::not_looked_for;
   std::vector<bool> priced_stages_;
   std::vector<OpenSearch> equals_left_;  ///< nothing is better, but something as good may win the tie

@@ -50,10 +50,17 @@ void SolveRun::search() {
   // What is settled soon in one combination may leave nothing to do in those that would take long. (But where variables
   // move the objective builds are looked for last, and without any the others are not settled soon.)
   constexpr std::array efforts = {Effort::brief, Effort::thorough, Effort::whole};
-  if (priced_) {
+  const auto settle_by = [&](std::span<const Effort> in_turn) {
     go_through(open, [&](OpenSearch& each) {
-      return std::ranges::any_of(efforts, [&](Effort effort) { return settle(each, effort); });
+      return std::ranges::any_of(in_turn, [&](Effort effort) { return settle(each, effort); });
     });
+  };
+  if (const auto limited = limited_score()) {
+    settle_by(std::span(efforts).first(2));
+    if (!open.empty() && !control_.time_is_up()) price_limit(open, *limited);
+    settle_by(std::span(efforts).last(1));
+  } else if (priced_) {
+    settle_by(efforts);
   } else {
     for (const Effort effort : efforts) go_through(open, [&](OpenSearch& each) { return settle(each, effort); });
   }
@@ -119,8 +126,7 @@ void SolveRun::settle_more(std::vector<OpenSearch>& open) {
 }
 
 /// Takes out what is hopeless or has been settled.
-template <class Settle>
-void SolveRun::go_through(std::vector<OpenSearch>& open, Settle&& settle) {
+void SolveRun::go_through(std::vector<OpenSearch>& open, const std::function<bool(OpenSearch&)>& settle) {
   for (std::size_t i = 0; i < open.size();) {
     double elsewhere = std::min(open_bound_, least(open, i + 1));
     for (std::size_t j = 0; j < i; ++j) elsewhere = std::min(elsewhere, open[j].score[0]);

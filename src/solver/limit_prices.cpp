@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a limit is worth. Of a single objective with a limit on another total (the least energy for 600 USD) a search
+// label by label sees little for long: what is best in the objective exceeds the limit, what is cheap is bad, and the
+// least of each by itself says nothing of both. With a price on the other total it does: the least of
+//     objective + price * other
+// less what the limit comes to at that price is a lower bound of the objective of all that keeps the limit (Lagrange's
+// relaxation; Everett, Operations Research 11, 1963), and at the right price falls short of the best only by the steps
+// that catalogues have and by what bounds lack anyway.
+//
+// The right price is the slope of the lower hull of what can be reached, between a build that keeps the limit and one
+// that does not: both are moved towards the limit by searches without it. The one that keeps it is where the search
+// starts from, with single parts changed for what is left of the limit.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "solver/nearby.h"
+#include "solver/row_dominance.h"
+#include "solver/solve_run.h"
+
+namespace millwright::solver {
+namespace {
+
+constexpr double only_other = infinity;  // a price
+
+/// The resource that a score is, where it is a single one.
+std::optional<std::size_t> resource_of(const std::vector<double>& weight) {
+  const auto used = [](double each) { return each != 0.0; };
+  if (std::ranges::count_if(weight, used) != 1) return std::nullopt;
+  return static_cast<std::size_t>(std::ranges::find_if(weight, used) - weight.begin());
+}
+
+}  // namespace
+
+/// A score with a limit that can be given a price, in a search that would make use of it.
+std::optional<std::size_t> SolveRun::limited_score() const {
+  if (scope_ != Scope::all || criteria_.objectives != 1 || !priced_) return std::nullopt;
+  for (std::size_t k = 1; k < criteria_.size(); ++k)
+    if (std::isfinite(criteria_.limit[k]) && criteria_.limit[k] > 0.0 && resource_of(criteria_.weight[k])) return k;
+  return std::nullopt;
+}
+
+/// A good build of the sum at this price where nothing is limited: (limited score, objective).
+std::optional<Pair> SolveRun::best_at_price(const Problem& unlimited, std::size_t limited, double price) {
+  constexpr double fine = 5e-3, coarse = 2e-2;  // gaps
+  constexpr double share = 0.15;                // of the time left
+  Options options = control_.options();
+  options.weights = criteria_.weight[0];
+  double& weight = options.weights[*resource_of(criteria_.weight[limited])];
+  if (price == only_other) {
+    std::ranges::fill(options.weights, 0.0);
+    weight = 1.0;
+  } else {
+    weight += price;
+  }
+  options.gap = std::max(options.gap, price > 0.0 ? fine : coarse);
+  options.time_limit_seconds = share * (options.time_limit_seconds - control_.seconds());
+  options.confirm = options.settle_ties = false;
+  options.progress = nullptr;  // it would tell of other objectives
+  // (What is known of the tables may hold within the limits only.)
+  const Summary found = SolveRun(unlimited, options, Scope::unpriced).run();
+  control_.nodes += found.nodes;
+  earlier_evaluations_ += found.evaluations;
+  if (found.builds.empty()) return std::nullopt;
+  std::vector<double> score = scores_of(found.builds[0]);
+  const Pair point{score[limited], score[0]};
+  incumbents_.offer({std::move(score), found.builds[0]});
+  return point;
+}
+
+/// The slope of the hull at the limit; 0 where the limit is in nobody's way, or no slope is found.
+double SolveRun::price_at_limit(std::size_t limited) {
+  constexpr std::size_t most_steps = 8;
+  constexpr double little = 1e-3;  // that a step has to better the sum by
+  constexpr double share = 0.4;    // of the time left, for all steps
+  const double limit = criteria_.limit[limited];
+  Problem unlimited = problem_;
+  unlimited.resources[*resource_of(criteria_.weight[limited])].limit = infinity;
+  std::optional<Pair> above = best_at_price(unlimited, limited, 0.0);
+  if (!above || within_limit(above->first, limit)) return 0.0;
+  std::optional<Pair> below = best_at_price(unlimited, limited, only_other);
+  if (!below || !within_limit(below->first, limit)) return 0.0;
+  const double now = control_.seconds();
+  const double until = now + share * (control_.options().time_limit_seconds - now);
+  double price = 0.0;
+  for (std::size_t step = 0; step < most_steps && below->second > above->second; ++step) {
+    price = (below->second - above->second) / (above->first - below->first);
+    const std::optional<Pair> between = best_at_price(unlimited, limited, price);
+    if (!between || control_.seconds() > until || control_.time_is_up()) break;
+    const double known = below->second + price * below->first;
+    if (!(between->second + price * between->first < known - little * std::fabs(known))) break;
+    (within_limit(between->first, limit) ? below : above) = between;
+  }
+  return std::isfinite(price) ? price : 0.0;
+}
+
+/// Adds prices of a limit, if it is in the way, for what is searched from then on.
+void SolveRun::price_limit(std::vector<OpenSearch>& open, std::size_t limited) {
+  // What is left to choose may be worth more or less than the whole.
+  constexpr std::array parts = {0.25, 0.5, 1.0, 2.0, 4.0};
+  const double price = price_at_limit(limited);
+  if (!incumbents_.builds().empty()) {
+    const auto stop = [this] { return control_.time_is_up(); };
+    Build better = best_nearby(problem_, control_.options(), incumbents_.builds().front().build, stop);
+    std::vector<double> score = scores_of(better);
+    incumbents_.offer({std::move(score), std::move(better)});
+  }
+  if (!(price > 0.0)) return;
+  limit_priced_ = true;
+  std::vector<double> prices;
+  for (const double part : parts) prices.push_back(part * price);
+  add_limit_prices(criteria_, limited, prices);
+  for (RankedBuild& ranked : incumbents_.builds()) ranked.score = scores_of(ranked.build);
+  go_through(open, [this](OpenSearch& each) { return !begin_again(each); });
+  std::ranges::stable_sort(open, {}, [](const OpenSearch& each) { return each.score[0]; });
+}
+
+/// A combination anew, with the scores that there are now. False: there was no time, or nothing in it is feasible.
+bool SolveRun::begin_again(OpenSearch& open) {
+  const std::span<const Row> shared = open.plans->front().shared;
+  open.search = nullptr;
+  std::vector<StagePlan> plans;
+  const bool prepared = control_.while_there_is_time([&] {
+    plans = make_plans(problem_, shared, criteria_, control_.desk(0), *tables_, PlannedRows::best_of_very_long);
+    leave_out_dominated_rows(plans, control_.desk(0));
+    find_rest_curves(plans, what_matters(), CurveEffort::thorough(), control_.desk(0));
+  });
+  if (!prepared) leave_open(open.score);
+  if (!prepared || plans.empty()) return false;
+  *open.plans = std::move(plans);
+  set_tolerance();
+  open.score[0] = std::max(open.score[0], label_by_label(*open.plans)->run(0).lower_bound);
+  return true;
+}
+
+}  // namespace millwright::solver
