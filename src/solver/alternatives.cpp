@@ -247,7 +247,8 @@ class AlternativeSearch {
     most = std::min(most, ceiling());
     const auto tables = std::make_shared<TableMemory>();
     tables->known_directions = known_in(*restriction);
-    Summary summary = SolveRun(restricted.problem(), options, SolveRun::Scope::all, tables).run();
+    const auto scope = whole ? SolveRun::Scope::all : SolveRun::Scope::unpriced;  // a part is not worth many searches
+    Summary summary = SolveRun(restricted.problem(), options, scope, tables).run();
     nodes_ += summary.nodes;
     evaluations_ += summary.evaluations;
     ++result_.parts;

@@ -16,7 +16,6 @@
 #include <cmath>
 
 #include "solver/nearby.h"
-#include "solver/row_dominance.h"
 #include "solver/solve_run.h"
 
 namespace millwright::solver {
@@ -33,19 +32,27 @@ std::optional<std::size_t> resource_of(const std::vector<double>& weight) {
 
 }  // namespace
 
-/// A score with a limit that can be given a price, in a search that would make use of it.
-std::optional<std::size_t> SolveRun::limited_score() const {
-  if (scope_ != Scope::all || criteria_.objectives != 1 || !priced_) return std::nullopt;
+/// Scores with a limit that can be given a price, in a search that would make use of it.
+std::vector<std::size_t> SolveRun::limited_scores() const {
+  std::vector<std::size_t> limited;
+  if (scope_ != Scope::all || criteria_.objectives != 1 || !priced_) return limited;
   for (std::size_t k = 1; k < criteria_.size(); ++k)
-    if (std::isfinite(criteria_.limit[k]) && criteria_.limit[k] > 0.0 && resource_of(criteria_.weight[k])) return k;
-  return std::nullopt;
+    if (std::isfinite(criteria_.limit[k]) && criteria_.limit[k] > 0.0 && resource_of(criteria_.weight[k]))
+      limited.push_back(k);
+  return limited;
 }
 
 /// A good build of the sum at this price where nothing is limited: (limited score, objective).
-std::optional<Pair> SolveRun::best_at_price(const Problem& unlimited, std::size_t limited, double price) {
+std::optional<Pair> SolveRun::best_at_price(const Problem& unlimited,
+                                            std::size_t limited,
+                                            double price,
+                                            const PriceEffort& effort) {
   constexpr double fine = 5e-3, coarse = 2e-2;  // gaps
-  constexpr double share = 0.15;                // of the time left
-  Options options = control_.options();
+  constexpr double share = 0.3;                 // of the time there is for all prices
+  const Options& asked = control_.options();
+  const double seconds = std::min(share * effort.seconds, effort.until - control_.seconds());
+  if (control_.time_is_up() || !(seconds > 0.0)) return std::nullopt;
+  Options options = asked;
   options.weights = criteria_.weight[0];
   double& weight = options.weights[*resource_of(criteria_.weight[limited])];
   if (price == only_other) {
@@ -54,8 +61,10 @@ std::optional<Pair> SolveRun::best_at_price(const Problem& unlimited, std::size_
   } else {
     weight += price;
   }
-  options.gap = std::max(options.gap, price > 0.0 ? fine : coarse);
-  options.time_limit_seconds = share * (options.time_limit_seconds - control_.seconds());
+  const bool at_end = price == 0.0 || price == only_other;
+  options.gap = std::max(options.gap, at_end ? coarse : fine);
+  options.time_limit_seconds = seconds;
+  options.most_nodes = std::min(asked.most_nodes - std::min(asked.most_nodes, control_.nodes), effort.nodes);
   options.confirm = options.settle_ties = false;
   options.progress = nullptr;  // it would tell of other objectives
   // (What is known of the tables may hold within the limits only.)
@@ -70,24 +79,21 @@ std::optional<Pair> SolveRun::best_at_price(const Problem& unlimited, std::size_
 }
 
 /// The slope of the hull at the limit; 0 where the limit is in nobody's way, or no slope is found.
-double SolveRun::price_at_limit(std::size_t limited) {
+double SolveRun::price_at_limit(std::size_t limited, const PriceEffort& effort) {
   constexpr std::size_t most_steps = 8;
   constexpr double little = 1e-3;  // that a step has to better the sum by
-  constexpr double share = 0.4;    // of the time left, for all steps
   const double limit = criteria_.limit[limited];
   Problem unlimited = problem_;
   unlimited.resources[*resource_of(criteria_.weight[limited])].limit = infinity;
-  std::optional<Pair> above = best_at_price(unlimited, limited, 0.0);
+  std::optional<Pair> above = best_at_price(unlimited, limited, 0.0, effort);
   if (!above || within_limit(above->first, limit)) return 0.0;
-  std::optional<Pair> below = best_at_price(unlimited, limited, only_other);
+  std::optional<Pair> below = best_at_price(unlimited, limited, only_other, effort);
   if (!below || !within_limit(below->first, limit)) return 0.0;
-  const double now = control_.seconds();
-  const double until = now + share * (control_.options().time_limit_seconds - now);
   double price = 0.0;
   for (std::size_t step = 0; step < most_steps && below->second > above->second; ++step) {
     price = (below->second - above->second) / (above->first - below->first);
-    const std::optional<Pair> between = best_at_price(unlimited, limited, price);
-    if (!between || control_.seconds() > until || control_.time_is_up()) break;
+    const std::optional<Pair> between = best_at_price(unlimited, limited, price, effort);
+    if (!between) break;
     const double known = below->second + price * below->first;
     if (!(between->second + price * between->first < known - little * std::fabs(known))) break;
     (within_limit(between->first, limit) ? below : above) = between;
@@ -95,11 +101,22 @@ double SolveRun::price_at_limit(std::size_t limited) {
   return std::isfinite(price) ? price : 0.0;
 }
 
-/// Adds prices of a limit, if it is in the way, for what is searched from then on.
-void SolveRun::price_limit(std::vector<OpenSearch>& open, std::size_t limited) {
+/// Adds prices of a limit that is in the way, for what is searched from then on.
+void SolveRun::price_limit(std::vector<OpenSearch>& open) {
   // What is left to choose may be worth more or less than the whole.
   constexpr std::array parts = {0.25, 0.5, 1.0, 2.0, 4.0};
-  const double price = price_at_limit(limited);
+  constexpr double share = 0.65;  // of the time left
+  constexpr std::uint64_t nodes = 60000;
+  const double now = control_.seconds();
+  const double seconds = share * (control_.options().time_limit_seconds - now);
+  const PriceEffort effort{seconds, now + seconds, nodes + 4 * control_.nodes};
+  double price = 0.0;
+  std::size_t limited = 0;
+  for (const std::size_t each : limited_scores()) {
+    if (price > 0.0) break;
+    limited = each;
+    price = price_at_limit(each, effort);
+  }
   if (!incumbents_.builds().empty()) {
     const auto stop = [this] { return control_.time_is_up(); };
     Build better = best_nearby(problem_, control_.options(), incumbents_.builds().front().build, stop);
@@ -107,13 +124,13 @@ void SolveRun::price_limit(std::vector<OpenSearch>& open, std::size_t limited) {
     incumbents_.offer({std::move(score), std::move(better)});
   }
   if (!(price > 0.0)) return;
-  limit_priced_ = true;
   std::vector<double> prices;
   for (const double part : parts) prices.push_back(part * price);
   add_limit_prices(criteria_, limited, prices);
   for (RankedBuild& ranked : incumbents_.builds()) ranked.score = scores_of(ranked.build);
   go_through(open, [this](OpenSearch& each) { return !begin_again(each); });
   std::ranges::stable_sort(open, {}, [](const OpenSearch& each) { return each.score[0]; });
+  limit_priced_ = !open.empty();
 }
 
 /// A combination anew, with the scores that there are now. False: there was no time, or nothing in it is feasible.
@@ -123,11 +140,10 @@ bool SolveRun::begin_again(OpenSearch& open) {
   std::vector<StagePlan> plans;
   const bool prepared = control_.while_there_is_time([&] {
     plans = make_plans(problem_, shared, criteria_, control_.desk(0), *tables_, PlannedRows::best_of_very_long);
-    leave_out_dominated_rows(plans, control_.desk(0));
-    find_rest_curves(plans, what_matters(), CurveEffort::thorough(), control_.desk(0));
   });
   if (!prepared) leave_open(open.score);
   if (!prepared || plans.empty()) return false;
+  note_covered(plans);
   *open.plans = std::move(plans);
   set_tolerance();
   open.score[0] = std::max(open.score[0], label_by_label(*open.plans)->run(0).lower_bound);

@@ -82,10 +82,19 @@ class SolveRun {
   enum class Settled { no, but_for_equals, yes };
   Settled stage_by_stage(std::vector<StagePlan>& plans, std::span<const double> score);
   void decide_equals();
-  [[nodiscard]] std::optional<std::size_t> limited_score() const;
-  void price_limit(std::vector<OpenSearch>& open, std::size_t limited);
-  std::optional<Pair> best_at_price(const Problem& unlimited, std::size_t limited, double price);
-  double price_at_limit(std::size_t limited);
+  /// What finding prices may take: time in all and when that ends, and nodes of each search.
+  struct PriceEffort {
+    double seconds = 0.0, until = 0.0;
+    std::uint64_t nodes = 0;
+  };
+  [[nodiscard]] std::vector<std::size_t> limited_scores() const;
+  std::optional<Pair> best_at_price(const Problem& unlimited,
+                                    std::size_t limited,
+                                    double price,
+                                    const PriceEffort& effort);
+  double price_at_limit(std::size_t limited, const PriceEffort& effort);
+  void price_limit(std::vector<OpenSearch>& open);
+  void note_covered(const std::vector<StagePlan>& plans);
   bool begin_again(OpenSearch& open);
   bool settle_by_front();
   void look_for_builds(const OpenSearch& open);

@@ -55,10 +55,15 @@ void SolveRun::search() {
       return std::ranges::any_of(in_turn, [&](Effort effort) { return settle(each, effort); });
     });
   };
-  if (const auto limited = limited_score()) {
-    settle_by(std::span(efforts).first(2));
-    if (!open.empty() && !control_.time_is_up()) price_limit(open, *limited);
-    settle_by(std::span(efforts).last(1));
+  if (!limited_scores().empty()) {
+    // As soon as one of them takes long.
+    bool takes_long = false;
+    go_through(open, [&](OpenSearch& each) {
+      takes_long = takes_long || !(settle(each, Effort::brief) || settle(each, Effort::thorough));
+      return !takes_long;
+    });
+    if (!open.empty() && !control_.time_is_up()) price_limit(open);
+    settle_by(std::span(efforts).last(2));
   } else if (priced_) {
     settle_by(efforts);
   } else {
@@ -148,6 +153,15 @@ double SolveRun::leaf_tolerance() const {
   return std::min(0.25, 0.45 / std::max(priced, 1.0)) * tolerated();
 }
 
+/// Which stages have variables that move scores.
+void SolveRun::note_covered(const std::vector<StagePlan>& plans) {
+  priced_stages_.resize(plans.size());
+  for (std::size_t i = 0; i < plans.size(); ++i) {
+    priced_ = priced_ || is_covered(plans[i]);
+    priced_stages_[i] = priced_stages_[i] || is_covered(plans[i]);
+  }
+}
+
 /// Empty when the combination is settled.
 std::optional<SolveRun::OpenSearch> SolveRun::start(const Combination& combination) {
   const std::uint64_t before = control_.evaluations();
@@ -160,11 +174,7 @@ std::optional<SolveRun::OpenSearch> SolveRun::start(const Combination& combinati
   if (!prepared) leave_open(combination.score);
   if (plans.empty()) return std::nullopt;
   open.questions = control_.evaluations() - before;
-  priced_stages_.resize(plans.size());
-  for (std::size_t i = 0; i < plans.size(); ++i) {
-    priced_ = priced_ || is_covered(plans[i]);
-    priced_stages_[i] = priced_stages_[i] || is_covered(plans[i]);
-  }
+  note_covered(plans);
   beyond_scope_ =
       scope_ == Scope::stage_by_stage && !Frontier(problem_, criteria_, plans, incumbents_, control_).applicable();
   if (beyond_scope_) {

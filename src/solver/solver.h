@@ -49,7 +49,8 @@ struct Options {
   /// long as that takes few nodes more than the first. Else, and without, among neighbours of the answer only.
   bool settle_ties = true;
   /// Nodes at which a search ends as for the time limit; those that a solve begins with and ends with (by single
-  /// objectives, among equals) count for themselves.
+  /// objectives, among equals) count for themselves, and each of those that find the price of a limit may take what is
+  /// left.
   std::uint64_t most_nodes = std::numeric_limits<std::uint64_t>::max();
   /// A front is searched more and more coarsely, the more of its time or its nodes is used up (cover_front).
   bool widens = false;
