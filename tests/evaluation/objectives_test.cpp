@@ -115,7 +115,7 @@ TEST_CASE("The best builds by every objective and by weighted sums are those of 
                                             "cost + 300*cycle_time + 0.5*energy",
                                             "0.5*mass + energy"};
   int compliant = 0;
-  for (unsigned seed = 0; seed < (sanitized ? 1 : 6); ++seed) {
+  for (unsigned seed = 0; seed < (sanitized ? 1 : 3); ++seed) {
     const TinyCatalogue tiny(random_prices(seed));
     const machine::Problem problem =
         table(4.0 + 5.0 * (seed % 3), 20.0 + 8.0 * (seed % 4), seed == 5, seed % 3 == 1 ? "vertical" : "horizontal");
@@ -143,7 +143,7 @@ TEST_CASE("The best builds by every objective and by weighted sums are those of 
       CHECK(found.designs[0].satisfied());
     }
   }
-  CHECK(compliant >= (sanitized ? 3 : 24));
+  CHECK(compliant >= (sanitized ? 3 : 12));
 }
 
 TEST_CASE("Fronts of cost against time, energy and error are those of all builds, as exact as they say") {

@@ -128,6 +128,7 @@ TEST_CASE("Cheapest and lightest machines that choose a reduction equal those of
       }
       for (const bool cost : {true, false}) {
         ++compliant;
+        if (sanitized && cost != (force < 300.0)) continue;
         const Design design = solved(model, cost ? "cost" : "mass");
         CHECK(design.satisfied());
         CHECK((cost ? design.cost : design.mass) ==

@@ -79,7 +79,7 @@ Synthesis solved(const MachineModel& model, std::vector<std::string> objectives,
   return evaluation::synthesise(model, options);
 }
 
-constexpr unsigned machines = sanitized ? 5 : 12;
+constexpr unsigned machines = sanitized ? 5 : 8;
 
 void require_compliant(const evaluation::Design& design) {
   CHECK(design.satisfied());

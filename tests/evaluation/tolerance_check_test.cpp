@@ -223,6 +223,7 @@ TEST_CASE("a search that was stopped asks its build no more, and claims nothing 
   REQUIRE(found.designs.front().tolerances);
   CHECK(found.designs.front().tolerances->verdict == ToleranceVerdict::unsettled);
   CHECK(found.designs.front().tolerances->stopped);
+  if (sanitized) return;  // the same search again
   const auto robust = evaluation::synthesise_robustly(problem, inexact.parts(), {}, options);
   CHECK(robust.best.status == solver::Status::limit);
 }
@@ -388,7 +389,7 @@ class Trial {
 TEST_CASE("verdicts on random machines stand the trial of corners") {
   Counts counts;
   const char* asked = std::getenv("MILLWRIGHT_TOLERANCE_TRIALS");
-  const std::uint64_t trials = asked != nullptr ? std::strtoull(asked, nullptr, 10) : sanitized ? 12 : 60;
+  const std::uint64_t trials = asked != nullptr ? std::strtoull(asked, nullptr, 10) : sanitized ? 6 : 40;
   for (std::uint64_t seed = 1; seed <= trials; ++seed) {
     Trial trial(seed, counts);
     INFO("seed " << seed << "\n" << trial.text());

@@ -18,8 +18,8 @@ using namespace zoo;
 const unsigned instances = [] {
   const char* asked = std::getenv("MILLWRIGHT_RANDOM_STACKS");
   return asked != nullptr        ? static_cast<unsigned>(std::strtoul(asked, nullptr, 10))
-         : millwright::sanitized ? 50U
-                                 : 2000U;
+         : millwright::sanitized ? 25U
+                                 : 1000U;
 }();
 
 bool same(double a, double b, double tolerance) { return std::fabs(a - b) <= tolerance * std::fabs(b); }
