@@ -517,7 +517,7 @@ TEST_CASE("The written machines and the sander have every kind of stage") {
 }
 
 TEST_CASE("Bounds of random sets contain their members") {
-  const std::size_t sets = sanitized ? 250 : 2000;
+  const std::size_t sets = sanitized ? 500 : 2000;
   for (const StageEntry* entry : all_stages()) {
     const solver::Stage& stage = entry->as_stage();
     BoxSampler sampler = sampler_of(*entry, 11);
@@ -654,7 +654,7 @@ const Interval& range_of(const SampledBox& b, Input input) {
 // By the mean value theorem a secant between two members is a value of the slope between them, kinks and steps
 // included: nothing has to be left out but rounding.
 TEST_CASE("Slopes of random sets contain the secants between their members") {
-  const std::size_t sets = sanitized ? 350 : 2000;
+  const std::size_t sets = sanitized ? 700 : 2000;
   for (const StageEntry* entry : all_stages()) {
     const solver::Stage& stage = entry->as_stage();
     BoxSampler sampler = sampler_of(*entry, 13);

@@ -18,7 +18,7 @@ using namespace zoo;
 const unsigned instances = [] {
   const char* asked = std::getenv("MILLWRIGHT_RANDOM_STACKS");
   return asked != nullptr        ? static_cast<unsigned>(std::strtoul(asked, nullptr, 10))
-         : millwright::sanitized ? 25U
+         : millwright::sanitized ? 50U
                                  : 1000U;
 }();
 
