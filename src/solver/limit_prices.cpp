@@ -47,8 +47,8 @@ std::optional<Pair> SolveRun::best_at_price(const Problem& unlimited,
                                             std::size_t limited,
                                             double price,
                                             const PriceEffort& effort) {
-  constexpr double fine = 5e-3, coarse = 2e-2;  // gaps
-  constexpr double share = 0.3;                 // of the time there is for all prices
+  constexpr double gap_at_end = 2e-2, gap_between = 5e-3;
+  constexpr double share = 0.3;  // of the time there is for all prices
   const Options& asked = control_.options();
   const double seconds = std::min(share * effort.seconds, effort.until - control_.seconds());
   if (control_.time_is_up() || !(seconds > 0.0)) return std::nullopt;
@@ -62,7 +62,7 @@ std::optional<Pair> SolveRun::best_at_price(const Problem& unlimited,
     weight += price;
   }
   const bool at_end = price == 0.0 || price == only_other;
-  options.gap = std::max(options.gap, at_end ? coarse : fine);
+  options.gap = std::max(options.gap, at_end ? gap_at_end : gap_between);
   options.time_limit_seconds = seconds;
   options.most_nodes = std::min(asked.most_nodes - std::min(asked.most_nodes, control_.nodes), effort.nodes);
   options.confirm = options.settle_ties = false;
