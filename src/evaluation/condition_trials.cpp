@@ -30,6 +30,7 @@ ConditionTrials::ConditionTrials(const machine::Asked& asked,
       started_(now()) {
   options_.builds = 1;
   options_.worksheets = options_.tolerances = false;
+  options_.price_limits = false;  // solves that take so long that it pays are too long for so many
 }
 
 double ConditionTrials::seconds() const { return now() - started_; }

@@ -70,6 +70,7 @@ solver::Options solver_options(const MachineModel& model, const SearchOptions& o
   result.stop = options.stop;
   result.progress = options.progress;
   result.confirm = options.confirm;
+  result.price_limits = options.price_limits;
   return result;
 }
 

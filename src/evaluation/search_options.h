@@ -31,7 +31,8 @@ struct SearchOptions {
   /// it may when it was stopped for want of memory that is there again. It takes `stop` back then.
   std::function<bool()> resume = {};
   std::function<void(const solver::Progress&)> progress;
-  bool confirm = true;  ///< as solver::Options::confirm
+  bool confirm = true;       ///< as solver::Options::confirm
+  bool price_limits = true;  ///< as solver::Options::price_limits
 };
 
 /// The solver's options for these. Throws std::invalid_argument when an objective asks for what the model does not

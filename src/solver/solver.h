@@ -54,6 +54,9 @@ struct Options {
   std::uint64_t most_nodes = std::numeric_limits<std::uint64_t>::max();
   /// A front is searched more and more coarsely, the more of its time or its nodes is used up (cover_front).
   bool widens = false;
+  /// A single objective with a limit on another total, which takes long, is searched with a price on what is limited
+  /// (limit_prices.cpp). To find that takes many searches; answers do not depend on it.
+  bool price_limits = true;
 
   /// Of a front: no finer than the gap.
   [[nodiscard]] double tolerance_of_front() const { return std::max(front_tolerance, gap); }
