@@ -11,6 +11,7 @@
 #include "evaluation/best_build.h"
 #include "evaluation/best_front.h"
 #include "evaluation/build_identity.h"
+#include "evaluation/cheapest_order.h"
 #include "solver/alternatives.h"
 
 namespace millwright::evaluation {
@@ -63,6 +64,8 @@ Synthesis synthesise(const MachineModel& model, const SearchOptions& asked_for) 
     synthesis.proved = best.proved;
   } else {
     summary = options.objectives.size() > 1 ? best_front(model, options) : best_build(model, options);
+    if (summary.status == solver::Status::limit)
+      order_cheapest(model, options, summary.builds, std::min(1.0, 0.05 * asked_for.time_limit_seconds));
   }
   for (const std::string& name : options.objectives)
     if (is_left_out(model, options, name)) summary.method += "; every build has the same " + name;

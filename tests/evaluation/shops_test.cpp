@@ -8,6 +8,7 @@
 
 #include "catch.h"
 #include "evaluation/best_of_all.h"
+#include "evaluation/cheapest_order.h"
 #include "evaluation/exhaustive.h"
 #include "evaluation/market.h"
 #include "evaluation/two_axes.h"
@@ -211,6 +212,108 @@ TEST_CASE("A search that is ended says how far its build is above its bound, as 
     CHECK(found.lower_bound <= cost * (1.0 + 1e-9));
     CHECK(found.gap == Approx((cost - found.lower_bound) / cost).margin(1e-6));
   }
+}
+
+/// The same parts, each from anyone who sells it.
+solver::Build ordered_anywhere(const MachineModel& model, solver::Build build, std::mt19937& random) {
+  for (std::size_t stage = 0; stage < build.stages.size(); ++stage)
+    for (std::size_t slot = 0; slot < build.stages[stage].rows.size(); ++slot) {
+      solver::Row& chosen = build.stages[stage].rows[slot];
+      const auto parts_of = [&](solver::Row row) {
+        return evaluation::parts_name(model.catalogue(), model.candidate(stage, slot, row));
+      };
+      std::vector<solver::Row> alike;
+      for (solver::Row row = 0; row < model.problem().stages[stage]->slots()[slot].rows; ++row)
+        if (parts_of(row) == parts_of(chosen)) alike.push_back(row);
+      chosen = alike[random() % alike.size()];
+    }
+  model.set_suppliers(build);
+  build.resources[model.resource(machine::Quantity::cost)] = model.design(build).cost;
+  return build;
+}
+
+/// What the parts of a build cost at least, of all orders.
+double least_price(const MachineModel& model, const Market& market, const solver::Build& build) {
+  std::vector<Piece> pieces;
+  double others = 0.0;
+  for (std::size_t stage = 0; stage < build.stages.size(); ++stage)
+    for (std::size_t slot = 0; slot < build.stages[stage].rows.size(); ++slot)
+      for (const evaluation::PartUse& use : model.candidate(stage, slot, build.stages[stage].rows[slot]).parts) {
+        const std::string part(model.catalogue().table(use.family).part_number(use.row));
+        if (market.offers.contains(part) || market.owned.contains(part))
+          pieces.emplace_back(part, usual_prices.at(part));
+        else
+          others += use.price;
+      }
+  pieces.emplace_back("", others);
+  return Cheapest(market, pieces).price;
+}
+
+TEST_CASE("Parts that were ordered anywhere are ordered where they cost least, and nothing else is changed") {
+  std::size_t compared = 0, cheaper = 0;
+  for (unsigned seed = 0; seed < (sanitized ? 3 : 12); ++seed) {
+    std::mt19937 random(500 + seed);
+    const Market market = random_market(random, seed);
+    const TinyCatalogue tiny({}, {"ball_screws"});
+    TemporaryFolder overlay;
+    market.write(overlay);
+    const catalogue::Catalogue offered = catalogue_of({tiny.path(), overlay.path()});
+    const MachineModel model(two_axes(4.0 + 8.0 * (seed % 3)), offered);
+    for (const solver::Build& build : solved(model, {"cost", "mass"}).builds) {
+      const solver::Build anywhere = ordered_anywhere(model, build, random);
+      const solver::Build best = evaluation::ordered_cheapest(model, {}, anywhere, 1e3);
+      const Design design = model.design(best);
+      ++compared;
+      CAPTURE(seed, compared);
+      require_sound(design, market);
+      const double price = least_price(model, market, anywhere);
+      CHECK(design.cost == Approx(price).epsilon(1e-9));
+      CHECK(best.resources[model.resource(machine::Quantity::cost)] == Approx(price).epsilon(1e-9));
+      cheaper += design.cost < model.design(anywhere).cost - 1e-6;
+      CHECK(best.shared[0] == anywhere.shared[0]);
+      for (std::size_t stage = 0; stage < best.stages.size(); ++stage) {
+        CHECK(best.stages[stage].variables == anywhere.stages[stage].variables);
+        for (std::size_t slot = 0; slot < best.stages[stage].rows.size(); ++slot) {
+          const auto parts_of = [&](const solver::Build& each) {
+            return evaluation::parts_name(model.catalogue(),
+                                          model.candidate(stage, slot, each.stages[stage].rows[slot]));
+          };
+          CHECK(parts_of(best) == parts_of(anywhere));
+        }
+      }
+      CHECK(evaluation::ordered_cheapest(model, {}, anywhere, 0.0).stages[0].rows == anywhere.stages[0].rows);
+    }
+  }
+  CHECK(compared >= 3);
+  CHECK(cheaper >= 2);
+}
+
+TEST_CASE("Builds of a front that another one beats, once both are ordered cheaply, are left out") {
+  std::size_t fewer = 0;
+  for (unsigned seed = 0; seed < (sanitized ? 2 : 6); ++seed) {
+    std::mt19937 random(700 + seed);
+    const Market market = random_market(random, seed);
+    const TinyCatalogue tiny({}, {"ball_screws"});
+    TemporaryFolder overlay;
+    market.write(overlay);
+    const catalogue::Catalogue offered = catalogue_of({tiny.path(), overlay.path()});
+    const MachineModel model(two_axes(4.0 + 8.0 * (seed % 3)), offered);
+    evaluation::SearchOptions front;
+    front.objectives = {"cost", "mass"};
+    const std::vector<solver::Build> exact = solved(model, front.objectives).builds;
+    std::vector<solver::Build> builds;
+    for (const solver::Build& build : exact)
+      for (int i = 0; i < 2; ++i) builds.push_back(ordered_anywhere(model, build, random));
+    std::shuffle(builds.begin(), builds.end(), random);
+    evaluation::order_cheapest(model, front, builds, 1e3);
+    // All of the front has come back, each once, at its price.
+    REQUIRE(builds.size() == exact.size());
+    for (std::size_t i = 0; i < exact.size(); ++i)
+      for (const std::size_t k : {model.resource(machine::Quantity::cost), model.resource(machine::Quantity::mass)})
+        CHECK(builds[i].resources[k] == Approx(exact[i].resources[k]).epsilon(1e-9));
+    fewer += !exact.empty();
+  }
+  CHECK(fewer >= 2);
 }
 
 // Two motors M17 (9 USD) and two drivers D2 (6 USD): 30 USD. Shop A asks 5 for shipping and has the motors for 7, Shop
