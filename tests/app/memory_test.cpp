@@ -125,7 +125,7 @@ TEST_CASE("A search that takes too much says what it knows, and why it ended") {
 TEST_CASE("A front that has used up the memory goes on for a while with what it gave back") {
   if (millwright::sanitized) return;  // their allocator gives nothing back
   const Workshop shop;
-  const Outcome front = front_within(shop, "0.12");
+  const Outcome front = front_within(shop, "0.18");
   CAPTURE(front.err);
   CHECK(front.exit_code == 3);
   const auto result = nlohmann::json::parse(front.out);
