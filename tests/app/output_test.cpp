@@ -53,7 +53,7 @@ TEST_CASE("What the program made and nobody edits is made anew, all else gives w
   shop.write("m.toml", one_slide);
   std::size_t number = 0;
   for (const Case& each : cases()) {
-    if (sanitized && number++ % 2 == 1) continue;
+    if (sanitized && number++ % 4 != 0) continue;
     INFO(each.command.front() << " " << each.option << " " << each.file);
     const Words words = with(each.command, {each.option, each.file});
     if (!shop.has(each.file)) CHECK(shop.run(words).exit_code == 0);
@@ -138,6 +138,7 @@ TEST_CASE("Nothing that is read is written over, forced or not, however it is sp
   for (const char* file :
        {"m.toml", "./m.toml", "parts/../m.toml", "same.toml", "parts/steppers/mine.csv", "other/steppers/mine.csv"})
     for (const char* option : {"--json", "--bom", "--report", "--write-lock"}) {
+      if (sanitized && std::string(option) != "--json" && std::string(file) != "same.toml") continue;
       INFO(option << " " << file);
       const Outcome outcome = shop.run({"solve", "m.toml", option, file, "--force"});
       CHECK(outcome.exit_code == 2);

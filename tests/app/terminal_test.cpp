@@ -51,7 +51,9 @@ void fits(const std::vector<std::string>& arguments) {
 }
 
 TEST_CASE("Checks of every shipped machine fit 80 columns") {
+  std::size_t number = 0;
   for (const char* name : millwright::shipped_machines) {
+    if (sanitized && number++ % 3 > 0) continue;
     if (!sanitized) fits({"check", problems + name + ".toml", problems + name + "-bom.csv"});
     fits({"check", problems + name + ".toml", problems + name + "-bom.csv", "--full"});
   }
@@ -78,8 +80,10 @@ TEST_CASE("Formulas, catalogues and help fit 80 columns") {
   fits({"formulas"});
   fits({"calc", "power_screw.raising_torque", "force=6.4 kN", "mean_diameter=30 mm", "lead=8 mm", "friction=0.08"});
   fits({"catalogue", "list"});
+  std::size_t number = 0;
   for (const auto& entry : std::filesystem::directory_iterator(MILLWRIGHT_SOURCE_DIR "/catalogues"))
-    if (entry.is_directory()) fits({"catalogue", "list", entry.path().filename().string()});
+    if (entry.is_directory() && (!sanitized || number++ % 4 == 0))
+      fits({"catalogue", "list", entry.path().filename().string()});
   fits({"catalogue", "list", "--gaps"});
   fits({"catalogue", "show", "DFU2505-4"});
   fits({"catalogue", "show", "23HS22-2804S"});

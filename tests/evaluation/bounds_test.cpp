@@ -517,7 +517,7 @@ TEST_CASE("The written machines and the sander have every kind of stage") {
 }
 
 TEST_CASE("Bounds of random sets contain their members") {
-  const std::size_t sets = sanitized ? 500 : 2000;
+  const std::size_t sets = sanitized ? 250 : 2000;
   for (const StageEntry* entry : all_stages()) {
     const solver::Stage& stage = entry->as_stage();
     BoxSampler sampler = sampler_of(*entry, 11);
@@ -579,7 +579,7 @@ std::uint64_t kept_in(const Answer<Interval>& bounds) {
 
 // The search does not ask again about constraints that a set has been proved to keep.
 TEST_CASE("A constraint that a set keeps is kept by its parts, and leaving it out changes nothing else") {
-  const std::size_t sets = sanitized ? 300 : 1000;
+  const std::size_t sets = sanitized ? 150 : 1000;
   for (const StageEntry* entry : all_stages()) {
     const solver::Stage& stage = entry->as_stage();
     BoxSampler sampler = sampler_of(*entry, 14);
@@ -654,7 +654,7 @@ const Interval& range_of(const SampledBox& b, Input input) {
 // By the mean value theorem a secant between two members is a value of the slope between them, kinks and steps
 // included: nothing has to be left out but rounding.
 TEST_CASE("Slopes of random sets contain the secants between their members") {
-  const std::size_t sets = sanitized ? 700 : 2000;
+  const std::size_t sets = sanitized ? 350 : 2000;
   for (const StageEntry* entry : all_stages()) {
     const solver::Stage& stage = entry->as_stage();
     BoxSampler sampler = sampler_of(*entry, 13);
@@ -726,7 +726,7 @@ std::optional<std::pair<Row, Row>> comparable_rows(const solver::Stage& stage,
 // what two rows differ by would not be the sum of what their readings do.
 TEST_CASE("What two rows of a kind differ by lies within the slopes in their readings") {
   std::map<std::size_t, std::size_t> graded_slots;  // [kind of stage]
-  const std::size_t pairs = sanitized ? 30 : 200;
+  const std::size_t pairs = sanitized ? 15 : 200;
   for (const StageEntry* entry : all_stages()) {
     const solver::Stage& stage = entry->as_stage();
     BoxSampler sampler = sampler_of(*entry, 16);
@@ -792,7 +792,7 @@ TEST_CASE("Gradients are the derivatives") {
     BoxSampler sampler = sampler_of(*entry, 14);
     Findings findings;
     std::size_t looked = 0;
-    for (int n = 0; n < (sanitized ? 100 : 300); ++n) {
+    for (int n = 0; n < (sanitized ? 50 : 300); ++n) {
       const SampledPoint p = sampler.point(sampler.box());
       for (const Input input : inputs_of(stage, p.inherited.size())) {
         Answer<double> gradient, at;
@@ -829,7 +829,7 @@ TEST_CASE("Gradients are the derivatives") {
     }
     INFO(entry->axis << "." << entry->element << ": " << findings.count() << " wrong\n" << findings.text());
     CHECK(findings.count() == 0);
-    CHECK(looked > (sanitized ? 300 : 1000));
+    CHECK(looked > (sanitized ? 150 : 1000));
   }
 }
 

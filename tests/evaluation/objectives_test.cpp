@@ -124,7 +124,7 @@ TEST_CASE("The best builds by every objective and by weighted sums are those of 
     const MachineModel model(problem, tiny.parts());
     const MachineModel whole(everything, tiny.parts());
     for (std::size_t i = 0; i < objectives.size(); ++i) {
-      if (sanitized && i % 2 != seed % 2) continue;
+      if (sanitized && i % 3 != 2) continue;
       const std::string& objective = objectives[i];
       const PricedExhaustive all(whole, weights_of(whole, objective));
       INFO("machine " << seed << ", " << objective << ", " << all.builds.size() << " choices of rows");
@@ -143,7 +143,7 @@ TEST_CASE("The best builds by every objective and by weighted sums are those of 
       CHECK(found.designs[0].satisfied());
     }
   }
-  CHECK(compliant >= (sanitized ? 3 : 12));
+  CHECK(compliant >= (sanitized ? 2 : 12));
 }
 
 TEST_CASE("Fronts of cost against time, energy and error are those of all builds, as exact as they say") {

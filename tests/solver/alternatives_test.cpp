@@ -19,7 +19,7 @@ namespace {
 
 using namespace zoo;
 
-constexpr unsigned instances = millwright::sanitized ? 15 : 60;
+constexpr unsigned instances = millwright::sanitized ? 10 : 60;
 
 Options by_cost(unsigned threads = 1) {
   Options options;

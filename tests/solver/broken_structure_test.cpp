@@ -180,9 +180,10 @@ TEST_CASE("Broken structure: fronts with free screw diameters come to an end") {
     int screws, motors;
     std::uint64_t seed;
   };
-  std::vector<Instance> instances{{60, 20, 127}, {60, 20, 299}};
+  std::vector<Instance> instances{{60, 20, 299}};
   if (!millwright::sanitized)
-    for (const Instance& more : {Instance{60, 20, 377}, {200, 50, 64}, {200, 50, 219}, {200, 50, 338}, {200, 50, 348}})
+    for (const Instance& more :
+         {Instance{60, 20, 127}, {60, 20, 377}, {200, 50, 64}, {200, 50, 219}, {200, 50, 338}, {200, 50, 348}})
       instances.push_back(more);
   for (const Instance& each : instances) {
     CAPTURE(each.screws, each.seed);

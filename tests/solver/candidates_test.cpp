@@ -335,7 +335,7 @@ class Trial {
 
 TEST_CASE("The candidates of groups of labels cover every design that matters to one") {
   for (const bool totals : {false, true}) {
-    const std::size_t chains = millwright::sanitized ? 20 : 60;
+    const std::size_t chains = millwright::sanitized ? 12 : 60;
     const std::size_t seeds = totals ? 3 * chains : chains;  // few designs matter by totals
     Counts counts;
     for (unsigned seed = 0; seed < seeds; ++seed) {

@@ -26,7 +26,7 @@ bool is_covered(const Total& design, const std::vector<Build>& builds, double pa
 }  // namespace
 
 TEST_CASE("A front ended after any number of nodes is covered to the tolerance that it states") {
-  const unsigned seeds = millwright::sanitized ? 40 : 700;
+  const unsigned seeds = millwright::sanitized ? 40 : 400;
   unsigned ended = 0, stated = 0, covered = 0, closer = 0, wider_than_asked = 0;
   for (unsigned seed = 1; seed <= seeds; ++seed) {
     const Stack stack = random_stack(seed);

@@ -68,7 +68,7 @@ void check_ended(const Problem& problem, Options options, double least, std::uin
 }
 
 TEST_CASE("With a price on a limit the best build within it is that of all builds") {
-  const unsigned wanted = millwright::sanitized ? 6 : 50;
+  const unsigned wanted = millwright::sanitized ? 3 : 50;
   unsigned tested = 0, with_prices = 0;
   for (unsigned seed = 1; tested < wanted; ++seed) {
     Stack stack = random_stack(seed);

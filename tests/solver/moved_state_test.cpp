@@ -27,7 +27,7 @@ using zoo::front_of;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double shortest = 0.05, longest = 2.0;  // s, of every variable
-constexpr std::size_t machines = millwright::sanitized ? 15 : 120;
+constexpr std::size_t machines = millwright::sanitized ? 8 : 120;
 
 enum State : std::size_t { mass, power, state_size };
 enum Frame : std::size_t { frame_price, frame_mass };

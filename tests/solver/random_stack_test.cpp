@@ -18,8 +18,8 @@ using namespace zoo;
 const unsigned instances = [] {
   const char* asked = std::getenv("MILLWRIGHT_RANDOM_STACKS");
   return asked != nullptr        ? static_cast<unsigned>(std::strtoul(asked, nullptr, 10))
-         : millwright::sanitized ? 50U
-                                 : 1000U;
+         : millwright::sanitized ? 30U
+                                 : 600U;
 }();
 
 bool same(double a, double b, double tolerance) { return std::fabs(a - b) <= tolerance * std::fabs(b); }
@@ -253,7 +253,7 @@ TEST_CASE("Fronts to a wide tolerance leave out nothing that is better by more")
 }
 
 TEST_CASE("The number of threads does not change anything in the answer") {
-  for (unsigned seed = 1; seed <= 60; ++seed) {
+  for (unsigned seed = 1; seed <= (millwright::sanitized ? 20U : 60U); ++seed) {
     const Stack stack = random_stack(seed);
     for (const bool stagewise : {true, false}) {
       Options options = by({0, 1}, {});
