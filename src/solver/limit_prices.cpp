@@ -66,7 +66,8 @@ std::optional<Pair> SolveRun::best_at_price(const Problem& unlimited,
   options.time_limit_seconds = seconds;
   options.most_nodes = std::min(asked.most_nodes - std::min(asked.most_nodes, control_.nodes), effort.nodes);
   options.confirm = options.settle_ties = false;
-  options.progress = nullptr;  // it would tell of other objectives
+  // Its bound and its builds are of other objectives; that the time goes on may be told.
+  if (asked.progress) options.progress = [this](const Progress&) { control_.report(incumbents_.best()); };
   // (What is known of the tables may hold within the limits only.)
   const Summary found = SolveRun(unlimited, options, Scope::unpriced).run();
   control_.nodes += found.nodes;

@@ -69,7 +69,7 @@ void check_ended(const Problem& problem, Options options, double least, std::uin
 
 TEST_CASE("With a price on a limit the best build within it is that of all builds") {
   const unsigned wanted = millwright::sanitized ? 3 : 50;
-  unsigned tested = 0, with_prices = 0;
+  unsigned tested = 0, with_prices = 0, reports = 0;
   for (unsigned seed = 1; tested < wanted; ++seed) {
     Stack stack = random_stack(seed);
     if (!stack.priced) continue;
@@ -88,6 +88,17 @@ TEST_CASE("With a price on a limit the best build within it is that of all build
       for (const unsigned threads : {1U, 2U}) {
         Options options = options_for(objective);
         options.threads = threads;
+        options.progress_interval_seconds = 0.0;
+        double bound = -infinity, best = infinity;
+        options.progress = [&](const Progress& progress) {
+          REQUIRE(progress.lower_bound >= bound);
+          REQUIRE(progress.lower_bound <= least * (1.0 + gap));
+          REQUIRE(rounded(progress.incumbent) <= rounded(best));
+          REQUIRE(progress.incumbent >= least * (1.0 - 1e-9));
+          bound = progress.lower_bound;
+          best = progress.incumbent;
+          ++reports;
+        };
         const Summary found = solve(problem, options);
         REQUIRE(found.status == Status::optimal);
         REQUIRE(found.builds[0].resources[objective] <= least * (1.0 + 2.0 * gap));
@@ -100,6 +111,7 @@ TEST_CASE("With a price on a limit the best build within it is that of all build
         check_ended(problem, options_for(objective), least, nodes);
     }
   }
+  CHECK(reports > 10 * tested);
   if (!millwright::sanitized) CHECK(with_prices >= wanted / 2);
 }
 
