@@ -8,17 +8,11 @@
 
 namespace millwright::evaluation {
 
-/// `build` with its parts, its dimensions and its supply voltage as they are, from the suppliers of which the order
-/// costs least as builds are compared (MachineModel::compared); `build` itself where no other order is cheaper, or none
-/// is found in so many seconds, or where suppliers charge for nothing but their parts, or where the model was made for
-/// objectives that no cost is in. Of the options the gap and the threads count.
-solver::Build ordered_cheapest(const MachineModel& model,
-                               const SearchOptions& options,
-                               const solver::Build& build,
-                               double seconds);
-
-/// The same for builds of a front, or for the one best build. Of a front those are left out that another one beats
-/// then.
+/// Builds with their parts, dimensions and supply voltages as they are, from the suppliers of which the order costs
+/// least as builds are compared (MachineModel::compared). A build stays as it is where no other order is cheaper or
+/// none is found in the time there is for all, in seconds; all do where suppliers charge for nothing but their parts,
+/// or where the model was made for objectives that no cost is in. Of a front those are left out that another one beats
+/// then. Of the options objectives, gap and threads count.
 void order_cheapest(const MachineModel& model,
                     const SearchOptions& options,
                     std::vector<solver::Build>& builds,

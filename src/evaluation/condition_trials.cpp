@@ -30,7 +30,6 @@ ConditionTrials::ConditionTrials(const machine::Asked& asked,
       started_(now()) {
   options_.builds = 1;
   options_.worksheets = options_.tolerances = false;
-  options_.price_limits = false;  // solves that take so long that it pays are too long for so many
 }
 
 double ConditionTrials::seconds() const { return now() - started_; }
@@ -57,12 +56,13 @@ void ConditionTrials::check_time() const {
 }
 
 SearchOptions ConditionTrials::begin(const std::string& what, bool patiently) {
+  SearchOptions options = options_;
   {
     const std::lock_guard lock(mutex_);
     if (progress_) progress_(solves_, what);
+    options.price_limits = solves_ == 0;  // to find one takes many searches: too many for each of a hundred trials
     ++solves_;
   }
-  SearchOptions options = options_;
   if (at_once_) options.threads = 1;
   check_time();
   options.time_limit_seconds = patiently ? left() : std::min(left(), patience_);

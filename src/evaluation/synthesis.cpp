@@ -40,6 +40,8 @@ Synthesis synthesise(const MachineModel& model, const SearchOptions& asked_for) 
   SearchOptions options = asked_for;
   // What is left is for the tolerances: a front whose builds are not asked would be worth little.
   if (options.tolerances) options.time_limit_seconds *= options.objectives.size() > 1 ? 0.9 : 0.95;
+  const double to_order = model.shops().empty() ? 0.0 : std::min(1.0, 0.05 * options.time_limit_seconds);
+  options.time_limit_seconds -= to_order;
   Synthesis synthesis;
   synthesis.empty_slots = model.empty_slots();
   if (!synthesis.empty_slots.empty()) return synthesis;
@@ -64,8 +66,8 @@ Synthesis synthesise(const MachineModel& model, const SearchOptions& asked_for) 
     synthesis.proved = best.proved;
   } else {
     summary = options.objectives.size() > 1 ? best_front(model, options) : best_build(model, options);
-    if (summary.status == solver::Status::limit)
-      order_cheapest(model, options, summary.builds, std::min(1.0, 0.05 * asked_for.time_limit_seconds));
+    // (Whoever stopped the search wants to see what it found: in an order that makes sense.)
+    if (summary.status == solver::Status::limit) order_cheapest(model, options, summary.builds, to_order);
   }
   for (const std::string& name : options.objectives)
     if (is_left_out(model, options, name)) summary.method += "; every build has the same " + name;
@@ -83,6 +85,9 @@ Synthesis synthesise(const MachineModel& model, const SearchOptions& asked_for) 
   }
   if (summary.status == solver::Status::limit && options.objectives.size() == 1 && !synthesis.designs.empty())
     summary.gap = gap_of(model, options, summary, synthesis.designs.front());
+  if (summary.status == solver::Status::limit && options.objectives.size() == 1 && options.builds == 1 &&
+      !synthesis.designs.empty() && summary.gap <= options.gap)
+    synthesis.status = solver::Status::optimal;
   synthesis.builds = std::move(summary.builds);
   synthesis.lower_bound = summary.lower_bound;
   synthesis.gap = summary.gap;
