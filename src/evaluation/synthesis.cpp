@@ -83,11 +83,10 @@ Synthesis synthesise(const MachineModel& model, const SearchOptions& asked_for) 
     design.tolerances =
         std::make_shared<const ToleranceCheck>(check_tolerances(model, summary.builds[i], design, effort));
   }
-  if (summary.status == solver::Status::limit && options.objectives.size() == 1 && !synthesis.designs.empty())
+  if (summary.status == solver::Status::limit && options.objectives.size() == 1 && !synthesis.designs.empty()) {
     summary.gap = gap_of(model, options, summary, synthesis.designs.front());
-  if (summary.status == solver::Status::limit && options.objectives.size() == 1 && options.builds == 1 &&
-      !synthesis.designs.empty() && summary.gap <= options.gap)
-    synthesis.status = solver::Status::optimal;
+    if (options.builds == 1 && summary.gap <= options.gap) synthesis.status = solver::Status::optimal;
+  }
   synthesis.builds = std::move(summary.builds);
   synthesis.lower_bound = summary.lower_bound;
   synthesis.gap = summary.gap;

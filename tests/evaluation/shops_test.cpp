@@ -193,6 +193,27 @@ TEST_CASE("With several shops and preferred parts the best build is that of all 
   CHECK(ordered > 0);
 }
 
+/// Two axes whose parts several shops sell.
+struct Offered {
+  Offered(std::mt19937& random, unsigned seed, const std::vector<std::string>& without)
+      : market(random_market(random, seed)),
+        tiny({}, without),
+        parts(catalogue_with(market)),
+        model(two_axes(4.0 + 8.0 * (seed % 3)), parts) {}
+
+  Market market;
+  TinyCatalogue tiny;
+  TemporaryFolder overlay;
+  catalogue::Catalogue parts;
+  MachineModel model;
+
+ private:
+  [[nodiscard]] catalogue::Catalogue catalogue_with(const Market& shops) const {
+    shops.write(overlay);
+    return catalogue_of({tiny.path(), overlay.path()});
+  }
+};
+
 /// The same parts, each from anyone who sells it.
 solver::Build ordered_anywhere(const MachineModel& model, solver::Build build, std::mt19937& random) {
   for (std::size_t stage = 0; stage < build.stages.size(); ++stage)
@@ -254,14 +275,10 @@ TEST_CASE("A search that is ended says how far its build is above its bound, as 
 
 // Found by trying: where such a search had come to was up to a tenth dearer than its parts need be.
 TEST_CASE("The build of a search that is stopped is ordered where its parts cost least") {
-  const TinyCatalogue tiny;
   for (const unsigned seed : {0U, 5U, 7U, 10U}) {
     std::mt19937 random(900 + seed);
-    const Market market = random_market(random, seed);
-    TemporaryFolder overlay;
-    market.write(overlay);
-    const catalogue::Catalogue offered = catalogue_of({tiny.path(), overlay.path()});
-    const MachineModel model(two_axes(4.0 + 8.0 * (seed % 3)), offered);
+    const Offered machine(random, seed, {});
+    const MachineModel& model = machine.model;
     for (const int milliseconds : {2, 5, 10, 20, 50, 100}) {
       std::atomic<bool> stop{false};
       const std::jthread timer([&] {
@@ -273,8 +290,8 @@ TEST_CASE("The build of a search that is stopped is ordered where its parts cost
       const Synthesis found = evaluation::synthesise(model, options);
       if (found.designs.empty()) continue;
       CAPTURE(seed, milliseconds);
-      require_sound(found.designs[0], market);
-      CHECK(found.designs[0].cost == Approx(least_price(model, market, found.builds[0])).epsilon(2e-6));
+      require_sound(found.designs[0], machine.market);
+      CHECK(found.designs[0].cost == Approx(least_price(model, machine.market, found.builds[0])).epsilon(2e-6));
       CHECK(found.lower_bound <= found.designs[0].cost * (1.0 + 1e-9));
     }
   }
@@ -291,20 +308,16 @@ TEST_CASE("Parts that were ordered anywhere are ordered where they cost least, a
   std::size_t compared = 0, cheaper = 0;
   for (unsigned seed = 0; seed < (sanitized ? 3 : 12); ++seed) {
     std::mt19937 random(500 + seed);
-    const Market market = random_market(random, seed);
-    const TinyCatalogue tiny({}, {"ball_screws"});
-    TemporaryFolder overlay;
-    market.write(overlay);
-    const catalogue::Catalogue offered = catalogue_of({tiny.path(), overlay.path()});
-    const MachineModel model(two_axes(4.0 + 8.0 * (seed % 3)), offered);
+    const Offered machine(random, seed, {"ball_screws"});
+    const MachineModel& model = machine.model;
     for (const solver::Build& build : solved(model, {"cost", "mass"}).builds) {
       const solver::Build anywhere = ordered_anywhere(model, build, random);
       const solver::Build best = ordered_cheapest(model, anywhere, 1e3);
       const Design design = model.design(best);
       ++compared;
       CAPTURE(seed, compared);
-      require_sound(design, market);
-      const double price = least_price(model, market, anywhere);
+      require_sound(design, machine.market);
+      const double price = least_price(model, machine.market, anywhere);
       CHECK(design.cost == Approx(price).epsilon(1e-9));
       CHECK(best.resources[model.resource(machine::Quantity::cost)] == Approx(price).epsilon(1e-9));
       cheaper += design.cost < model.design(anywhere).cost - 1e-6;
@@ -333,12 +346,8 @@ TEST_CASE("Builds of a front that another one beats, once both are ordered cheap
   std::size_t compared = 0;
   for (unsigned seed = 0; seed < (sanitized ? 2 : 6); ++seed) {
     std::mt19937 random(700 + seed);
-    const Market market = random_market(random, seed);
-    const TinyCatalogue tiny({}, {"ball_screws"});
-    TemporaryFolder overlay;
-    market.write(overlay);
-    const catalogue::Catalogue offered = catalogue_of({tiny.path(), overlay.path()});
-    const MachineModel model(two_axes(4.0 + 8.0 * (seed % 3)), offered);
+    const Offered machine(random, seed, {"ball_screws"});
+    const MachineModel& model = machine.model;
     evaluation::SearchOptions front;
     front.objectives = {"cost", "mass"};
     const std::vector<solver::Build> exact = solved(model, front.objectives).builds;

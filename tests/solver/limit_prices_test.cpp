@@ -105,7 +105,14 @@ TEST_CASE("With a price on a limit the best build within it is that of all build
         REQUIRE(found.builds[0].resources[objective] >= least * (1.0 - 1e-9));
         REQUIRE(found.builds[0].resources[1 - objective] <= limit * (1.0 + 1e-12));
         REQUIRE(found.lower_bound <= least * (1.0 + 1e-12));
-        if (threads == 1) with_prices += names_prices(found) ? 1 : 0;
+        if (threads > 1) continue;
+        with_prices += names_prices(found) ? 1 : 0;
+        options.progress = nullptr;
+        options.price_limits = false;
+        const Summary without = solve(problem, options);
+        REQUIRE(without.status == Status::optimal);
+        REQUIRE(without.builds[0].resources[objective] == Approx(least).epsilon(2.0 * gap));
+        REQUIRE_FALSE(names_prices(without));
       }
       for (const std::uint64_t nodes : {std::uint64_t{5}, std::uint64_t{50}})
         check_ended(problem, options_for(objective), least, nodes);
