@@ -1,21 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/file_names.h"
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <set>
 #include <string>
 
+#include "text/characters.h"
+
 namespace millwright::app {
+
+std::string ending_of(const std::string& file) {
+  return text::lower_case(std::filesystem::path(file).extension().string());
+}
+
 namespace {
 
 CLI::Validator ending_as(const std::string& kind) {
   const auto complaint = [kind](const std::string& name) -> std::string {
     static const std::set<std::string> known{".xlsx", ".xls", ".ods", ".pdf"};
-    std::string ending = std::filesystem::path(name).extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
-    const bool is_other = name == "-" || known.contains(ending);
+    const bool is_other = name == "-" || known.contains(ending_of(name));
     return is_other ? name + ": a " + kind + " file is expected here" : "";
   };
   return CLI::Validator(complaint, "");

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "app/file_names.h"
 #include "app/output_target.h"
 #include "catalogue/file_names.h"
 #include "report/order_files.h"
@@ -83,7 +84,7 @@ bool deliver(const Options& options, const std::string& text, const std::string&
 
 namespace {
 
-bool is_workbook(const std::string& file) { return std::filesystem::path(file).extension() == ".xlsx"; }
+bool is_workbook(const std::string& file) { return ending_of(file) == ".xlsx"; }
 
 /// The files of `--order`: a workbook, or a table and beside it the cutting list.
 std::vector<std::string> order_files(const std::string& file) {
@@ -170,7 +171,7 @@ std::vector<std::string> sources_of(const Options& options) {
 bool outputs_are_writable(const Options& options, text::Diagnostics& diagnostics) {
   const std::size_t errors = diagnostics.error_count();
   if (!options.order.empty()) {
-    const std::string kind = std::filesystem::path(options.order).extension().string();
+    const std::string kind = ending_of(options.order);
     if (kind != ".csv" && kind != ".xlsx")
       diagnostics.error(fmt::format("--order: {} is neither a .csv nor an .xlsx file", text::printable(options.order)),
                         "write for example --order order.xlsx");

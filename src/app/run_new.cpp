@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
-#include <filesystem>
-
 #include "app/commands.h"
+#include "app/file_names.h"
 #include "app/output.h"
 #include "app/output_target.h"
 #include "app/templates.h"
@@ -32,12 +29,8 @@ const Template* find_template(const std::string& name, text::Diagnostics& diagno
 
 /// What is wrong with the name of the file, as far as writing itself would not find it.
 void check_name(const Options& options, text::Diagnostics& diagnostics) {
-  const std::filesystem::path path(options.problem);
   const std::string shown = text::printable(options.problem);
-  std::string ending = path.extension().string();
-  std::transform(
-      ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (ending == ".json")
+  if (ending_of(options.problem) == ".json")
     diagnostics.error(shown + ": templates are TOML, and a file of this name is read as JSON", "let it end in .toml");
 }
 

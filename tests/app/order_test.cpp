@@ -104,6 +104,8 @@ TEST_CASE("solve writes an order as workbook, and none of a build that does not 
   CHECK(shop.run({"solve", "m.toml", "--order", "o.xlsx", "--bom", "b.csv"}).exit_code == 0);
   CHECK(shop.read("o.xlsx").rfind("PK", 0) == 0);
   CHECK(shop.entries() == 3);
+  CHECK(shop.run({"check", "m.toml", "b.csv", "--order", "O.XLSX"}).exit_code == 0);
+  CHECK(shop.read("O.XLSX") == shop.read("o.xlsx"));
   shop.write("heavy.toml", one_slide_with("time = \"20 s\"", "time = \"0.7 s\""));
   CHECK(shop.run({"solve", "heavy.toml", "--order", "h.xlsx"}).exit_code == 1);
   CHECK_FALSE(shop.has("h.xlsx"));
