@@ -21,7 +21,7 @@ endfunction()
 option(MILLWRIGHT_UNITY "Compile sources in batches" ON)
 function(millwright_unite target)
   if(MILLWRIGHT_UNITY)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 16)
     # A class hidden in a source may have members that are hidden there: a batch is no header.
     target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
   endif()

@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "app/output.h"
 #include "catalogue/location.h"
+#include "machine/choosing_words.h"
 #include "machine/problem_file.h"
 #include "machine/references.h"
 #include "machine/setting_range.h"
@@ -66,12 +68,25 @@ void find_profiles(const text::Node& node, bool in_moves, std::vector<std::strin
   for (const text::Node& each : node.items()) find_profiles(each, in_moves, names);
 }
 
+/// The last one would win, and a report would state both.
+bool is_set_once(const std::vector<std::string>& settings, text::Diagnostics& diagnostics) {
+  std::set<std::string> paths;
+  bool good = true;
+  for (const std::string& setting : settings) {
+    const std::string path = setting.substr(0, setting.find('='));
+    if (paths.insert(path).second) continue;
+    diagnostics.error(fmt::format("--set {} is given twice", text::printable(path)), "leave one out");
+    good = false;
+  }
+  return good;
+}
+
 std::optional<machine::Problem> read_problem(const Options& options,
                                              std::optional<text::Document>& document,
                                              text::Diagnostics& diagnostics) {
   document = text::read_document(options.problem, diagnostics);
   if (!document) return std::nullopt;
-  bool good = true;
+  bool good = is_set_once(options.settings, diagnostics);
   for (const std::string& setting : options.settings)
     good = is_single(setting, diagnostics) && document->set(setting, diagnostics) && good;
   auto problem = machine::problem_of(*document, diagnostics);
@@ -123,6 +138,7 @@ std::optional<MachineInput> read_machine(const Options& options, text::Diagnosti
   steering.settings = options.settings;
   if (diagnostics.error_count() == errors) {  // else parts may seem unknown that only could not be read
     machine::check_references(*problem, catalogue, diagnostics);
+    machine::note_idle_words(*problem, *document, catalogue, diagnostics);
     steering.without = machine::read_excluded(options.without, *problem, catalogue, diagnostics);
     machine::exclude_unavailable(catalogue, steering.without);
     steering.fixed = machine::read_fixed(options.fixed, *problem, catalogue, steering.without, diagnostics);

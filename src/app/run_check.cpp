@@ -10,6 +10,7 @@
 #include "app/output.h"
 #include "app/search_watch.h"
 #include "machine/bill_of_materials.h"
+#include "machine/choosing_words.h"
 #include "report/json.h"
 #include "report/machine_text.h"
 #include "report/page.h"
@@ -91,7 +92,10 @@ int run_check(const Options& options) {
   const auto text = text::SourceText::load(options.bom, diagnostics);
   const auto bom = input && text ? read_bom(options, input->problem, text, diagnostics) : std::nullopt;
   const auto lock = input && text ? verify_lock(options, *input, diagnostics, {text}) : std::nullopt;
-  if (bom) machine::refuse_excluded(*bom, input->steering.without, diagnostics);
+  if (bom) {
+    machine::refuse_excluded(*bom, input->steering.without, diagnostics);
+    machine::note_unwanted_lines(*bom, options.hold_origin, input->problem, input->catalogue, diagnostics);
+  }
   if (!bom || !writable || diagnostics.has_errors()) {
     print(diagnostics);
     return exit_bad_input;

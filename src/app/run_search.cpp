@@ -48,6 +48,15 @@ bool write_bom(const Options& options, const report::MachineResult& result) {
   return written;
 }
 
+/// A file of an earlier run that stays must not pass for this one's.
+void note_unwritten(const Options& options, const report::MachineResult& result) {
+  if (!result.designs.empty()) return;
+  text::Diagnostics remarks;
+  for (const std::string& file : {options.bom, options.order})
+    if (!file.empty()) remarks.warning({}, text::printable(file) + ": not written, as there is no build", "");
+  print(remarks);
+}
+
 int exit_code_of(const report::MachineResult& result) {
   if (result.status == report::Status::limit) return exit_limit;
   return result.designs.empty() ? exit_failed : exit_done;
@@ -100,6 +109,7 @@ int run_search(const Options& options) {
   // What was found is shown, and written elsewhere, even if one of the files could not be.
   bool written = write_bom(options, result);
   if (!result.designs.empty()) written = write_order(options, result.designs.front(), result.title) && written;
+  note_unwritten(options, result);
   written = write_lock(options, *input, designs_of(options, result)) && written;
   const report::Style style = output_style(options);
   const bool front = options.verb == Verb::pareto;

@@ -16,9 +16,9 @@ namespace millwright::catalogue {
 namespace {
 
 /// Ratings of twins are equal up to this: tables are rounded, and housings carry a little differently.
-constexpr double alike = 1.18;
+constexpr double equal_up_to = 1.18;
 
-bool differ(double a, double b) { return !(a < b * alike && b < a * alike); }
+bool differ(double a, double b) { return !(a < b * equal_up_to && b < a * equal_up_to); }
 
 /// The figure that two twins contradict each other in least: in order, the middle one; of an even number, the lower.
 double middle(std::vector<double> values) {

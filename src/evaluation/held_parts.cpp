@@ -174,7 +174,13 @@ class Holder {
                          entry.axis,
                          part.quantity),
              "order as many as the problem file has of it (carriages, drives, members), or change the problem"});
-      if (line.length && *line.length < part.length * (1.0 - 1e-6))  // a bill has 7 digits
+      if (line.length && part.length <= 0.0)
+        result_.problems.push_back(
+            {line.where,
+             fmt::format(
+                 "'{}' has a length, and the {} of axis '{}' is not cut", line.part_number, line.slot, entry.axis),
+             "leave the column length empty"});
+      else if (line.length && *line.length < part.length * (1.0 - 1e-6))  // a bill has 7 digits
         result_.problems.push_back({line.where,
                                     fmt::format("'{}' is cut to {:.6g} mm, and the {} of axis '{}' needs {:.6g} mm",
                                                 line.part_number,

@@ -124,8 +124,8 @@ class Checker {
     const auto value = dimension(claim, calculation);
     if (!value || value->dimension == claim.unit().dimension()) return;
     diagnostics_.error(calculation.where,
-                       "this gives " + scalar::to_string(value->dimension) + ", but " + claim.id + " is read in " +
-                           claim.unit().name(),
+                       "this gives " + scalar::to_string(value->dimension) + ", but " + claim.id + " is " +
+                           (claim.unit().name().empty() ? "a bare number" : "read in " + claim.unit().name()),
                        "if the paper prints a wrong unit, say with read_as in which one the number is meant");
   }
 

@@ -43,7 +43,7 @@ struct CutMaterial {
   std::string_view name;
   double unit_specific_force, exponent;
 };
-constexpr CutMaterial materials[] = {
+constexpr CutMaterial cut_materials[] = {
     {"unalloyed steel", 1700e6, 0.25},
     {"alloy steel", 1950e6, 0.25},
     {"stainless steel", 2000e6, 0.21},
@@ -68,9 +68,9 @@ void read_material(TableReader& table, QuantityReader& q, CuttingProcess& proces
       nullptr)
     return;
   std::vector<std::string> names;
-  for (const CutMaterial& material : materials) names.emplace_back(material.name);
+  for (const CutMaterial& material : cut_materials) names.emplace_back(material.name);
   process.material = table.word({"material", "what is cut"}, names).value_or("");
-  for (const CutMaterial& material : materials) {
+  for (const CutMaterial& material : cut_materials) {
     if (material.name != process.material) continue;
     process.unit_specific_force = material.unit_specific_force;
     process.exponent = material.exponent;

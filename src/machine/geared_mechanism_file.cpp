@@ -155,14 +155,20 @@ void read_reductions(TableReader& table, Mechanism& mechanism, Diagnostics& diag
   tables.key = "reduction";
   table.describe(tables);
   if (given == nullptr) return;
+  const std::size_t errors = diagnostics.error_count();
   const bool many = given->is_array();
   const std::vector<const Node*> nodes = table.list("reduction");
   if (many && nodes.empty())
     diagnostics.error(given->span(), "reduction: the list is empty", "list reductions, or leave the key out");
+  const std::string title = "reduction in the " + table.title();
   for (const Node* node : nodes)
-    mechanism.reductions.push_back(
-        read_reduction(*node, mechanism, many, "reduction in the " + table.title(), diagnostics));
+    mechanism.reductions.push_back(read_reduction(*node, mechanism, many, title, diagnostics));
   check_list(nodes, mechanism, diagnostics);
+  for (const Node* node : nodes)
+    if (diagnostics.error_count() == errors && node->find("price") == nullptr)
+      diagnostics.warning(node->span(),
+                          title + " has no price and counts as free",
+                          "add price = \"60 USD\", or \"0 USD\" if it costs nothing");
 }
 
 void read_rack(TableReader& table, Mechanism& mechanism, Diagnostics& diagnostics) {

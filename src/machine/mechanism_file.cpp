@@ -195,11 +195,13 @@ MotorChoice read_motor(const Node& node, const std::string& title, Diagnostics& 
     if (word.empty() ||
         (word.starts_with("NEMA") && word.size() > 4 && std::all_of(word.begin() + 4, word.end(), digit)))
       continue;
-    std::string size;
-    std::copy_if(word.begin(), word.end(), std::back_inserter(size), digit);
+    const auto begin = std::find_if(word.begin(), word.end(), digit);
+    const std::string size(begin, std::find_if_not(begin, word.end(), digit));
     diagnostics.error(frame->span(),
                       fmt::format("frame: {} is no motor frame", text::in_quotes(word)),
-                      fmt::format("write \"NEMA{}\", without blank", size.empty() ? "23" : size));
+                      word.find(',') != std::string::npos
+                          ? "several are a list: [\"NEMA17\", \"NEMA23\"]"
+                          : fmt::format("write \"NEMA{}\", without blank", size.empty() ? "23" : size));
   }
   motor.currents = q.choices(
       {"current", "peak currents that may be set at the driver; else the rated one, times current_factor"}, "A");

@@ -18,22 +18,24 @@ using text::TableReader;
 
 namespace {
 
-constexpr std::pair<std::string_view, MemberKind> kinds[] = {{"shaft", MemberKind::round_shaft},
-                                                             {"bar", MemberKind::rectangular_bar},
-                                                             {"beam", MemberKind::section_beam},
-                                                             {"column", MemberKind::column},
-                                                             {"weld", MemberKind::weld},
-                                                             {"plate", MemberKind::plate},
-                                                             {"portal_frame", MemberKind::portal_frame},
-                                                             {"bolts", MemberKind::bolts}};
+constexpr std::pair<std::string_view, MemberKind> member_kinds[] = {{"shaft", MemberKind::round_shaft},
+                                                                    {"bar", MemberKind::rectangular_bar},
+                                                                    {"beam", MemberKind::section_beam},
+                                                                    {"column", MemberKind::column},
+                                                                    {"weld", MemberKind::weld},
+                                                                    {"plate", MemberKind::plate},
+                                                                    {"portal_frame", MemberKind::portal_frame},
+                                                                    {"bolts", MemberKind::bolts}};
 
 /// The kind by its word or, if that cannot be read, by the keys that only one kind has; none if nothing tells.
 std::optional<MemberKind> read_kind(TableReader& table, QuantityReader& q) {
   if (q.required("kind", "kind = \"beam\" (or shaft, bar, column, weld, plate, portal_frame, bolts)") != nullptr) {
     std::vector<std::string> words;
-    for (const auto& [word, kind] : kinds) words.emplace_back(word);
+    for (const auto& [word, kind] : member_kinds) words.emplace_back(word);
     if (const auto word = table.word({"kind", "what it is"}, words))
-      return std::find_if(std::begin(kinds), std::end(kinds), [&](const auto& k) { return k.first == *word; })->second;
+      return std::find_if(
+                 std::begin(member_kinds), std::end(member_kinds), [&](const auto& k) { return k.first == *word; })
+          ->second;
   }
   const Node& node = table.node();
   if (node.find("thickness") != nullptr) return MemberKind::plate;

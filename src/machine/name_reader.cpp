@@ -89,6 +89,10 @@ std::vector<std::string> QuantityReader::words(const text::Key& key, const std::
     if (word->empty())
       diagnostics_.error(
           node->span(), fmt::format("{}: an empty word", key.name), "leave it out, or write what is wanted");
+    else if (text::without_blanks(*word).size() != word->size())
+      diagnostics_.error(node->span(),
+                         fmt::format("{}: {} begins or ends with a blank", key.name, text::in_quotes(*word)),
+                         "write the word without it");
     if (!word->empty() && std::find(seen.begin(), seen.end(), *word) != seen.end())
       diagnostics_.error(
           node->span(), fmt::format("{}: {} is there twice", key.name, text::in_quotes(*word)), "leave one out");

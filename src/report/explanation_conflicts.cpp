@@ -22,7 +22,7 @@ using machine::Condition;
 
 namespace {
 
-constexpr std::size_t width = 78;
+constexpr std::size_t paragraph_width = 78;
 
 /// Where a build shows what a lifted choice was replaced by.
 std::string taken(const Condition& condition, const Design& design) {
@@ -98,7 +98,7 @@ std::string way_details(const Relaxation& way, const Condition& changed, const s
     details.push_back(std::move(refused));
   if (std::string broken = broken_text(way); !broken.empty()) details.push_back(std::move(broken));
   std::string out;
-  for (const std::string& detail : details) out += "      " + wrapped(detail, width - 6, 8) + "\n";
+  for (const std::string& detail : details) out += "      " + wrapped(detail, paragraph_width - 6, 8) + "\n";
   return out;
 }
 
@@ -126,12 +126,12 @@ std::string conflict_text(const Explanation& explanation,
       useless +=
           "    " +
           wrapped(fmt::format("not enough alone, another conflict is left: {}: {}", condition.axis, condition.name),
-                  width - 4,
+                  paragraph_width - 4,
                   6) +
           "\n";
       continue;
     }
-    out += "    " + wrapped(way_words(explanation, way, currency), width - 4, 6) + "\n";
+    out += "    " + wrapped(way_words(explanation, way, currency), paragraph_width - 4, 6) + "\n";
     out += way_details(way, way.changed(explanation.conditions), currency);
   }
   return out + useless + "\n";
@@ -153,7 +153,7 @@ std::string unmet_text(const Explanation& explanation, const Style& style) {
 std::string empty_text(const Explanation& explanation) {
   std::string out;
   for (const evaluation::EmptySlot& slot : explanation.empty_slots)
-    out += "  " + wrapped(fmt::format("{}.{}: {}", slot.axis, slot.slot, slot.reason), width - 2, 4) + "\n";
+    out += "  " + wrapped(fmt::format("{}.{}: {}", slot.axis, slot.slot, slot.reason), paragraph_width - 2, 4) + "\n";
   return out.empty() ? out : "Slots without any candidate\n" + out + "\n";
 }
 
@@ -166,7 +166,7 @@ std::string conflicts_text(const MachineResult& result, const Explanation& expla
         wrapped(
             "Not even with all that is asked and could be eased (limits, times, loads, kinds of parts) lifted: parts "
             "are missing in the catalogues, or what they are to do is beyond all of them.",
-            width,
+            paragraph_width,
             0) +
         "\n\n";
     return out + empty_text(explanation) + unmet_text(explanation, style);

@@ -10,7 +10,7 @@ namespace {
 
 /// A design counts as feasible when its utilisation is at most 1 as computed in double; this much may be lost there.
 constexpr double rounding_slack = 1e-11;
-constexpr double limit = 1.0 + rounding_slack;
+constexpr double utilisation_limit = 1.0 + rounding_slack;
 
 }  // namespace
 
@@ -57,7 +57,7 @@ bool BoxSlopes::narrow(std::span<Interval> side) const {
       }
       const Interval slope = slope_[v].utilisation[c];
       if (!std::isfinite(rest) || !slope.is_bounded() || (slope.lower <= 0.0 && slope.upper >= 0.0)) continue;
-      const Interval reach = Interval(middle_[v]) + (Interval(limit) - Interval(rest)) / slope;
+      const Interval reach = Interval(middle_[v]) + (Interval(utilisation_limit) - Interval(rest)) / slope;
       if (slope.lower > 0.0)
         side[v].upper = std::min(side[v].upper, reach.upper);
       else
@@ -80,7 +80,7 @@ void BoxSlopes::raise(std::span<const Interval> side, Bounds& bounds) const {
         if (!(price > 0.0) || !std::isfinite(price)) continue;
         const double bound =
             least_of([&](const Answers& all) { return value(all) + Interval(price) * all.utilisation[c]; }, side);
-        best = std::max(best, (Interval(bound) - Interval(price) * Interval(limit)).lower);
+        best = std::max(best, (Interval(bound) - Interval(price) * Interval(utilisation_limit)).lower);
       }
     }
     return best - rounding_slack * std::fabs(best);

@@ -45,7 +45,9 @@ bool JsonReader::fail(const Mark& place, std::string message, std::string hint) 
 std::optional<Node> JsonReader::read() {
   std::optional<Node> result;
   skip_blanks();
+  const Mark begin = now_;
   if (!read_value(result)) return std::nullopt;
+  if (!result) fail(begin, "nothing but null", "a file holds one object");
   skip_blanks();
   if (!at_end()) {
     fail(now_, "text after the end of the value", "a file holds one object");

@@ -118,6 +118,36 @@ TEST_CASE("All mistakes of a file are reported at once, and bad settings too") {
   CHECK(outcome.out.empty());
 }
 
+TEST_CASE("A value that is set twice is refused: the last one would win without a word") {
+  const Workshop shop;
+  shop.write("m.toml", one_slide);
+  const Outcome twice = shop.run(
+      {"solve", "m.toml", "--set", "axis.x.stroke=200 mm", "--set", "axis.x.stroke=201 mm", "--set", "axis.y.x=1"});
+  CHECK(twice.exit_code == 2);
+  CHECK(twice.says("--set axis.x.stroke is given twice"));
+  CHECK(twice.says("axis.y.x"));
+}
+
+TEST_CASE("A JSON problem of nothing but null is no silence") {
+  const Workshop shop;
+  shop.write("n.json", " null\n");
+  for (const char* verb : {"solve", "pareto", "explain", "audit"}) {
+    const Outcome outcome = shop.run({verb, "n.json"});
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.says("n.json:1:2: error: JSON: nothing but null"));
+  }
+}
+
+TEST_CASE("A reduction without a price is warned of where it stands") {
+  const Workshop shop;
+  const std::string ends = "ends = \"fixed-free\"";
+  shop.write("m.toml", one_slide_with(ends, ends + ", reduction = { ratio = 1.5 }"));
+  CHECK(shop.run({"solve", "m.toml"}).says("m.toml:13:89: warning: "));
+  CHECK(shop.run({"solve", "m.toml"}).says("has no price and counts as free"));
+  shop.write("m.toml", one_slide_with(ends, ends + ", reduction = { ratio = 1.5, price = \"0 USD\" }"));
+  CHECK_FALSE(shop.run({"solve", "m.toml"}).says("has no price"));
+}
+
 TEST_CASE("A problem that is not there, is a folder or is no TOML") {
   const Workshop shop;
   shop.write("bad.toml", "title = \"a\nb\"\n");

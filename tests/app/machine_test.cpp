@@ -133,6 +133,7 @@ TEST_CASE("Without any candidate, and without any compliant build, the exit code
   CHECK(Json::parse(fast.out).at("status") == "infeasible");
   CHECK(Json::parse(fast.out).at("objective").at("value").is_null());
   CHECK_FALSE(shop.has("c.csv"));
+  CHECK(fast.says("c.csv: not written, as there is no build"));
   CHECK(shop.run({"solve", "fast.toml"}).prints("No compliant build exists"));
 }
 

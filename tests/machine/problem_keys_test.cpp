@@ -3,6 +3,8 @@
 // readers' own complaint about unknown keys.
 #include "machine/problem_keys.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <fstream>

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "machine/choosing_words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "machine/condition_places.h"
+#include "scalar/unit.h"
+#include "text/nearest.h"
+
+namespace millwright::machine {
+
+namespace {
+
+using catalogue::Family;
+
+/// One list of words, and what it is compared with.
+struct Choosing {
+  const Axis& axis;
+  std::string slot;                    ///< of the bill of materials
+  std::vector<std::string_view> path;  ///< of the list, in the table of its axis
+  const std::vector<std::string>& words;
+  Family family;
+  const char* column;
+  std::string_view part;  ///< what one of the family is called
+  bool whole;             ///< a word is all that the column says, or a part of it
+
+  [[nodiscard]] bool takes(std::string_view word, std::string_view cell) const {
+    return whole ? cell == word : cell.find(word) != std::string_view::npos;
+  }
+  [[nodiscard]] bool takes(std::string_view cell) const {
+    return words.empty() ||
+           std::any_of(words.begin(), words.end(), [&](const auto& word) { return takes(word, cell); });
+  }
+};
+
+std::vector<Choosing> choosing_of(const Axis& axis) {
+  std::vector<Choosing> lists;
+  const Mechanism& mechanism = axis.mechanism;
+  lists.push_back({axis, "motor", {"motor", "frame"}, axis.motor.frames, Family::steppers, "frame", "motor", true});
+  lists.push_back({axis,
+                   "screw",
+                   {"mechanism", "thread_forms"},
+                   mechanism.thread_forms,
+                   Family::lead_screws,
+                   "thread_form",
+                   "lead screw",
+                   false});
+  lists.push_back({axis,
+                   "nut",
+                   {"mechanism", "nut_materials"},
+                   mechanism.nut_materials,
+                   Family::lead_nuts,
+                   "material",
+                   "nut",
+                   false});
+  lists.push_back(
+      {axis, "belt", {"mechanism", "profiles"}, mechanism.profiles, Family::belts, "profile", "belt", true});
+  if (axis.guide)
+    lists.push_back(
+        {axis, "guide", {"guide", "kinds"}, axis.guide->kinds, Family::linear_guides, "kind", "guide", false});
+  for (const Member& member : axis.members) {
+    const auto add = [&](const char* key, const auto& words, Family family, const char* column, const char* part) {
+      const bool whole = family == Family::screws;
+      lists.push_back({axis, member.name, {"members", member.name, key}, words, family, column, part, whole});
+    };
+    add("section_kinds", member.section_kinds, Family::steel_sections, "kind", "section");
+    if (member.kind != MemberKind::bolts) continue;
+    add("sizes", member.bolts.sizes, Family::screws, "designation", "screw");
+    add("property_classes", member.bolts.property_classes, Family::screws, "property_class", "screw");
+  }
+  return lists;
+}
+
+/// "a, b, c", of many the first few.
+std::string listed(const std::set<std::string_view>& words) {
+  constexpr std::size_t most = 12;
+  std::vector<std::string> shown;
+  for (const std::string_view word : words) {
+    if (shown.size() == most) break;
+    shown.push_back(text::printable(word, 40));
+  }
+  return fmt::format("{}{}", fmt::join(shown, ", "), words.size() > most ? ", ..." : "");
+}
+
+std::vector<std::string_view> words_of(std::string_view cell) {
+  std::vector<std::string_view> words;
+  while (!cell.empty()) {
+    const std::size_t end = std::min(cell.find(' '), cell.size());
+    if (end > 0) words.push_back(cell.substr(0, end));
+    cell.remove_prefix(std::min(end + 1, cell.size()));
+  }
+  return words;
+}
+
+void note_idle(const Choosing& list,
+               const text::Node* node,
+               const text::SourceSpan& otherwise,
+               const catalogue::Table& table,
+               text::Diagnostics& diagnostics) {
+  std::set<std::string_view> known;
+  for (int row = 0; row < table.rows(); ++row) known.insert(table.text(list.column, row));
+  known.erase("");
+  std::vector<std::string_view> meant(known.begin(), known.end());
+  for (const std::string_view cell : known) {
+    const std::vector<std::string_view> parts = list.whole ? std::vector<std::string_view>() : words_of(cell);
+    meant.insert(meant.end(), parts.begin(), parts.end());
+  }
+  for (std::size_t i = 0; i < list.words.size(); ++i) {
+    const std::string& word = list.words[i];
+    if (std::any_of(known.begin(), known.end(), [&](std::string_view cell) { return list.takes(word, cell); }))
+      continue;
+    const bool in_array = node != nullptr && node->is_array() && i < node->items().size();
+    diagnostics.warning(in_array          ? node->items()[i].span()
+                        : node != nullptr ? node->span()
+                                          : otherwise,
+                        fmt::format("axis '{}': {}: the catalogues have no {} {}",
+                                    list.axis.name,
+                                    list.path.back(),
+                                    list.part,
+                                    text::in_quotes(word)),
+                        text::did_you_mean(word, meant, known.empty() ? "" : "they have " + listed(known)));
+  }
+}
+
+/// Families of which a slot takes one kind of part or another.
+struct Kind {
+  Family family;
+  bool taken;
+  std::string_view name;
+};
+
+std::vector<Kind> kinds_of(const Axis& axis, const std::string& slot) {
+  if (slot == "screw" && axis.mechanism.kind == MechanismKind::screw)
+    return {{Family::ball_screws, axis.mechanism.ball_screws, "ball screws"},
+            {Family::lead_screws, axis.mechanism.lead_screws, "lead screws"}};
+  for (const Member& member : axis.members) {
+    if (member.name != slot || member.sections.empty()) continue;
+    const auto taken = [&](const char* family) {
+      return std::find(member.sections.begin(), member.sections.end(), family) != member.sections.end();
+    };
+    return {{Family::steel_sections, taken("steel_sections"), "steel sections"},
+            {Family::extrusions, taken("extrusions"), "extrusions"}};
+  }
+  return {};
+}
+
+/// Of a line: what it is that the problem does not take, and what it takes; empty if it takes it.
+std::string unwanted(const BomLine& line, const Axis& axis, const catalogue::Catalogue& catalogue) {
+  if (line.is_dimension()) {
+    const Range& ramp = axis.acceleration_time;
+    constexpr double rounding = 1e-9;
+    if (line.slot != "acceleration_time" ||
+        (*line.value >= ramp.lower * (1.0 - rounding) && *line.value <= ramp.upper * (1.0 + rounding)))
+      return {};
+    const auto shown = [](double time) { return scalar::format(time, scalar::Unit::of("s"), 6); };
+    return fmt::format(
+        "is {}, and the problem takes {}",
+        shown(*line.value),
+        ramp.fixed() ? shown(ramp.lower) : fmt::format("{} to {}", shown(ramp.lower), shown(ramp.upper)));
+  }
+  const auto row_in = [&](Family family) {
+    const catalogue::Found found = catalogue.table(family).find(line.part_number, line.manufacturer);
+    return found && !found.rows.empty() ? found.rows.front() : -1;
+  };
+  const std::vector<Kind> kinds = kinds_of(axis, line.slot);
+  for (const Kind& kind : kinds)
+    if (!kind.taken && row_in(kind.family) >= 0 &&
+        std::none_of(kinds.begin(), kinds.end(), [&](const Kind& k) { return k.taken && row_in(k.family) >= 0; }))
+      return fmt::format("is one of the {}, which the problem does not take", kind.name);
+  for (const Choosing& list : choosing_of(axis)) {
+    if (list.slot != line.slot || list.words.empty()) continue;
+    const int row = row_in(list.family);
+    if (row < 0) continue;
+    const std::string_view cell = catalogue.table(list.family).text(list.column, row);
+    if (!list.takes(cell))
+      return fmt::format("is {}, and the problem takes {} ({})",
+                         cell.empty() ? "of no known kind" : text::printable(cell, 40),
+                         listed({list.words.begin(), list.words.end()}),
+                         list.path.back());
+  }
+  return {};
+}
+
+}  // namespace
+
+void note_idle_words(const Problem& problem,
+                     const text::Document& document,
+                     const catalogue::Catalogue& catalogue,
+                     text::Diagnostics& diagnostics) {
+  const Places places(document);
+  for (std::size_t i = 0; i < problem.axes.size(); ++i)
+    for (const Choosing& list : choosing_of(problem.axes[i])) {
+      if (list.family == Family::screws) continue;  // these are errors (check_references)
+      const text::Node* node = places.axis(i);
+      for (const std::string_view key : list.path) node = Places::find(node, {key});
+      note_idle(list, node, problem.axes[i].where, catalogue.table(list.family), diagnostics);
+    }
+}
+
+void note_unwanted_lines(const BillOfMaterials& bom,
+                         const std::string& only_origin,
+                         const Problem& problem,
+                         const catalogue::Catalogue& catalogue,
+                         text::Diagnostics& diagnostics) {
+  for (const BomLine& line : bom.lines) {
+    if (!only_origin.empty() && line.origin != only_origin) continue;
+    for (const Axis& axis : problem.axes) {
+      if (axis.name != line.axis) continue;
+      const std::string fault = unwanted(line, axis, catalogue);
+      if (fault.empty()) continue;
+      diagnostics.warning(line.where,
+                          fmt::format("axis '{}', {}: {} {}",
+                                      axis.name,
+                                      line.slot,
+                                      line.is_dimension() ? std::string("this") : text::printable(line.part_number, 60),
+                                      fault),
+                          "it is checked as it is; solve would not choose it");
+    }
+  }
+}
+
+}  // namespace millwright::machine
