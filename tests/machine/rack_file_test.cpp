@@ -285,9 +285,10 @@ TEST_CASE("What is wrong with the reductions of screws and belts, and with a nut
   of_screw("reduction = [{ name = \"a\", ratio = 3 }, «{ name = \"b\", ratio = 4, shaft = \"8 mm\" }»]",
            "shaft: one reduction has an output shaft and another has none",
            "list one sort");
-  of_screw("reduction = [{ name = \"a\", ratio = 3 }, «{ name = \"b\", ratio = 4, price = \"5 GBP\" }»]",
-           "price: there is no rate for GBP",
-           "add GBP to [currency]");
+  of_screw(
+      "reduction = [{ name = \"a\", ratio = 3, price = \"1 USD\" }, «{ name = \"b\", ratio = 4, price = \"5 GBP\" }»]",
+      "price: there is no rate for GBP",
+      "add GBP to [currency]");
   of_screw("rotating = «\"nuts\"»", "rotating", "nut");
   of_screw("«nut_inertia» = \"2 kg.cm2\"", "nut_inertia: the screw turns, not its nut", "rotating = \"nut\"");
   of_screw("rotating = \"nut\", nut_inertia = \"2 «kg»\"", "nut_inertia: 'kg'", "kg.m2");
