@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -150,20 +151,40 @@ std::vector<Kind> kinds_of(const Axis& axis, const std::string& slot) {
   return {};
 }
 
+/// In which the problem leaves a setting free; nothing where it is none of them.
+std::optional<Range> range_of(const Axis& axis, const std::string& setting) {
+  if (setting == "acceleration_time") return axis.acceleration_time;
+  for (const Member& member : axis.members) {
+    const auto is = [&](MemberKind kind, const char* dimension) {
+      return member.kind == kind && setting == fmt::format("{}.{}", member.name, dimension);
+    };
+    if (is(MemberKind::round_shaft, "diameter")) return member.diameter;
+    if (is(MemberKind::rectangular_bar, "width")) return member.width;
+    if (is(MemberKind::rectangular_bar, "height")) return member.height;
+    if (is(MemberKind::weld, "leg")) return member.leg;
+    if (is(MemberKind::plate, "thickness")) return member.thickness;
+  }
+  return std::nullopt;
+}
+
+/// A value that the problem does not leave open, and what it leaves open; empty otherwise.
+std::string out_of_range(const BomLine& line, const Axis& axis) {
+  constexpr double rounding = 1e-9;
+  const std::optional<Range> range = range_of(axis, line.slot);
+  if (!range || (*line.value >= range->lower * (1.0 - rounding) && *line.value <= range->upper * (1.0 + rounding)))
+    return {};
+  const auto shown = [&](double value) {
+    return scalar::format(value, scalar::Unit::of(unit_of_setting(line.slot)), 6);
+  };
+  return fmt::format(
+      "is {}, and the problem takes {}",
+      shown(*line.value),
+      range->fixed() ? shown(range->lower) : fmt::format("{} to {}", shown(range->lower), shown(range->upper)));
+}
+
 /// Of a line: what it is that the problem does not take, and what it takes; empty if it takes it.
 std::string unwanted(const BomLine& line, const Axis& axis, const catalogue::Catalogue& catalogue) {
-  if (line.is_dimension()) {
-    const Range& ramp = axis.acceleration_time;
-    constexpr double rounding = 1e-9;
-    if (line.slot != "acceleration_time" ||
-        (*line.value >= ramp.lower * (1.0 - rounding) && *line.value <= ramp.upper * (1.0 + rounding)))
-      return {};
-    const auto shown = [](double time) { return scalar::format(time, scalar::Unit::of("s"), 6); };
-    return fmt::format(
-        "is {}, and the problem takes {}",
-        shown(*line.value),
-        ramp.fixed() ? shown(ramp.lower) : fmt::format("{} to {}", shown(ramp.lower), shown(ramp.upper)));
-  }
+  if (line.is_dimension()) return out_of_range(line, axis);
   const auto row_in = [&](Family family) {
     const catalogue::Found found = catalogue.table(family).find(line.part_number, line.manufacturer);
     return found && !found.rows.empty() ? found.rows.front() : -1;

@@ -20,7 +20,7 @@ void note_idle_words(const Problem& problem,
                      const catalogue::Catalogue& catalogue,
                      text::Diagnostics& diagnostics);
 
-/// Warns at each line of the bill of materials that names a part, or a ramp, which the problem would not choose. Lines
+/// Warns at each line of the bill of materials that names a part, or a value, which the problem would not choose. Lines
 /// of parts that the catalogues do not have are left to others; `only_origin`, if not empty: lines of another origin
 /// are not held.
 void note_unwanted_lines(const BillOfMaterials& bom,

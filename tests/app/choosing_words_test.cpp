@@ -85,6 +85,14 @@ TEST_CASE("A ramp outside those of the problem is said, and one of them is not")
   CHECK(said("0.5 s").says("acceleration_time: this is 0.5 s, and the problem takes 0.1 s to 0.3 s"));
   CHECK_FALSE(said("0.3 s").says("would not choose"));
   CHECK_FALSE(said("100 ms").says("would not choose"));
+  const std::string torch = problems + "torch-table";
+  std::string bom = shop.read(torch + "-bom.csv");
+  const std::size_t at = bom.find("shaft.diameter,,,,,");
+  REQUIRE(at != std::string::npos);
+  bom.replace(at, bom.find('\n', at) - at, "shaft.diameter,,,,,35 mm,paper");
+  shop.write("t.csv", bom);
+  CHECK(shop.run({"check", torch + ".toml", "t.csv"})
+            .says("shaft.diameter: this is 35 mm, and the problem takes 6 mm to 30 mm"));
 }
 
 TEST_CASE("What is not cut has no length on a bill of materials") {
