@@ -155,6 +155,8 @@ class Table {
   double tolerance(int row, Column column) const;
   /// The same as half its width [SI]; NaN too where the figure is not known, or cannot be off (takes_tolerance()).
   double half_width(int row, Column column) const;
+  /// Whether any figure can be off.
+  bool has_tolerances() const;
   /// What is said of the figure alone, by its companions; empty where nothing is.
   std::string_view figure_source(int row, Column column) const;
   std::string_view figure_confidence(int row, Column column) const;

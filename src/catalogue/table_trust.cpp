@@ -45,6 +45,13 @@ double Table::tolerance(int row, Column column) const {
   return stated_tolerance(basis(row, column));
 }
 
+bool Table::has_tolerances() const {
+  for (std::size_t index = 0; index < column_count(family_); ++index)
+    for (int row = 0; row < rows(); ++row)
+      if (half_width(row, {family_, static_cast<std::uint8_t>(index)}) > 0.0) return true;
+  return false;
+}
+
 double Table::half_width(int row, Column column) const {
   if (!takes_tolerance(column)) return std::nan("");
   const std::vector<double>& stated = tolerances_[column.index];

@@ -88,10 +88,25 @@ bool DriverChoices::covers(const Driver& a, const Driver& b, double current) con
   return worth_a < worth_b || a.price < b.price || a.mass < b.mass || a.place < b.place;
 }
 
-/// A driver that a bill names is judged, not passed over (C-DR-VOLT, F-DRIVER-VOLTAGE-MIN, C-DR-CURRENT).
+bool DriverChoices::gives(const Driver& driver, double current) const {
+  const std::vector<double>& stated = axis_.motor.driver_currents;
+  return current <= (stated.empty() ? driver.peak_current : stated[static_cast<std::size_t>(driver.row)]);
+}
+
+/// No check holds a current that is set: what the driver does not give is never chosen. A driver that a bill names is
+/// judged where it gives none of them (C-DR-CURRENT).
+bool DriverChoices::can_be_set(const Driver& driver, double current) const {
+  const std::vector<double>& currents = axis_.motor.currents;
+  if (currents.empty() || gives(driver, current)) return true;
+  return axis_.keep_every_candidate &&
+         !(axis_.motor.given_driver &&
+           std::any_of(currents.begin(), currents.end(), [&](double other) { return gives(driver, other); }));
+}
+
+/// A driver that a bill names is judged, not passed over (C-DR-VOLT, F-DRIVER-VOLTAGE-MIN).
 bool DriverChoices::possible(const Driver& driver, double current) const {
-  if (axis_.keep_every_candidate) return true;
-  if (!axis_.motor.currents.empty() && driver.peak_current < current) return false;  // it cannot be set there
+  if (!can_be_set(driver, current)) return false;
+  if (axis_.keep_every_candidate || axis_.keep_every_driver) return true;
   return std::any_of(voltages_.begin(), voltages_.end(), [&](double v) { return runs_at(driver, v); });
 }
 
@@ -105,7 +120,7 @@ DriverChoices::Choice DriverChoices::choice_at(double current) const {
   Choice choice;
   for (const Driver& driver : drivers_)
     if (possible(driver, current)) choice.kept.push_back(&driver);
-  if (axis_.keep_every_candidate) return choice;
+  if (axis_.keep_every_candidate || axis_.keep_every_driver) return choice;
   drop_covered(choice.kept, axis_.keep_covered_candidates ? axis_.most_covering : 1, current);
   if (!axis_.keep_covered_candidates) return choice;
   for (const Driver* driver : choice.kept) {

@@ -50,6 +50,9 @@ class DriverChoices {
  private:
   [[nodiscard]] bool covers(const Driver& a, const Driver& b, double current) const;
   void find_cheapest(const catalogue::Table& drivers);
+  /// Of the currents that are listed.
+  [[nodiscard]] bool gives(const Driver& driver, double current) const;
+  [[nodiscard]] bool can_be_set(const Driver& driver, double current) const;
   [[nodiscard]] bool possible(const Driver& driver, double current) const;
   [[nodiscard]] Choice choice_at(double current) const;
   void drop_covered(std::vector<const Driver*>& drivers, std::size_t most, double current) const;

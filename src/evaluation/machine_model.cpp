@@ -88,13 +88,6 @@ void note_what_counts(const std::vector<std::string>& objectives, machine::Probl
   }
 }
 
-bool has_tolerances(const catalogue::Table& table) {
-  for (std::size_t index = 0; index < catalogue::column_count(table.family()); ++index)
-    for (int row = 0; row < table.rows(); ++row)
-      if (table.half_width(row, {table.family(), static_cast<std::uint8_t>(index)}) > 0.0) return true;
-  return false;
-}
-
 /// Which drivers of an axis have to stay.
 void note_drivers(const catalogue::Catalogue& catalogue,
                   const PriceBook& prices,
@@ -102,14 +95,16 @@ void note_drivers(const catalogue::Catalogue& catalogue,
                   machine::Problem& problem) {
   note_what_counts(options.objectives, problem);
   const catalogue::Table& drivers = catalogue.table(catalogue::Family::drivers);
+  const auto stated = drivers.numbers(catalogue::column(catalogue::Family::drivers, "peak_current"));
   bool counts_drivers = false;
   for (int row = 0; row < drivers.rows(); ++row) counts_drivers = counts_drivers || prices.is_counted(drivers, row);
-  // Which of two drivers is cheaper is not known before it is known how many are taken.
-  // Nor which of them are worth keeping where tolerances move currents.
-  const bool drivers_differ = !options.scenarios.empty() &&
-                              (has_tolerances(drivers) || has_tolerances(catalogue.table(catalogue::Family::steppers)));
+  // Which is cheaper is known when it is known how many are taken; nor is it where tolerances move currents.
+  const bool drivers_differ =
+      !options.scenarios.empty() &&
+      (drivers.has_tolerances() || catalogue.table(catalogue::Family::steppers).has_tolerances());
   for (machine::Axis& axis : problem.axes) {
-    axis.keep_every_candidate = axis.keep_every_candidate || counts_drivers || drivers_differ;
+    axis.keep_every_driver = axis.keep_every_driver || counts_drivers || drivers_differ;
+    if (drivers_differ) axis.motor.driver_currents.assign(stated.begin(), stated.end());
     const bool keeps_all = axis.keep_covered_candidates || is_fixed(options.fixed, axis.name, "driver");
     if (!keeps_all) axis.most_covering = options.builds;
     axis.keep_covered_candidates = keeps_all || options.every_candidate;
@@ -275,9 +270,11 @@ void MachineModel::add_scenarios(const machine::Problem& given, const GivenSlots
   machine::Problem problem = given;
   for (std::size_t i = 0; i < problem.axes.size(); ++i) {
     problem.axes[i].keep_every_candidate = problem_.axes[i].keep_every_candidate;
+    problem.axes[i].keep_every_driver = problem_.axes[i].keep_every_driver;
     problem.axes[i].keep_covered_candidates = problem_.axes[i].keep_covered_candidates;
     problem.axes[i].most_covering = problem_.axes[i].most_covering;
     problem.axes[i].motor.currents = problem_.axes[i].motor.currents;
+    problem.axes[i].motor.driver_currents = problem_.axes[i].motor.driver_currents;
   }
   problem.supply_voltages = problem_.supply_voltages;
   const ModelOptions same{.objectives = options_.objectives};

@@ -120,6 +120,9 @@ struct MotorChoice {
   /// Of what is judged instead of chosen: no other motor, no other driver matters.
   std::optional<PartName> given, given_driver;
   SourceSpan where;
+  /// A, peak currents [row of the drivers] that say which of `currents` a driver gives, where its own figure is moved
+  /// within its tolerance; empty = its own figures.
+  std::vector<double> driver_currents;
 };
 
 /// Directions of the machine: x and y level, z upright.
@@ -241,6 +244,7 @@ struct Axis {
   std::optional<double> jerk;  ///< m/s^3, of moves that state none
   Requirements require;
   bool keep_every_candidate = false;     ///< whatever is given is judged: also what can never be compliant
+  bool keep_every_driver = false;        ///< that gives a current which may be set, whatever it costs and runs at
   bool keep_covered_candidates = false;  ///< also candidates that another one beats in every respect
   /// Of those only such as fewer than so many others beat.
   std::size_t most_covering = std::numeric_limits<std::size_t>::max();

@@ -41,13 +41,19 @@ void check_screws(const Axis& axis,
 /// Says once of each currency without a rate how many parts it takes from the choice: nobody would miss them in an
 /// answer that is proved for the others.
 void note_unpriced(const Problem& problem, const catalogue::Catalogue& catalogue, text::Diagnostics& diagnostics) {
-  std::map<std::string_view, std::pair<int, std::string>> by_currency;  // rows, and the first of them
+  struct Unpriced {
+    int rows = 0;
+    std::string first;
+    std::string owned;  // the first that is owned
+  };
+  std::map<std::string_view, Unpriced> by_currency;
   const auto has_rate = [&](std::string_view currency) {
     return currency.empty() || currency == problem.currency || problem.currencies.contains(currency);
   };
-  const auto note = [&](std::string_view currency, const auto& name) {
-    auto& [rows, first] = by_currency[currency];
-    if (rows++ == 0) first = name();
+  const auto note = [&](std::string_view currency, bool owned, const auto& name) {
+    Unpriced& noted = by_currency[currency];
+    if (noted.rows++ == 0) noted.first = name();
+    if (owned && noted.owned.empty()) noted.owned = name();
   };
   for (std::size_t family = 0; family < catalogue::family_count; ++family) {
     const catalogue::Table& table = catalogue.table(static_cast<catalogue::Family>(family));
@@ -56,20 +62,25 @@ void note_unpriced(const Problem& problem, const catalogue::Catalogue& catalogue
       const std::string_view currency = price.currency;
       const bool priced = !std::isnan(price.piece) || !std::isnan(price.length) || !std::isnan(price.mass);
       if (priced && !has_rate(currency))
-        note(currency, [&] { return fmt::format("{} {}", table.manufacturer(row), table.part_number(row)); });
+        note(currency, catalogue::owned_pieces(table, row, catalogue.stock()) > 0.0, [&] {
+          return fmt::format("{} {}", table.manufacturer(row), table.part_number(row));
+        });
     }
   }
   for (const catalogue::Offer& offer : catalogue.suppliers().offers)
     if (!has_rate(offer.currency))
-      note(offer.currency, [&] { return fmt::format("{} of {}", offer.part_number, offer.supplier); });
+      note(offer.currency, false, [&] { return fmt::format("{} of {}", offer.part_number, offer.supplier); });
   for (const auto& [currency, parts] : by_currency)
     diagnostics.warning(problem.currencies_where,
-                        fmt::format("the problem gives no rate for {}: {} priced in it {} not for sale ({}{})",
+                        fmt::format("the problem gives no rate for {}: {} priced in it {} not for sale ({}{}){}",
                                     text::in_quotes(currency),
-                                    parts.first == 1 ? "the part" : fmt::format("{} parts", parts.first),
-                                    parts.first == 1 ? "is" : "are",
-                                    text::printable(parts.second, 60),
-                                    parts.first == 1 ? "" : ", ..."),
+                                    parts.rows == 1 ? "the part" : fmt::format("{} parts", parts.rows),
+                                    parts.rows == 1 ? "is" : "are",
+                                    text::printable(parts.first, 60),
+                                    parts.rows == 1 ? "" : ", ...",
+                                    parts.owned.empty() ? ""
+                                                        : fmt::format("; what is owned of them ({}) is not used either",
+                                                                      text::printable(parts.owned, 60))),
                         fmt::format("add it to [currency]: {} = 1.1", text::printable(currency, 20)));
 }
 

@@ -39,6 +39,78 @@ TEST_CASE("What is in stock is free, and the order says that it is there") {
   CHECK(text.prints("In stock: 1 of "));
 }
 
+namespace {
+
+const std::string belt_printer = MILLWRIGHT_SOURCE_DIR "/problems/belt-printer.toml";
+
+/// The drivers of the belt printer's build, when its motors may be set to these currents.
+std::vector<std::string> drivers_at(const Workshop& shop,
+                                    const std::string& currents,
+                                    const std::vector<std::string>& more) {
+  std::vector<std::string> words{"solve", belt_printer, "--json", "-", "--bom", "build.csv", "--force"};
+  for (const char* axis : {"x", "y", "z"})
+    words.insert(words.end(), {"--set", fmt::format("axis.{}.motor.current=[{}]", axis, currents)});
+  words.insert(words.end(), more.begin(), more.end());
+  const Outcome outcome = shop.run(words);
+  CAPTURE(outcome.err);
+  REQUIRE(outcome.exit_code == 0);
+  std::vector<std::string> drivers;
+  const Json result = Json::parse(outcome.out);
+  for (const Json& part : result.at("build").at("parts"))
+    if (part.at("slot") == "driver") drivers.push_back(part.at("part_number"));
+  CHECK(drivers.size() == 3);
+  return drivers;
+}
+
+}  // namespace
+
+// Peak currents of the catalogue: A4988 2 A, DRV8825 2.5 A; of those that give 2.5 A nothing is cheaper.
+TEST_CASE("No driver is asked for a current it does not give, though drivers are counted or may be off") {
+  const Workshop shop;
+  const std::vector<std::string> right(3, "DRV8825");
+  CHECK(drivers_at(shop, "\"2.5 A\"", {}) == right);
+  shop.write("stocked/stock.csv", "part_number,owned\nTMC2130,1\n");  // 2 A
+  CHECK(drivers_at(shop, "\"2.5 A\"", {"--catalogue", "stocked"}) == right);
+  shop.write("off/drivers/d.csv",
+             "manufacturer,part_number,maximum_voltage [V],minimum_voltage [V],peak_current [A],maximum_microsteps [1],"
+             "mass [kg],price,currency,price_basis,evidence,source,peak_current_tolerance\n"
+             "Somebody,Off 24,35,8,2.4,32,0.01,99,USD,quoted 2026-09-03,general,somebody,10 %\n");
+  CHECK(drivers_at(shop, "\"2.5 A\"", {"--catalogue", "off", "--robust"}) == right);
+  CHECK(shop.run({"solve",
+                  belt_printer,
+                  "--catalogue",
+                  "stocked",
+                  "--set",
+                  "axis.x.motor.current=2.5 A",
+                  "--fix",
+                  "x.driver=A4988"})
+            .exit_code == 2);
+}
+
+TEST_CASE("check sets a current that the driver of the bill gives, where the problem lists one") {
+  const Workshop shop;
+  (void)drivers_at(shop, "\"1 A\"", {});
+  std::string bom = shop.read("build.csv");
+  for (std::size_t at = bom.find("motor_current"); at != std::string::npos; at = bom.find("motor_current")) {
+    const std::size_t begin = bom.rfind('\n', at) + 1;
+    bom.erase(begin, bom.find('\n', at) + 1 - begin);
+  }
+  shop.write("open.csv", bom);
+  REQUIRE(bom.find("A4988") != std::string::npos);
+  const auto current_of = [&](const std::string& currents) {
+    const Outcome outcome = shop.run(
+        {"check", belt_printer, "open.csv", "--json", "-", "--set", "axis.x.motor.current=[" + currents + "]"});
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.exit_code <= 1);
+    const Json result = Json::parse(outcome.out);
+    for (const Json& each : result.at("build").at("dimensions"))
+      if (each.at("axis") == "x" && each.at("name") == "motor_current") return each.at("value").get<double>();
+    return 0.0;
+  };
+  CHECK(current_of("\"0.3 A\", \"2.5 A\"") == Approx(0.3));
+  CHECK(current_of("\"2.5 A\"") == Approx(2.5));  // judged: it gives none of them
+}
+
 TEST_CASE("What is not available is left out as by --without, and the answer says where that is written") {
   const Workshop shop;
   const std::string name = motor(solved(shop, {})).at("part_number");

@@ -97,8 +97,7 @@ class Trial {
     machine::Problem everything = *problem;
     // Also drivers that another one beats, and those that no supply of the problem can run; but no current that a
     // driver does not give: no check says that.
-    for (machine::Axis& axis : everything.axes)
-      (axis.motor.currents.empty() ? axis.keep_every_candidate : axis.keep_covered_candidates) = true;
+    for (machine::Axis& axis : everything.axes) axis.keep_every_driver = true;
     const MachineModel model(*problem, parts_.parts()), whole(everything, parts_.parts());
     if (!model.empty_slots().empty()) {
       ++counts_.nothing_to_choose;
