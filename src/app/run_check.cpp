@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/commands.h"
+#include "app/idle_requirements.h"
 #include "app/lock.h"
 #include "app/machine_input.h"
 #include "app/machine_result.h"
@@ -71,6 +72,7 @@ report::MachineResult check(const Options& options,
   std::vector<evaluation::Design> designs;
   designs.push_back(std::move(outcome.design));
   set_designs(result, input.problem, std::move(designs));
+  note_idle_requirements(input.problem, *input.document, result.designs.front(), diagnostics);
   result.timing.solve = watch.seconds();
   return result;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/commands.h"
+#include "app/idle_requirements.h"
 #include "app/lock.h"
 #include "app/machine_input.h"
 #include "app/machine_result.h"
@@ -48,12 +49,14 @@ bool write_bom(const Options& options, const report::MachineResult& result) {
   return written;
 }
 
-/// A file of an earlier run that stays must not pass for this one's.
-void note_unwritten(const Options& options, const report::MachineResult& result) {
-  if (!result.designs.empty()) return;
+/// What is asked in vain; and that a file of an earlier run, which stays where there is no build, is not this one's.
+void print_remarks(const Options& options, const MachineInput& input, const report::MachineResult& result) {
   text::Diagnostics remarks;
-  for (const std::string& file : {options.bom, options.order})
-    if (!file.empty()) remarks.warning({}, text::printable(file) + ": not written, as there is no build", "");
+  if (!result.designs.empty())
+    note_idle_requirements(input.problem, *input.document, result.designs.front(), remarks);
+  else
+    for (const std::string& file : {options.bom, options.order})
+      if (!file.empty()) remarks.warning({}, text::printable(file) + ": not written, as there is no build", "");
   print(remarks);
 }
 
@@ -109,7 +112,7 @@ int run_search(const Options& options) {
   // What was found is shown, and written elsewhere, even if one of the files could not be.
   bool written = write_bom(options, result);
   if (!result.designs.empty()) written = write_order(options, result.designs.front(), result.title) && written;
-  note_unwritten(options, result);
+  print_remarks(options, *input, result);
   written = write_lock(options, *input, designs_of(options, result)) && written;
   const report::Style style = output_style(options);
   const bool front = options.verb == Verb::pareto;

@@ -46,13 +46,36 @@ TEST_CASE("A word that no part of the catalogues has is warned of where it stand
   CHECK(blank.says("kinds: ' ' begins or ends with a blank"));
 }
 
-TEST_CASE("No shipped machine chooses with a word that chooses nothing") {
+// The lifter has a bracket with screws and a screw drive with guides, no member that bends.
+TEST_CASE("A limit that no check of the machine reads, and a check to enforce that is not there, are warned of") {
+  const Workshop shop;
+  const Outcome outcome = shop.run({"solve",
+                                    lifter_problem,
+                                    "--set",
+                                    "axis.z.require.frame_twist='0.0001 deg'",
+                                    "--set",
+                                    "axis.z.require.axial_stiffness='1 N/um'",
+                                    "--set",
+                                    "axis.z.require.enforce=[\"C-FR-FREQ\", \"C-ST-RMS\"]",
+                                    "--set",
+                                    "require.frame_natural_frequency='5 kHz'"});
+  CAPTURE(outcome.err);
+  CHECK(outcome.exit_code == 0);
+  CHECK(outcome.says("frame_twist: no check of axis 'z' reads it"));
+  CHECK(outcome.says("frame_natural_frequency: no check of this machine reads it"));
+  CHECK(outcome.says("enforce: there is no check C-FR-FREQ of axis 'z'"));
+  CHECK_FALSE(outcome.says("axial_stiffness: no check"));
+  CHECK_FALSE(outcome.says("C-ST-RMS of"));
+}
+
+TEST_CASE("No shipped machine chooses with a word that chooses nothing, or has a limit that nothing is held to") {
   for (const char* name : millwright::shipped_machines) {
     const Workshop shop;
     INFO(name);
     const Outcome outcome = shop.run({"check", problems + name + ".toml", problems + name + "-bom.csv"});
     CHECK(outcome.exit_code <= 1);
     CHECK_FALSE(outcome.says("the catalogues have no"));
+    CHECK_FALSE(outcome.says("no check"));
   }
 }
 
