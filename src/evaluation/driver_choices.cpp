@@ -94,7 +94,7 @@ bool DriverChoices::gives(const Driver& driver, double current) const {
 }
 
 /// No check holds a current that is set: what the driver does not give is never chosen. A driver that a bill names is
-/// judged where it gives none of them (C-DR-CURRENT).
+/// judged where it gives none of them (C-DR-CURRENT), and so is a whole build that is given.
 bool DriverChoices::can_be_set(const Driver& driver, double current) const {
   const std::vector<double>& currents = axis_.motor.currents;
   if (currents.empty() || gives(driver, current)) return true;

@@ -281,10 +281,11 @@ class Holder {
     result_.problems.push_back(
         {line.where,
          fmt::format("'{}' cannot be the {} of axis '{}'", line.part_number, line.slot, entry.axis),
-         fmt::format(
-             "it belongs to another family, {}lacks a figure that a check needs (see 'catalogue show'), or "
-             "does not go with the other part of its pair",
-             wishes_count_ ? "is not of the kinds that the problem asks for (frames, threads, voltages), " : "")});
+         fmt::format("it belongs to another family, {}lacks a figure that a check needs (see 'catalogue show'), or "
+                     "does not go with the other part of its pair",
+                     wishes_count_
+                         ? "is not of the kinds that the problem asks for (frames, threads, voltages, currents), "
+                         : "")});
   }
 
   void hold_voltage() {

@@ -30,7 +30,10 @@ bool same(const Interval& a, const Interval& b) {
 TolerancedMachine::TolerancedMachine(const MachineModel& model, const solver::Build& build)
     : problem_(model.machine()) {
   // What is chosen stays, whatever another driver would cost.
-  for (machine::Axis& axis : problem_.axes) axis.keep_every_candidate = axis.keep_covered_candidates = true;
+  for (machine::Axis& axis : problem_.axes) {
+    axis.keep_every_candidate = axis.keep_covered_candidates = true;
+    axis.motor.driver_currents.clear();  // rows of a catalogue with more parts
+  }
   take_parts(model, build);
   take_figures(model.catalogue());
   build_ = model.whole_build(build);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <set>
 #include <string>
@@ -24,12 +25,13 @@ using catalogue::Family;
 struct Choosing {
   const Axis& axis;
   std::string slot;                    ///< of the bill of materials
-  std::vector<std::string_view> path;  ///< of the list, in the table of its axis
+  std::vector<std::string_view> path;  ///< of the list, in the table of its axis or member
   const std::vector<std::string>& words;
   Family family;
   const char* column;
-  std::string_view part;  ///< what one of the family is called
-  bool whole;             ///< a word is all that the column says, or a part of it
+  std::string_view part;         ///< what the catalogues lack where they lack the word: "motor of frame"
+  bool whole;                    ///< a word is all that the column says, or a part of it
+  std::string_view member = {};  ///< in whose table the list stands; else in that of the axis
 
   [[nodiscard]] bool takes(std::string_view word, std::string_view cell) const {
     return whole ? cell == word : cell.find(word) != std::string_view::npos;
@@ -43,14 +45,15 @@ struct Choosing {
 std::vector<Choosing> choosing_of(const Axis& axis) {
   std::vector<Choosing> lists;
   const Mechanism& mechanism = axis.mechanism;
-  lists.push_back({axis, "motor", {"motor", "frame"}, axis.motor.frames, Family::steppers, "frame", "motor", true});
+  lists.push_back(
+      {axis, "motor", {"motor", "frame"}, axis.motor.frames, Family::steppers, "frame", "motor of frame", true});
   lists.push_back({axis,
                    "screw",
                    {"mechanism", "thread_forms"},
                    mechanism.thread_forms,
                    Family::lead_screws,
                    "thread_form",
-                   "lead screw",
+                   "lead screw of form",
                    false});
   lists.push_back({axis,
                    "nut",
@@ -58,19 +61,19 @@ std::vector<Choosing> choosing_of(const Axis& axis) {
                    mechanism.nut_materials,
                    Family::lead_nuts,
                    "material",
-                   "nut",
+                   "nut of material",
                    false});
   lists.push_back(
-      {axis, "belt", {"mechanism", "profiles"}, mechanism.profiles, Family::belts, "profile", "belt", true});
+      {axis, "belt", {"mechanism", "profiles"}, mechanism.profiles, Family::belts, "profile", "belt of profile", true});
   if (axis.guide)
     lists.push_back(
-        {axis, "guide", {"guide", "kinds"}, axis.guide->kinds, Family::linear_guides, "kind", "guide", false});
+        {axis, "guide", {"guide", "kinds"}, axis.guide->kinds, Family::linear_guides, "kind", "guide of kind", false});
   for (const Member& member : axis.members) {
     const auto add = [&](const char* key, const auto& words, Family family, const char* column, const char* part) {
       const bool whole = family == Family::screws;
-      lists.push_back({axis, member.name, {"members", member.name, key}, words, family, column, part, whole});
+      lists.push_back({axis, member.name, {key}, words, family, column, part, whole, member.name});
     };
-    add("section_kinds", member.section_kinds, Family::steel_sections, "kind", "section");
+    add("section_kinds", member.section_kinds, Family::steel_sections, "kind", "section of kind");
     if (member.kind != MemberKind::bolts) continue;
     add("sizes", member.bolts.sizes, Family::screws, "designation", "screw");
     add("property_classes", member.bolts.property_classes, Family::screws, "property_class", "screw");
@@ -99,6 +102,17 @@ std::vector<std::string_view> words_of(std::string_view cell) {
   return words;
 }
 
+/// Where the path of the list begins.
+const text::Node* table_of(const Choosing& list, const text::Node* axis) {
+  if (list.member.empty()) return axis;
+  const text::Node* const members = Places::find(axis, {"members"});
+  if (members == nullptr) return nullptr;
+  for (const text::Node& member : members->items())
+    if (const text::Node* name = member.find("name"); name != nullptr && name->as_string() == list.member)
+      return &member;
+  return nullptr;
+}
+
 void note_idle(const Choosing& list,
                const text::Node* node,
                const text::SourceSpan& otherwise,
@@ -120,8 +134,9 @@ void note_idle(const Choosing& list,
     diagnostics.warning(in_array          ? node->items()[i].span()
                         : node != nullptr ? node->span()
                                           : otherwise,
-                        fmt::format("axis '{}': {}: the catalogues have no {} {}",
+                        fmt::format("axis '{}'{}: {}: the catalogues have no {} {}",
                                     list.axis.name,
+                                    list.member.empty() ? "" : fmt::format(", {}", list.member),
                                     list.path.back(),
                                     list.part,
                                     text::in_quotes(word)),
@@ -140,6 +155,9 @@ std::vector<Kind> kinds_of(const Axis& axis, const std::string& slot) {
   if (slot == "screw" && axis.mechanism.kind == MechanismKind::screw)
     return {{Family::ball_screws, axis.mechanism.ball_screws, "ball screws"},
             {Family::lead_screws, axis.mechanism.lead_screws, "lead screws"}};
+  if (slot == "nut" && axis.mechanism.kind == MechanismKind::screw)
+    return {{Family::ball_screws, axis.mechanism.ball_screws, "nuts of ball screws"},
+            {Family::lead_nuts, axis.mechanism.lead_screws, "nuts of lead screws"}};
   for (const Member& member : axis.members) {
     if (member.name != slot || member.sections.empty()) continue;
     const auto taken = [&](const char* family) {
@@ -151,9 +169,13 @@ std::vector<Kind> kinds_of(const Axis& axis, const std::string& slot) {
   return {};
 }
 
-/// In which the problem leaves a setting free; nothing where it is none of them.
+/// In which the problem leaves a setting free; nothing where it is none of them, or where no move takes the ramp.
 std::optional<Range> range_of(const Axis& axis, const std::string& setting) {
-  if (setting == "acceleration_time") return axis.acceleration_time;
+  if (setting == "acceleration_time") {
+    const bool any =
+        std::any_of(axis.moves.begin(), axis.moves.end(), [](const Move& m) { return uses_chosen_ramp(m); });
+    return any ? std::optional(axis.acceleration_time) : std::nullopt;
+  }
   for (const Member& member : axis.members) {
     const auto is = [&](MemberKind kind, const char* dimension) {
       return member.kind == kind && setting == fmt::format("{}.{}", member.name, dimension);
@@ -167,8 +189,21 @@ std::optional<Range> range_of(const Axis& axis, const std::string& setting) {
   return std::nullopt;
 }
 
+/// What the currents are that may be set, where they are listed and this is none of them.
+std::string not_set(double current, const Axis& axis) {
+  const auto shown = [](double value) { return scalar::format(value, scalar::Unit::of("A"), 6); };
+  std::vector<std::string> listed;
+  for (const double each : axis.motor.currents) {
+    if (std::fabs(each - current) <= 1e-9 * each) return {};
+    listed.push_back(shown(each));
+  }
+  if (listed.empty()) return {};
+  return fmt::format("is {}, and the problem takes {}", shown(current), fmt::join(listed, ", "));
+}
+
 /// A value that the problem does not leave open, and what it leaves open; empty otherwise.
 std::string out_of_range(const BomLine& line, const Axis& axis) {
+  if (line.slot == "motor_current") return not_set(*line.value, axis);
   constexpr double rounding = 1e-9;
   const std::optional<Range> range = range_of(axis, line.slot);
   if (!range || (*line.value >= range->lower * (1.0 - rounding) && *line.value <= range->upper * (1.0 + rounding)))
@@ -186,8 +221,10 @@ std::string out_of_range(const BomLine& line, const Axis& axis) {
 std::string unwanted(const BomLine& line, const Axis& axis, const catalogue::Catalogue& catalogue) {
   if (line.is_dimension()) return out_of_range(line, axis);
   const auto row_in = [&](Family family) {
-    const catalogue::Found found = catalogue.table(family).find(line.part_number, line.manufacturer);
-    return found && !found.rows.empty() ? found.rows.front() : -1;
+    const catalogue::Table& table = catalogue.table(family);
+    const catalogue::Found found = table.find(line.part_number, line.manufacturer);
+    const bool is_it = found && !found.rows.empty() && table.part_number(found.rows.front()) == line.part_number;
+    return is_it ? found.rows.front() : -1;
   };
   const std::vector<Kind> kinds = kinds_of(axis, line.slot);
   for (const Kind& kind : kinds)
@@ -218,7 +255,7 @@ void note_idle_words(const Problem& problem,
   for (std::size_t i = 0; i < problem.axes.size(); ++i)
     for (const Choosing& list : choosing_of(problem.axes[i])) {
       if (list.family == Family::screws) continue;  // these are errors (check_references)
-      const text::Node* node = places.axis(i);
+      const text::Node* node = table_of(list, places.axis(i));
       for (const std::string_view key : list.path) node = Places::find(node, {key});
       note_idle(list, node, problem.axes[i].where, catalogue.table(list.family), diagnostics);
     }

@@ -165,7 +165,7 @@ void read_reductions(TableReader& table, Mechanism& mechanism, Diagnostics& diag
     mechanism.reductions.push_back(read_reduction(*node, mechanism, many, title, diagnostics));
   check_list(nodes, mechanism, diagnostics);
   for (const Node* node : nodes)
-    if (diagnostics.error_count() == errors && node->find("price") == nullptr)
+    if (diagnostics.error_count() == errors && node->is_table() && node->find("price") == nullptr)
       diagnostics.warning(node->span(),
                           title + " has no price and counts as free",
                           "add price = \"60 USD\", or \"0 USD\" if it costs nothing");

@@ -168,7 +168,7 @@ Mechanism read_mechanism(const Node& node, const std::string& title, Diagnostics
     read_screw(table, q, mechanism, diagnostics);
   } else if (kind == "belt") {
     mechanism.kind = MechanismKind::belt;
-    mechanism.profiles = q.words({"profiles", "belts that may be taken (GT2, HTD 5M, ...); all without it"});
+    mechanism.profiles = q.words({"profiles", "belts that may be taken (GT2, HTD5M, ...); all without it"});
     mechanism.belt_efficiency = q.share_or({"efficiency", "of the belt drive"}, mechanism.belt_efficiency);
     mechanism.idler_distance =
         q.quantity_or({"idler_distance", "distance of the pulleys beyond stroke and carriage"}, "mm", 0.0);

@@ -71,17 +71,19 @@ void note_unpriced(const Problem& problem, const catalogue::Catalogue& catalogue
     if (!has_rate(offer.currency))
       note(offer.currency, false, [&] { return fmt::format("{} of {}", offer.part_number, offer.supplier); });
   for (const auto& [currency, parts] : by_currency)
-    diagnostics.warning(problem.currencies_where,
-                        fmt::format("the problem gives no rate for {}: {} priced in it {} not for sale ({}{}){}",
-                                    text::in_quotes(currency),
-                                    parts.rows == 1 ? "the part" : fmt::format("{} parts", parts.rows),
-                                    parts.rows == 1 ? "is" : "are",
-                                    text::printable(parts.first, 60),
-                                    parts.rows == 1 ? "" : ", ...",
-                                    parts.owned.empty() ? ""
-                                                        : fmt::format("; what is owned of them ({}) is not used either",
-                                                                      text::printable(parts.owned, 60))),
-                        fmt::format("add it to [currency]: {} = 1.1", text::printable(currency, 20)));
+    diagnostics.warning(
+        problem.currencies_where,
+        fmt::format("the problem gives no rate for {}: {} priced in it {} not for sale ({}{}){}",
+                    text::in_quotes(currency),
+                    parts.rows == 1 ? "the part" : fmt::format("{} parts", parts.rows),
+                    parts.rows == 1 ? "is" : "are",
+                    text::printable(parts.first, 60),
+                    parts.rows == 1 ? "" : ", ...",
+                    parts.owned.empty()
+                        ? ""
+                        : fmt::format("; what is owned of them ({}) is used only where it is priced otherwise",
+                                      text::printable(parts.owned, 60))),
+        fmt::format("add it to [currency]: {} = 1.1", text::printable(currency, 20)));
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Words with which a problem chooses among parts: those that choose nothing, and bills of materials with other parts.
+#include <algorithm>
+
 #include "app/program.h"
 #include "catch.h"
 #include "shipped_machines.h"
@@ -22,7 +24,7 @@ TEST_CASE("A word that no part of the catalogues has is warned of where it stand
   shop.write("m.toml", one_slide_with("frame = [\"NEMA17\"]", "frame = [\"NEMA17\", \"NEMA99\"]"));
   const Outcome frame = shop.run({"solve", "m.toml", "--quiet"});
   CHECK(frame.exit_code == 0);
-  CHECK(frame.says("m.toml:14:49: warning: axis 'x': frame: the catalogues have no motor 'NEMA99'"));
+  CHECK(frame.says("m.toml:14:49: warning: axis 'x': frame: the catalogues have no motor of frame 'NEMA99'"));
   const Outcome set = shop.run({"solve",
                                 lifter_problem,
                                 "--set",
@@ -34,12 +36,12 @@ TEST_CASE("A word that no part of the catalogues has is warned of where it stand
                                 "--set",
                                 "axis.z.mechanism.nut_materials=[\"bronze\", \"BRONZE\"]"});
   CHECK(set.exit_code == 0);
-  CHECK(set.says("kinds: the catalogues have no guide 'bushs'"));
+  CHECK(set.says("kinds: the catalogues have no guide of kind 'bushs'"));
   CHECK(set.says("did you mean 'bush'?"));
-  CHECK(set.says("thread_forms: the catalogues have no lead screw 'trapezodial'"));
-  CHECK(set.says("nut_materials: the catalogues have no nut 'BRONZE'"));
-  CHECK_FALSE(set.says("no nut 'bronze'"));
-  CHECK_FALSE(set.says("no guide 'profile rail'"));
+  CHECK(set.says("thread_forms: the catalogues have no lead screw of form 'trapezodial'"));
+  CHECK(set.says("nut_materials: the catalogues have no nut of material 'BRONZE'"));
+  CHECK_FALSE(set.says("no nut of material 'bronze'"));
+  CHECK_FALSE(set.says("no guide of kind 'profile rail'"));
   const Outcome blank = shop.run({"solve", lifter_problem, "--set", "axis.z.guide.kinds=[\"profile rail \", \" \"]"});
   CHECK(blank.exit_code == 2);
   CHECK(blank.says("kinds: 'profile rail ' begins or ends with a blank"));
@@ -56,7 +58,7 @@ TEST_CASE("A limit that no check of the machine reads, and a check to enforce th
                                     "--set",
                                     "axis.z.require.axial_stiffness='1 N/um'",
                                     "--set",
-                                    "axis.z.require.enforce=[\"C-FR-FREQ\", \"C-ST-RMS\"]",
+                                    "axis.z.require.enforce=[\"C-FR-FREQ\", \"C-ST-RMS\", \"C-GD-SLOPE\"]",
                                     "--set",
                                     "require.frame_natural_frequency='5 kHz'"});
   CAPTURE(outcome.err);
@@ -66,6 +68,7 @@ TEST_CASE("A limit that no check of the machine reads, and a check to enforce th
   CHECK(outcome.says("enforce: there is no check C-FR-FREQ of axis 'z'"));
   CHECK_FALSE(outcome.says("axial_stiffness: no check"));
   CHECK_FALSE(outcome.says("C-ST-RMS of"));
+  CHECK_FALSE(outcome.says("C-GD-SLOPE"));  // of bushings: the guide that was chosen has none
 }
 
 TEST_CASE("No shipped machine chooses with a word that chooses nothing, or has a limit that nothing is held to") {
@@ -77,6 +80,22 @@ TEST_CASE("No shipped machine chooses with a word that chooses nothing, or has a
     CHECK_FALSE(outcome.says("the catalogues have no"));
     CHECK_FALSE(outcome.says("no check"));
   }
+}
+
+TEST_CASE("A word of a member is pointed at in the member's own table") {
+  const Workshop shop;
+  std::string text = shop.read(problems + "gantry.toml");
+  const std::string kinds = "section_kinds = [\"";
+  const std::size_t at = text.find(kinds);
+  REQUIRE(at != std::string::npos);
+  text.insert(at + kinds.size(), "round holow\", \"");
+  const std::size_t line =
+      1 + static_cast<std::size_t>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+  shop.write("g.toml", text);
+  const Outcome outcome = shop.run({"check", "g.toml", problems + "gantry-bom.csv"});
+  CAPTURE(outcome.err);
+  CHECK(outcome.says("g.toml:" + std::to_string(line) + ":"));
+  CHECK(outcome.says("section_kinds: the catalogues have no section of kind 'round holow'"));
 }
 
 TEST_CASE("A bill of materials with what the problem would not choose is checked, and that is said") {
@@ -97,6 +116,8 @@ TEST_CASE("A bill of materials with what the problem would not choose is checked
        "bracket: ISO4762 M8 8.8 is 8.8, and the problem takes 12.9 (property_classes)");
   says("axis.z.mechanism.screw=[\"lead_screws\"]",
        "screw: SFU1605-4 (generic) is one of the ball screws, which the problem does not take");
+  says("axis.z.mechanism.screw=[\"lead_screws\"]",
+       "nut: SFU1605-4 (generic) is one of the nuts of ball screws, which the problem does not take");
 }
 
 TEST_CASE("A ramp outside those of the problem is said, and one of them is not") {
@@ -108,6 +129,9 @@ TEST_CASE("A ramp outside those of the problem is said, and one of them is not")
   CHECK(said("0.5 s").says("acceleration_time: this is 0.5 s, and the problem takes 0.1 s to 0.3 s"));
   CHECK_FALSE(said("0.3 s").says("would not choose"));
   CHECK_FALSE(said("100 ms").says("would not choose"));
+  shop.write("c.csv", shop.read(lifter_bom) + "z,motor_current,,,,,2 A\n");
+  CHECK(shop.run({"check", lifter_problem, "c.csv", "--set", "axis.z.motor.current=[\"1 A\", \"1.5 A\"]"})
+            .says("motor_current: this is 2 A, and the problem takes 1 A, 1.5 A"));
   const std::string torch = problems + "torch-table";
   std::string bom = shop.read(torch + "-bom.csv");
   const std::size_t at = bom.find("shaft.diameter,,,,,");

@@ -235,6 +235,11 @@ TEST_CASE("With price breaks and packs the cheapest build and the front equal th
     require_best_of(all, cost, front, sound);
     if (seed % 3 == 0) require_next_best_of(all, problem, stocked, 2 + seed, sound);
     for (const Design& design : front.designs)
+      for (const evaluation::DimensionLine& line : design.dimensions)
+        for (const evaluation::PartLine& part : design.parts)
+          if (line.name == "motor_current" && part.axis == line.axis && part.slot == "driver")
+            CHECK(line.value <= (part.part_number == "D2" ? 2.0 : 4.2));
+    for (const Design& design : front.designs)
       for (const evaluation::Purchase& purchase : design.purchases)
         more_than_needed += purchase.bought > purchase.taken - purchase.owned;
   }
