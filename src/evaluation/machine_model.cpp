@@ -98,7 +98,7 @@ void note_drivers(const catalogue::Catalogue& catalogue,
   const auto stated = drivers.numbers(catalogue::column(catalogue::Family::drivers, "peak_current"));
   bool counts_drivers = false;
   for (int row = 0; row < drivers.rows(); ++row) counts_drivers = counts_drivers || prices.is_counted(drivers, row);
-  // Which is cheaper is known when it is known how many are taken; nor is it where tolerances move currents.
+  // Which of two is cheaper hangs on how many are taken, and which of them is worth keeping on what tolerances move.
   const bool drivers_differ =
       !options.scenarios.empty() &&
       (drivers.has_tolerances() || catalogue.table(catalogue::Family::steppers).has_tolerances());

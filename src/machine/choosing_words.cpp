@@ -113,23 +113,34 @@ const text::Node* table_of(const Choosing& list, const text::Node* axis) {
   return nullptr;
 }
 
-void note_idle(const Choosing& list,
-               const text::Node* node,
-               const text::SourceSpan& otherwise,
-               const catalogue::Table& table,
-               text::Diagnostics& diagnostics) {
+bool any_row_has(const std::string& word, const Choosing& list, const catalogue::Table& table) {
+  for (int row = 0; row < table.rows(); ++row)
+    if (list.takes(word, table.text(list.column, row))) return true;
+  return false;
+}
+
+/// The nearest that some row has, or all of them.
+std::string hint_for(const std::string& word, const Choosing& list, const catalogue::Table& table) {
   std::set<std::string_view> known;
   for (int row = 0; row < table.rows(); ++row) known.insert(table.text(list.column, row));
   known.erase("");
   std::vector<std::string_view> meant(known.begin(), known.end());
   for (const std::string_view cell : known) {
-    const std::vector<std::string_view> parts = list.whole ? std::vector<std::string_view>() : words_of(cell);
+    if (list.whole) break;
+    const std::vector<std::string_view> parts = words_of(cell);
     meant.insert(meant.end(), parts.begin(), parts.end());
   }
+  return text::did_you_mean(word, meant, known.empty() ? "" : "they have " + listed(known));
+}
+
+void note_idle(const Choosing& list,
+               const text::Node* node,
+               const text::SourceSpan& otherwise,
+               const catalogue::Table& table,
+               text::Diagnostics& diagnostics) {
   for (std::size_t i = 0; i < list.words.size(); ++i) {
     const std::string& word = list.words[i];
-    if (std::any_of(known.begin(), known.end(), [&](std::string_view cell) { return list.takes(word, cell); }))
-      continue;
+    if (any_row_has(word, list, table)) continue;
     const bool in_array = node != nullptr && node->is_array() && i < node->items().size();
     diagnostics.warning(in_array          ? node->items()[i].span()
                         : node != nullptr ? node->span()
@@ -140,7 +151,7 @@ void note_idle(const Choosing& list,
                                     list.path.back(),
                                     list.part,
                                     text::in_quotes(word)),
-                        text::did_you_mean(word, meant, known.empty() ? "" : "they have " + listed(known)));
+                        hint_for(word, list, table));
   }
 }
 

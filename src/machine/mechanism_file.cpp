@@ -192,7 +192,7 @@ MotorChoice read_motor(const Node& node, const std::string& title, Diagnostics& 
   for (const Node* frame : table.list("frame")) {
     const std::string word = frame->as_string().value_or("NEMA17");
     const auto digit = [](unsigned char c) { return std::isdigit(c) != 0; };
-    if (word.empty() ||
+    if (word.empty() || diagnostics.has_error_at(frame->span()) ||
         (word.starts_with("NEMA") && word.size() > 4 && std::all_of(word.begin() + 4, word.end(), digit)))
       continue;
     const auto begin = std::find_if(word.begin(), word.end(), digit);
