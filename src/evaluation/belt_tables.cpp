@@ -13,6 +13,7 @@
 #include <tuple>
 
 #include "evaluation/figure_reader.h"
+#include "machine/word_column.h"
 
 namespace millwright::evaluation {
 
@@ -96,19 +97,13 @@ class BeltTablesMaker {
     result_.idlers.add(CandidateDraft{}, std::array<double, BeltTables::idler_fields>{});
     result_.idlers_fit.push_back(BeltFit::same);
     for (const int row : belts_.rows_in_order())
-      if (is_wanted(row)) add_belt(row);
+      if (machine::word_columns::belt_profile.takes(axis_.mechanism.profiles, belts_, row)) add_belt(row);
     if (result_.belts.rows() > 0) leave_out_what_no_belt_needs();
     return std::move(result_);
   }
 
  private:
   [[nodiscard]] bool is_idler(int row) const { return pulleys_.text(column(Family::pulleys, "type"), row) == "idler"; }
-  [[nodiscard]] bool is_wanted(int belt) const {
-    const std::vector<std::string>& profiles = axis_.mechanism.profiles;
-    return profiles.empty() ||
-           std::find(profiles.begin(), profiles.end(), belts_.text(column(Family::belts, "profile"), belt)) !=
-               profiles.end();
-  }
 
   using Missing = std::vector<catalogue::Column>;
 

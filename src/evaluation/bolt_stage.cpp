@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "evaluation/figure_reader.h"
+#include "machine/word_column.h"
 
 namespace millwright::evaluation {
 
@@ -21,11 +22,6 @@ double screw_mass(double diameter) {
   constexpr double pi = 3.14159265358979323846, steel = 7850.0;  // kg/m^3
   constexpr double shank = 3.0, head = 1.5 * 1.5;                // in d^3 pi/4
   return steel * 0.25 * pi * diameter * diameter * diameter * (shank + head);
-}
-
-/// Whether a word is in the list; an empty list has all.
-bool chosen(const std::vector<std::string>& words, std::string_view word) {
-  return words.empty() || std::find(words.begin(), words.end(), word) != words.end();
 }
 
 }  // namespace
@@ -49,8 +45,8 @@ BoltStage::BoltStage(const machine::Axis& axis,
   for (const int row : t.rows_in_order()) {
     std::vector<catalogue::Column> missing;
     const FigureReader number(t, row, missing);
-    if (!chosen(pattern.sizes, t.text(column(Family::screws, "designation"), row)) ||
-        !chosen(pattern.property_classes, t.text(column(Family::screws, "property_class"), row)))
+    if (!machine::word_columns::screw_size.takes(pattern.sizes, t, row) ||
+        !machine::word_columns::property_class.takes(pattern.property_classes, t, row))
       continue;
     const auto readings_of = [&](auto figure) {
       using T = decltype(figure("proof_strength"));

@@ -105,7 +105,4 @@ CandidateDraft candidate_of(std::vector<PartUse> parts, double riding, double ca
 /// Whether a row of the catalogue is this part, whoever sells it.
 bool is_part(const catalogue::Table& table, int row, const machine::PartName& part);
 
-/// Whether a text contains one of the words; no words = anything goes.
-bool wanted(const std::vector<std::string>& words, std::string_view text);
-
 }  // namespace millwright::evaluation

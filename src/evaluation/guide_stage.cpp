@@ -6,6 +6,7 @@
 #include <span>
 
 #include "evaluation/figure_reader.h"
+#include "machine/word_column.h"
 
 namespace millwright::evaluation {
 
@@ -32,8 +33,8 @@ GuideStage::GuideStage(const machine::Axis& axis,
                                     column(Family::linear_guides, "radial_stiffness")};
   const auto soft = std::span(soft_columns).first(place.tool ? 1 : 2);
   for (const int row : t.rows_in_order()) {
-    const std::string_view kind = t.text(column(Family::linear_guides, "kind"), row);
-    if (!wanted(choice.kinds, kind)) continue;
+    const std::string_view kind = machine::word_columns::guide_kind.text(t, row);
+    if (!machine::word_columns::guide_kind.takes(choice.kinds, kind)) continue;
     const bool bush = kind.find("bush") != std::string_view::npos;
     // A single bushing cannot take a moment.
     if (bush && choice.carriages < 2.0) continue;

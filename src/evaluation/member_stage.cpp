@@ -8,6 +8,7 @@
 #include <span>
 
 #include "evaluation/figure_reader.h"
+#include "machine/word_column.h"
 
 namespace millwright::evaluation {
 
@@ -95,8 +96,7 @@ void MemberStage::take_sections(const catalogue::Catalogue& catalogue, const Pri
                         catalogue::Column torsion) {
     const catalogue::Table& t = catalogue.table(family);
     for (const int row : t.rows_in_order()) {
-      if (family == Family::steel_sections &&
-          !wanted(m.section_kinds, t.text(column(Family::steel_sections, "kind"), row)))
+      if (family == Family::steel_sections && !machine::word_columns::section_kind.takes(m.section_kinds, t, row))
         continue;
       const auto readings_of = [&](auto figure) {
         return std::array{

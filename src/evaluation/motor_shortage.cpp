@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "machine/word_column.h"
 #include "scalar/unit.h"
 
 namespace millwright::evaluation {
@@ -82,7 +83,7 @@ MotorShortage motor_shortage(const catalogue::Catalogue& catalogue,
   const std::vector<std::string>& frames = axis.motor.frames;
   bool any = false;
   for (int row = 0; row < motors.rows() && !any; ++row)
-    any = frames.empty() || std::find(frames.begin(), frames.end(), motors.text("frame", row)) != frames.end();
+    any = machine::word_columns::motor_frame.takes(frames, motors, row);
   if (!any)
     return {"motor",
             frames.empty() ? "the catalogues have no motor" : fmt::format("the catalogues have no {}", either(frames))};

@@ -11,18 +11,13 @@
 #include "evaluation/drive_tables.h"
 #include "evaluation/driver_choices.h"
 #include "evaluation/figure_reader.h"
+#include "machine/word_column.h"
 
 namespace millwright::evaluation {
 
 using catalogue::column;
 using catalogue::Family;
 using catalogue::Table;
-
-bool wanted(const std::vector<std::string>& words, std::string_view text) {
-  return words.empty() || std::any_of(words.begin(), words.end(), [&](const std::string& w) {
-           return text.find(w) != std::string_view::npos;
-         });
-}
 
 bool is_part(const catalogue::Table& table, int row, const machine::PartName& part) {
   return table.part_number(row) == part.part_number &&
@@ -135,13 +130,6 @@ auto motor_figures(const Table& motors, int row, Figure figure) {
   f.rotor_teeth =
       std::round(2.0 * 3.14159265358979323846 / motors.number(column(Family::steppers, "step_angle"), row) / 4.0);
   return f;
-}
-
-/// Whether the axis takes such a frame.
-bool is_wanted(const Table& motors, int row, const machine::Axis& axis) {
-  const std::string_view frame = motors.text(column(Family::steppers, "frame"), row);
-  const std::vector<std::string>& frames = axis.motor.frames;
-  return frames.empty() || std::find(frames.begin(), frames.end(), frame) != frames.end();
 }
 
 /// Nothing if a figure is missing; then it is noted.
@@ -303,7 +291,7 @@ MotorTable motor_table(const catalogue::Catalogue& catalogue,
   const auto add_motors = [&](const std::optional<machine::PartName>& only) {
     for (const int row : motors.rows_in_order()) {
       if (only && !is_part(motors, row, *only)) continue;
-      if (!is_wanted(motors, row, axis)) continue;
+      if (!machine::word_columns::motor_frame.takes(axis.motor.frames, motors, row)) continue;
       if (const auto motor = motor_of(motors, row, prices, pairs.table.table)) pairs.add(*motor);
     }
   };

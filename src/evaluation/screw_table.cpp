@@ -13,6 +13,7 @@
 #include "evaluation/drive_tables.h"
 #include "evaluation/figure_reader.h"
 #include "machine/screw.h"
+#include "machine/word_column.h"
 
 namespace millwright::evaluation {
 namespace {
@@ -267,8 +268,8 @@ class LeadNuts {
     const Table& nuts = catalogue.table(Family::lead_nuts);
     const Table& materials = catalogue.table(Family::materials);
     for (const int row : nuts.rows_in_order()) {
-      const std::string_view material = nuts.text(column(Family::lead_nuts, "material"), row);
-      if (!wanted(axis.mechanism.nut_materials, material)) continue;
+      const std::string_view material = machine::word_columns::nut_material.text(nuts, row);
+      if (!machine::word_columns::nut_material.takes(axis.mechanism.nut_materials, material)) continue;
       Nut nut{row, next_index(figures_), {}, {}, prices.line(nuts, row, 1.0, 0.0), {}};
       add_nut_figures(nut.figures, material, materials, axis, FigureReader(nuts, row, nut.missing));
       if (std::isnan(nut.figures.nut_yield_strength))
@@ -310,7 +311,7 @@ struct LeadScrew {
 std::vector<LeadScrew> lead_screws_with(const LeadNuts& nuts, const Table& screws, const machine::Axis& axis) {
   std::vector<LeadScrew> result;
   for (const int row : screws.rows_in_order())
-    if (wanted(axis.mechanism.thread_forms, screws.text(column(Family::lead_screws, "thread_form"), row)))
+    if (machine::word_columns::thread_form.takes(axis.mechanism.thread_forms, screws, row))
       result.push_back(
           {row, nuts.for_screw(screws.part_number(row), screws.text(column(Family::lead_screws, "designation"), row))});
   return result;

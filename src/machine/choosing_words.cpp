@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "machine/condition_places.h"
+#include "machine/word_column.h"
 #include "scalar/unit.h"
 #include "text/nearest.h"
 
@@ -27,56 +28,39 @@ struct Choosing {
   std::string slot;                    ///< of the bill of materials
   std::vector<std::string_view> path;  ///< of the list, in the table of its axis or member
   const std::vector<std::string>& words;
-  Family family;
-  const char* column;
+  WordColumn column;
   std::string_view part;         ///< what the catalogues lack where they lack the word: "motor of frame"
-  bool whole;                    ///< a word is all that the column says, or a part of it
   std::string_view member = {};  ///< in whose table the list stands; else in that of the axis
-
-  [[nodiscard]] bool takes(std::string_view word, std::string_view cell) const {
-    return whole ? cell == word : cell.find(word) != std::string_view::npos;
-  }
-  [[nodiscard]] bool takes(std::string_view cell) const {
-    return words.empty() ||
-           std::any_of(words.begin(), words.end(), [&](const auto& word) { return takes(word, cell); });
-  }
 };
 
 std::vector<Choosing> choosing_of(const Axis& axis) {
   std::vector<Choosing> lists;
   const Mechanism& mechanism = axis.mechanism;
-  lists.push_back(
-      {axis, "motor", {"motor", "frame"}, axis.motor.frames, Family::steppers, "frame", "motor of frame", true});
+  lists.push_back({axis, "motor", {"motor", "frame"}, axis.motor.frames, word_columns::motor_frame, "motor of frame"});
   lists.push_back({axis,
                    "screw",
                    {"mechanism", "thread_forms"},
                    mechanism.thread_forms,
-                   Family::lead_screws,
-                   "thread_form",
-                   "lead screw of form",
-                   false});
+                   word_columns::thread_form,
+                   "lead screw of form"});
   lists.push_back({axis,
                    "nut",
                    {"mechanism", "nut_materials"},
                    mechanism.nut_materials,
-                   Family::lead_nuts,
-                   "material",
-                   "nut of material",
-                   false});
+                   word_columns::nut_material,
+                   "nut of material"});
   lists.push_back(
-      {axis, "belt", {"mechanism", "profiles"}, mechanism.profiles, Family::belts, "profile", "belt of profile", true});
+      {axis, "belt", {"mechanism", "profiles"}, mechanism.profiles, word_columns::belt_profile, "belt of profile"});
   if (axis.guide)
-    lists.push_back(
-        {axis, "guide", {"guide", "kinds"}, axis.guide->kinds, Family::linear_guides, "kind", "guide of kind", false});
+    lists.push_back({axis, "guide", {"guide", "kinds"}, axis.guide->kinds, word_columns::guide_kind, "guide of kind"});
   for (const Member& member : axis.members) {
-    const auto add = [&](const char* key, const auto& words, Family family, const char* column, const char* part) {
-      const bool whole = family == Family::screws;
-      lists.push_back({axis, member.name, {key}, words, family, column, part, whole, member.name});
+    const auto add = [&](const char* key, const auto& words, const WordColumn& column, const char* part) {
+      lists.push_back({axis, member.name, {key}, words, column, part, member.name});
     };
-    add("section_kinds", member.section_kinds, Family::steel_sections, "kind", "section of kind");
+    add("section_kinds", member.section_kinds, word_columns::section_kind, "section of kind");
     if (member.kind != MemberKind::bolts) continue;
-    add("sizes", member.bolts.sizes, Family::screws, "designation", "screw");
-    add("property_classes", member.bolts.property_classes, Family::screws, "property_class", "screw");
+    add("sizes", member.bolts.sizes, word_columns::screw_size, "screw");
+    add("property_classes", member.bolts.property_classes, word_columns::property_class, "screw");
   }
   return lists;
 }
@@ -115,18 +99,18 @@ const text::Node* table_of(const Choosing& list, const text::Node* axis) {
 
 bool any_row_has(const std::string& word, const Choosing& list, const catalogue::Table& table) {
   for (int row = 0; row < table.rows(); ++row)
-    if (list.takes(word, table.text(list.column, row))) return true;
+    if (list.column.takes(word, list.column.text(table, row))) return true;
   return false;
 }
 
 /// The nearest that some row has, or all of them.
 std::string hint_for(const std::string& word, const Choosing& list, const catalogue::Table& table) {
   std::set<std::string_view> known;
-  for (int row = 0; row < table.rows(); ++row) known.insert(table.text(list.column, row));
+  for (int row = 0; row < table.rows(); ++row) known.insert(list.column.text(table, row));
   known.erase("");
   std::vector<std::string_view> meant(known.begin(), known.end());
   for (const std::string_view cell : known) {
-    if (list.whole) break;
+    if (list.column.whole) break;
     const std::vector<std::string_view> parts = words_of(cell);
     meant.insert(meant.end(), parts.begin(), parts.end());
   }
@@ -244,10 +228,10 @@ std::string unwanted(const BomLine& line, const Axis& axis, const catalogue::Cat
       return fmt::format("is one of the {}, which the problem does not take", kind.name);
   for (const Choosing& list : choosing_of(axis)) {
     if (list.slot != line.slot || list.words.empty()) continue;
-    const int row = row_in(list.family);
+    const int row = row_in(list.column.family);
     if (row < 0) continue;
-    const std::string_view cell = catalogue.table(list.family).text(list.column, row);
-    if (!list.takes(cell))
+    const std::string_view cell = list.column.text(catalogue.table(list.column.family), row);
+    if (!list.column.takes(list.words, cell))
       return fmt::format("is {}, and the problem takes {} ({})",
                          cell.empty() ? "of no known kind" : text::printable(cell, 40),
                          listed({list.words.begin(), list.words.end()}),
@@ -265,10 +249,10 @@ void note_idle_words(const Problem& problem,
   const Places places(document);
   for (std::size_t i = 0; i < problem.axes.size(); ++i)
     for (const Choosing& list : choosing_of(problem.axes[i])) {
-      if (list.family == Family::screws) continue;  // these are errors (check_references)
+      if (list.column.family == Family::screws) continue;  // these are errors (check_references)
       const text::Node* node = table_of(list, places.axis(i));
       for (const std::string_view key : list.path) node = Places::find(node, {key});
-      note_idle(list, node, problem.axes[i].where, catalogue.table(list.family), diagnostics);
+      note_idle(list, node, problem.axes[i].where, catalogue.table(list.column.family), diagnostics);
     }
 }
 

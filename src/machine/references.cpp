@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "machine/word_column.h"
 #include "text/nearest.h"
 
 namespace millwright::machine {
@@ -21,15 +22,14 @@ namespace {
 void check_screws(const Axis& axis,
                   const Member& member,
                   const char* key,
-                  const char* column,
+                  const WordColumn& column,
                   const std::vector<std::string>& words,
                   const catalogue::Table& screws,
                   text::Diagnostics& diagnostics) {
   std::vector<std::string> known;
-  for (int row = 0; row < screws.rows(); ++row)
-    known.emplace_back(screws.text(catalogue::column(catalogue::Family::screws, column), row));
+  for (int row = 0; row < screws.rows(); ++row) known.emplace_back(column.text(screws, row));
   for (const std::string& word : words) {
-    if (std::find(known.begin(), known.end(), word) != known.end()) continue;
+    if (std::any_of(known.begin(), known.end(), [&](const auto& text) { return column.takes(word, text); })) continue;
     diagnostics.error(
         member.where,
         fmt::format(
@@ -96,8 +96,9 @@ bool check_references(const Problem& problem, const catalogue::Catalogue& catalo
       if (member.kind == MemberKind::bolts) {  // screws bring their own material
         const catalogue::Table& screws = catalogue.table(catalogue::Family::screws);
         const BoltPattern& bolts = member.bolts;
-        check_screws(axis, member, "sizes", "designation", bolts.sizes, screws, diagnostics);
-        check_screws(axis, member, "property_classes", "property_class", bolts.property_classes, screws, diagnostics);
+        check_screws(axis, member, "sizes", word_columns::screw_size, bolts.sizes, screws, diagnostics);
+        const WordColumn& property_class = word_columns::property_class;
+        check_screws(axis, member, "property_classes", property_class, bolts.property_classes, screws, diagnostics);
         continue;
       }
       const catalogue::Found found = materials.find(member.material);

@@ -48,6 +48,17 @@ TEST_CASE("A word that no part of the catalogues has is warned of where it stand
   CHECK(blank.says("kinds: ' ' begins or ends with a blank"));
 }
 
+TEST_CASE("A part of a text chooses guides and no motors, and the warnings go by what the search takes") {
+  const Workshop shop;
+  const Outcome guide = shop.run({"solve", lifter_problem, "--set", "axis.z.guide.kinds=[\"rofile rai\"]"});
+  CHECK(guide.exit_code == 0);
+  CHECK_FALSE(guide.says("the catalogues have no"));
+  const Outcome motor = shop.run({"solve", lifter_problem, "--set", "axis.z.motor.frame=[\"NEMA2\"]"});
+  CHECK(motor.exit_code == 1);
+  CHECK(motor.says("the catalogues have no motor of frame 'NEMA2'"));
+  CHECK(motor.says("did you mean 'NEMA23'?"));
+}
+
 // The lifter has a bracket with screws and a screw drive with guides, no member that bends.
 TEST_CASE("A limit that no check of the machine reads, and a check to enforce that is not there, are warned of") {
   const Workshop shop;
@@ -91,10 +102,12 @@ TEST_CASE("A word of a member is pointed at in the member's own table") {
   text.insert(at + kinds.size(), "round holow\", \"");
   const std::size_t line =
       1 + static_cast<std::size_t>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+  const std::size_t quote = at + kinds.size() - 1;
+  const std::size_t column = quote - text.rfind('\n', at);
   shop.write("g.toml", text);
   const Outcome outcome = shop.run({"check", "g.toml", problems + "gantry-bom.csv"});
   CAPTURE(outcome.err);
-  CHECK(outcome.says("g.toml:" + std::to_string(line) + ":"));
+  CHECK(outcome.says("g.toml:" + std::to_string(line) + ":" + std::to_string(column) + ":"));
   CHECK(outcome.says("section_kinds: the catalogues have no section of kind 'round holow'"));
 }
 
