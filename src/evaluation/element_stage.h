@@ -129,6 +129,15 @@ class ElementStage : public solver::Stage {
     compared_by_rows_ = by_rows;
   }
 
+  /// Where floors of the cost are counted: before the stage is asked for the first time.
+  void set_floors(const std::vector<CostFloor>& floors) {
+    for (const CostFloor& floor : floors)
+      if (std::none_of(piece_counts_.begin(), piece_counts_.end(), [&](const PieceCount& count) {
+            return count.is_resource && count.state == floor.resource;
+          }))
+        costs_.push_back(floor.resource);
+  }
+
   /// Who sells the rows of its slots: before the stage is asked for the first time.
   void set_shops(std::vector<SlotShops> shops) { shops_ = std::move(shops); }
   [[nodiscard]] bool offered(std::span<const solver::Row> shared, std::size_t slot, solver::Row row) const final {
@@ -244,7 +253,8 @@ class ElementStage : public solver::Stage {
   std::vector<PieceCount> piece_counts_;
   std::size_t compared_resource_ = cost_resource;
   bool compared_by_rows_ = false;
-  std::vector<SlotShops> shops_;  ///< empty, or one per slot
+  std::vector<std::size_t> costs_;  ///< resources that are the same as the cost here
+  std::vector<SlotShops> shops_;    ///< empty, or one per slot
 
   void finish_slots() {
     slots_.clear();
@@ -271,9 +281,11 @@ class ElementStage : public solver::Stage {
     answer.resources.assign(resources_, T(0.0));
     answer.handed_on.assign(selection.inherited.begin(), selection.inherited.end());
     static_cast<const Derived&>(*this).template answer<T>(selection, answer);
-    if constexpr (!requires { Derived::compares_itself; })
+    if constexpr (!requires { Derived::compares_itself; }) {
       if (compared_resource_ != cost_resource && !compared_by_rows_)
         answer.resources[compared_resource_] = answer.resources[cost_resource];
+      for (const std::size_t resource : costs_) answer.resources[resource] = answer.resources[cost_resource];
+    }
     if (!piece_counts_.empty()) count_pieces(selection, answer);
   }
 

@@ -162,21 +162,24 @@ MachineModel::MachineModel(const machine::Problem& given,
     auto whole = std::make_unique<WholeStage>(problem, tool_error);
     whole->set_charges(std::move(charges));
     whole->set_suppliers(shops_.shops());
+    whole->set_floors(shops_.floors());
     whole->set_owned_first(owned_first_);
     entries_.push_back({"machine", "whole", std::move(whole)});
   }
+  const std::size_t resources =
+      first_counted_resource + problem.counted.size() + (prefers() ? 1 : 0) + shops_.floors().size();
   for (const StageEntry& entry : entries_) {
     std::visit(
         [&](const auto& stage) {
-          stage->set_resources(first_counted_resource + problem.counted.size() + (prefers() ? 1 : 0));
+          stage->set_floors(shops_.floors());
+          stage->set_resources(resources);
           if (prefers()) stage->set_compared(*compared_resource_, any_preferred(catalogue, prices, stage->tables()));
         },
         entry.stage);
     solver_problem_.stages.push_back(&entry.as_stage());
   }
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  const bool some_out_of_reach = std::any_of(
-      counted_parts_.begin(), counted_parts_.end(), [](const CountedPart& part) { return part.only_owned; });
+  const bool some_out_of_reach = std::ranges::any_of(counted_parts_, &CountedPart::only_owned);
   // The bill adds its lines up in another order than the search: what costs just so much is allowed.
   const auto limit = [](std::optional<double> given_limit, double otherwise) {
     return given_limit ? *given_limit * (1.0 + rounding_of_totals) : otherwise;
@@ -184,8 +187,9 @@ MachineModel::MachineModel(const machine::Problem& given,
   solver_problem_.resources = {{"cost", limit(problem.cost_limit, some_out_of_reach ? 0.5 * beyond_reach : infinity)},
                                {"mass", limit(problem.mass_limit, infinity)}};
   for (const machine::Quantity quantity : problem.counted)
-    solver_problem_.resources.push_back({std::string(machine::declaration(quantity).name), infinity});
-  if (prefers()) solver_problem_.resources.push_back({"compared cost", infinity});
+    solver_problem_.resources.push_back({std::string(machine::declaration(quantity).name)});
+  if (prefers()) solver_problem_.resources.push_back({"compared cost"});
+  solver_problem_.resources.resize(resources, {"cost with minimum orders"});
   if (!options_.scenarios.empty()) add_scenarios(given, given_slots);
   if (!options_.fixed.lines.empty()) fix();
 }
@@ -233,10 +237,11 @@ void MachineModel::count_parts(const PriceBook& prices) {
   for (CountedPart& part : counted_parts_) part.shop = shops_.shop_of(part.family, part.row);
   for (BarStock& stock : bars_->stocks()) stock.shop = shops_.shop_of(stock.family, stock.row);
   if (!shops_.empty()) solver_problem_.shared.push_back({"suppliers", solver::Row{1} << shops_.shops().size()});
-  if (std::any_of(entries_.begin(), entries_.end(), [&](const StageEntry& entry) {
-        return any_preferred(catalogue_, prices, entry.tables());
-      }))
+  if (std::ranges::any_of(entries_,
+                          [&](const StageEntry& entry) { return any_preferred(catalogue_, prices, entry.tables()); }))
     compared_resource_ = first_counted_resource + problem_.counted.size();
+  // (Where preferred parts count less, what is missing at a shop is no part of what is compared.)
+  if (!prefers()) shops_.add_floors(first_counted_resource + problem_.counted.size(), solver_problem_);
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     std::visit([&](auto& stage) { bars_->reprice(i, stage->change_tables()); }, entries_[i].stage);
     const std::vector<SlotTable>& tables = entries_[i].tables();

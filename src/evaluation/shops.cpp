@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+
+#include "evaluation/element_stage.h"
 
 namespace millwright::evaluation {
 
@@ -96,6 +99,23 @@ std::size_t Shops::settle(std::size_t first_state, bool all_used) {
   return count;
 }
 
+void Shops::add_floors(std::size_t first_resource, solver::Problem& problem) {
+  constexpr std::size_t few = 2;
+  SlotShops::Set all = 0;
+  std::vector<std::size_t> with_minimum;
+  for (std::size_t i = 0; i < shops_.size(); ++i)
+    if (shops_[i].spent_state) {
+      with_minimum.push_back(i);
+      all |= SlotShops::Set{1} << i;
+    }
+  const auto add = [&](SlotShops::Set set) { floors_.push_back({set, first_resource + floors_.size()}); };
+  for (const std::size_t shop : with_minimum) add(SlotShops::Set{1} << shop);
+  if (with_minimum.size() > 1) add(all);
+  for (const CostFloor& floor : floors_) problem.floors.push_back({cost_resource, floor.resource});
+  if (with_minimum.size() > few) return;
+  for (const std::size_t shop : with_minimum) problem.states_in_floors.push_back(*shops_[shop].spent_state);
+}
+
 std::optional<std::size_t> Shops::shop_of(catalogue::Family family, int row) const {
   const auto found = shop_of_.find({family, row});
   return found == shop_of_.end() ? std::nullopt : std::optional(found->second);
@@ -153,7 +173,33 @@ std::vector<PieceCount> Shops::counts(std::span<const SlotTable> tables) const {
       if (any && shops_[shop].spent_state) result.push_back({slot, *shops_[shop].spent_state, spent});
       if (any && shops_[shop].used_state) result.push_back({slot, *shops_[shop].used_state, used});
     }
+  for (const CostFloor& floor : floors_) add_floor_counts(floor, tables, result);
   return result;
+}
+
+/// Nothing of what its shops sell. Of a stage where they sell nothing a floor is the cost (ElementStage).
+void Shops::add_floor_counts(const CostFloor& floor,
+                             std::span<const SlotTable> tables,
+                             std::vector<PieceCount>& counts) const {
+  std::vector<PieceCount> more;
+  bool any = false;
+  for (std::size_t slot = 0; slot < tables.size(); ++slot) {
+    PieceCount& count = more.emplace_back();
+    count.slot = slot;
+    count.state = floor.resource;
+    count.is_resource = true;
+    for (std::size_t row = 0; row < tables[slot].rows(); ++row) {
+      const Candidate& candidate = tables[slot].candidate(row);
+      double price = candidate.price;
+      for (const PartUse& use : candidate.parts) {
+        if (!floor.has(shop_of(use))) continue;
+        price -= use.price;
+        any = true;
+      }
+      count.of_row.push_back(std::max(0.0, price));
+    }
+  }
+  if (any) counts.insert(counts.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
 
 void ShopLedger::take(const PartUse& use, double owned, double price) {

@@ -6,8 +6,10 @@
 //
 //   cost = sum of prices + sum over the set of (shipping + max(0, minimum - spent there))
 //
-// What was spent at those with a minimum is part of the state, and the last stage charges what is missing. Of rows that
-// differ only in who sells the parts, those that another one of the set beats are not offered either.
+// What was spent at those with a minimum is part of the state, and the last stage charges what is missing. The cost is
+// also the largest of sums in which some shops are paid their minimum and their goods nothing: floors, by which the
+// search bounds and compares it (solver/stage.h). Of rows that differ only in who sells the parts, those that another
+// one of the set beats are not offered either.
 #pragma once
 
 #include <cstdint>
@@ -33,6 +35,14 @@ struct Shop {
   std::optional<std::size_t> used_state;   ///< where it counts what is bought there, if somebody has to
 };
 
+/// What a build costs at least where every shop of a set is paid its minimum and its goods nothing. Over all sets, the
+/// empty one too, the largest of these is what the build costs.
+struct CostFloor {
+  std::uint32_t shops = 0;   ///< bits of those with their minimum
+  std::size_t resource = 0;  ///< where it is summed up
+  [[nodiscard]] bool has(std::optional<std::size_t> shop) const { return shop && ((shops >> *shop) & 1U) != 0; }
+};
+
 /// What the rows of one slot have to do with shops.
 struct SlotShops {
   using Set = std::uint32_t;
@@ -53,8 +63,13 @@ class Shops {
   /// Decides what is to be counted, from this component of the state on. `all_used`: a set counts only if something is
   /// bought from each of it, so that every build has but one. Returns how many components that takes.
   std::size_t settle(std::size_t first_state, bool all_used);
+  /// Floors of the cost, counted as resources from this one on; after settle(). Of all sets of shops with a minimum
+  /// where these are few, and then what was spent need not be compared (`solver::Problem::states_in_floors`); of
+  /// many only of each shop and of all of them.
+  void add_floors(std::size_t first_resource, solver::Problem& problem);
 
   [[nodiscard]] const std::vector<Shop>& shops() const { return shops_; }
+  [[nodiscard]] const std::vector<CostFloor>& floors() const { return floors_; }
   [[nodiscard]] bool empty() const { return shops_.empty(); }
   /// The shop where this is bought; none where that costs nothing beside.
   [[nodiscard]] std::optional<std::size_t> shop_of(catalogue::Family family, int row) const;
@@ -65,7 +80,7 @@ class Shops {
   [[nodiscard]] std::vector<SlotShops> slots(const catalogue::Catalogue& catalogue,
                                              const PriceBook& prices,
                                              std::span<const SlotTable> tables) const;
-  /// What their rows add to the components of the state.
+  /// What their rows add to the components of the state, and to floors where they are sold by one of their shops.
   [[nodiscard]] std::vector<PieceCount> counts(std::span<const SlotTable> tables) const;
 
  private:
@@ -73,6 +88,11 @@ class Shops {
   std::map<std::string, Shop> found_;
   std::map<std::pair<catalogue::Family, int>, std::size_t> shop_of_;
   std::vector<Shop> shops_;
+  std::vector<CostFloor> floors_;
+
+  void add_floor_counts(const CostFloor& floor,
+                        std::span<const SlotTable> tables,
+                        std::vector<PieceCount>& counts) const;
 };
 
 /// Equal for candidates that differ only in who sells their parts.

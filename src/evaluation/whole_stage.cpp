@@ -64,6 +64,13 @@ void WholeStage::pay(const T& charged, double preference, solver::Answer<T>& out
   out.resources[compared_resource_] = out.resources[compared_resource_] + T(preference) * charged;
 }
 
+/// What a shop is paid beside its minimum counts in the floors without that; what is paid to nobody of these in all.
+template <class T>
+void WholeStage::pay_floors(const T& charged, std::optional<std::size_t> shop, solver::Answer<T>& out) const {
+  for (const CostFloor& floor : floors_)
+    if (!floor.has(shop)) out.resources[floor.resource] = out.resources[floor.resource] + charged;
+}
+
 /// Of the set of suppliers that is chosen.
 template <class T>
 void WholeStage::charge_orders(const Selection<T>& s, solver::Answer<T>& out) const {
@@ -76,7 +83,10 @@ void WholeStage::charge_orders(const Selection<T>& s, solver::Answer<T>& out) co
       out.utilisation[constraint++] = open ? utilisation(T(1.0), s.inherited[*shop.used_state]) : T(0.0);
     if (!open) continue;
     pay(T(shop.shipping_fee), 1.0, out);
+    pay_floors(T(shop.shipping_fee), {}, out);
     if (!shop.spent_state) continue;
+    for (const CostFloor& floor : floors_)
+      if (floor.has(i)) out.resources[floor.resource] = out.resources[floor.resource] + T(shop.minimum_order);
     T spent = s.inherited[*shop.spent_state];
     for (const LateCharge& late : charges_)
       if (late.shop == i) spent = spent + charge(late, s.inherited[late.state]);
@@ -99,7 +109,11 @@ template <class T>
 void WholeStage::answer(const Selection<T>& s, solver::Answer<T>& out) const {
   const WholeMachine<T> d = design(s);
   whole_constraints(UtilisationVisitor<T, WholeMachine<T>>(d, s.kept, out.utilisation));
-  for (const LateCharge& late : charges_) pay(charge(late, s.inherited[late.state]), late.preference, out);
+  for (const LateCharge& late : charges_) {
+    const T charged = charge(late, s.inherited[late.state]);
+    pay(charged, late.preference, out);
+    pay_floors(charged, late.shop, out);
+  }
   charge_orders(s, out);
   check_owned(s, out);
   if (!error_resource_) return;

@@ -134,6 +134,9 @@ class WholeStage final : public ElementStage<WholeStage> {
   /// Whose shipping and minimum is charged here; before the stage is asked for the first time.
   void set_suppliers(std::vector<Shop> shops);
 
+  /// Floors of the cost, after set_suppliers().
+  void set_floors(std::vector<CostFloor> floors) { floors_ = std::move(floors); }
+
   /// What must not be bought while it is owned; after set_suppliers().
   void set_owned_first(std::vector<OwnedFirst> rules);
 
@@ -148,11 +151,14 @@ class WholeStage final : public ElementStage<WholeStage> {
   std::optional<std::size_t> error_resource_;
   std::vector<LateCharge> charges_;
   std::vector<Shop> suppliers_;
+  std::vector<CostFloor> floors_;
   std::vector<OwnedFirst> owned_first_;
   std::size_t declared_constraints_ = 0;  ///< those of suppliers and of what is owned stand behind them
 
   template <class T>
   void pay(const T& charged, double preference, solver::Answer<T>& out) const;
+  template <class T>
+  void pay_floors(const T& charged, std::optional<std::size_t> shop, solver::Answer<T>& out) const;
   template <class T>
   void charge_orders(const Selection<T>& selection, solver::Answer<T>& out) const;
   template <class T>

@@ -96,7 +96,7 @@ bool BranchAndBound::make_stream(std::uint32_t index, std::size_t region, Node& 
     if (label.stage > 0) least = std::max(least, rest_after(plans_[label.stage - 1], k, label.enclosure));
     node.score[k] = below(label.score_lower[k], least);
   }
-  criteria_.raise_by_limit_prices(node.score);
+  criteria_.raise(node.score);
   return true;
 }
 
@@ -122,7 +122,7 @@ void BranchAndBound::note_scores(const Bounds& bounds, Node& node) const {
     node.reached[k] = below(label.score_lower[k], std::max(bounds.score[k], plan.least[k]));
     node.score[k] = below(node.reached[k], rest_after(plan, k, node.handed_on));
   }
-  criteria_.raise_by_limit_prices(node.score);
+  criteria_.raise(node.score);
   node.utilisation = std::max({node.utilisation, label.utilisation, bounds.utilisation});
   node.open = bounds.open;
 }
@@ -150,7 +150,7 @@ std::size_t BranchAndBound::first_to_follow(const Label& label, std::size_t regi
       const double own = std::max(best.score[k], plan.least[k]);
       score[k] = below(below(label.score_lower[k], own), rest_after(plan, k, best.handed_on));
     }
-    criteria_.raise_by_limit_prices(score);
+    criteria_.raise(score);
     if (!incumbents_.hopeless(score, std::max(label.utilisation, best.utilisation))) break;
   }
   return region;

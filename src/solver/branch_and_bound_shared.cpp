@@ -43,7 +43,7 @@ void BranchAndBound::go_down(const Node& from, SharedPart* part, double up_to, O
   score.resize(part->least.size());
   for (std::size_t k = 0; k < score.size(); ++k)
     score[k] = scalar::rounding::sum_down(label.score_lower[k], part->least[k]);
-  criteria_.raise_by_limit_prices(score);
+  criteria_.raise(score);
   if (incumbents_.hopeless(score, std::max(from.utilisation, part->bounds.utilisation))) return;
   Node node;
   if (!make_part(from, *part, node)) return;

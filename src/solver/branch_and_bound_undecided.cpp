@@ -17,7 +17,7 @@ void BranchAndBound::keep_boxes(std::vector<OpenBox>& boxes) {
 
 void BranchAndBound::leave_undecided(Undecided undecided) {
   constexpr std::size_t most_kept = 100000;
-  criteria_.raise_by_limit_prices(undecided.score);
+  criteria_.raise(undecided.score);
   if (incumbents_.hopeless(undecided.score, undecided.utilisation)) return;
   undecided_bound_ = std::min(undecided_bound_, undecided.score[0]);
   keep_boxes(undecided.boxes);

@@ -84,7 +84,7 @@ std::vector<double> BranchAndBound::with_rest(std::size_t stage,
   std::vector<double> total(reached.begin(), reached.end());
   for (std::size_t k = 0; k < total.size(); ++k)
     total[k] = scalar::rounding::sum_down(total[k], rest_after(plans_[stage], k, handed_on));
-  criteria_.raise_by_limit_prices(total);
+  criteria_.raise(total);
   return total;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace millwright::solver {
 namespace {
@@ -74,7 +75,16 @@ void Criteria::lower_guides(std::span<double> score) const {
   }
 }
 
-void Criteria::raise_by_limit_prices(std::span<double> total) const {
+bool Criteria::has_to_be_kept_low(std::size_t score) const { return std::isfinite(limit[score]) || is_floor(score); }
+
+bool Criteria::is_less_by_floors(std::size_t score, std::span<const double> less, std::span<const double> than) const {
+  return std::all_of(floors.begin(), floors.end(), [&](const Floor& floor) {
+    return floor.resource != score || rounded(less[floor.bound]) < rounded(than[floor.bound]);
+  });
+}
+
+void Criteria::raise(std::span<double> total) const {
+  for (const Floor& floor : floors) total[floor.resource] = std::max(total[floor.resource], total[floor.bound]);
   for (std::size_t g = 0; g < limit_worth.size(); ++g)
     total[0] = std::max(total[0], scalar::rounding::sum_down(total[size() - guides + g], -limit_worth[g]));
 }
@@ -122,6 +132,36 @@ void add_limit_prices(Criteria& criteria, std::size_t score, std::span<const dou
   }
 }
 
+namespace {
+
+/// Of each score: the same with floors for the resources that have some. Ties need them only where designs are not
+/// compared in states because there are floors.
+void add_floors(Criteria& criteria, const Problem& problem) {
+  const std::size_t scores = criteria.size();
+  const auto reads_floored = [&](std::size_t k) {
+    return std::any_of(problem.floors.begin(), problem.floors.end(), [&](const Floor& floor) {
+      return criteria.weight[k][floor.resource] != 0.0;
+    });
+  };
+  bool any = false;
+  for (std::size_t k = 0; k < scores; ++k)
+    any = any || ((k < criteria.objectives || std::isfinite(criteria.limit[k])) && reads_floored(k));
+  for (std::size_t k = 0; any && k < scores; ++k)
+    for (const Floor& floor : problem.floors) {
+      std::vector<double> weight = criteria.weight[k];
+      if (weight[floor.resource] == 0.0) continue;
+      weight[floor.bound] += std::exchange(weight[floor.resource], 0.0);
+      criteria.floors.push_back({k, criteria.size()});
+      criteria.weight.push_back(std::move(weight));
+      criteria.limit.push_back(criteria.limit[k]);
+    }
+  if (criteria.floors.empty()) return;
+  criteria.states_in_floors.assign(problem.first_state.size(), false);
+  for (const std::size_t component : problem.states_in_floors) criteria.states_in_floors[component] = true;
+}
+
+}  // namespace
+
 Criteria make_criteria(const Problem& problem, const Options& options) {
   const std::size_t resources = problem.resources.size();
   Criteria criteria;
@@ -153,6 +193,7 @@ Criteria make_criteria(const Problem& problem, const Options& options) {
       add_limit(criteria, unit_weight(resources, r, "Problem::resources"), problem.resources[r].limit);
     }
   }
+  add_floors(criteria, problem);
   return criteria;
 }
 

@@ -2,13 +2,15 @@
 //
 // What the search compares. The resources of a problem are turned into scores: first the objectives (one, or several
 // for a front, or one weighted sum), then the resources that decide between equal objectives, then those with a limit.
-// A resource that nobody asked for is no score and is never looked at.
+// A resource that nobody asked for is no score and is never looked at. Where a resource has floors (stage.h), those are
+// scores, too.
 //
 // Scores are compared after rounding to 40 binary digits (about 1e-12 relative): two designs whose cost is the same sum
 // in another order must count as equal, or a rounding error of 1e-14 would decide over a kilogram. The rounding is
 // monotone, so a lower bound stays a lower bound.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -43,10 +45,26 @@ struct Criteria {
   std::vector<double> limit;                        ///< [score]: the total must not exceed this
   std::vector<std::vector<double>> guide_mix = {};  ///< [guide][score]: weight in the sum; further scores have none
   std::vector<double> limit_worth = {};             ///< [guide] by add_limit_prices: what the limit comes to in the sum
+  std::vector<Floor> floors = {};                   ///< of scores: indices of these
+  std::vector<bool> states_in_floors = {};          ///< [component]: see Problem; shorter ones have none
 
   [[nodiscard]] std::size_t size() const { return weight.size(); }
   /// The score that is set against the first one in staircases: the second objective, or the first tie; 0 without one.
   [[nodiscard]] double second(std::span<const double> score) const { return size() > 1 ? score[1] : 0.0; }
+  /// Whether designs that are no worse otherwise have to be compared in this score, which is no objective.
+  [[nodiscard]] bool has_to_be_kept_low(std::size_t score) const;
+  [[nodiscard]] bool is_floor(std::size_t score) const {
+    return std::any_of(floors.begin(), floors.end(), [&](const Floor& floor) { return floor.bound == score; });
+  }
+  /// Whether designs need not be compared in a component of the state.
+  [[nodiscard]] bool is_in_floors(std::size_t component) const {
+    return component < states_in_floors.size() && states_in_floors[component];
+  }
+  /// Of two designs of which one is less in a score: whether it stays so whatever floors come to, which may be the same
+  /// for both in the end.
+  [[nodiscard]] bool is_less_by_floors(std::size_t score,
+                                       std::span<const double> less,
+                                       std::span<const double> than) const;
   /// Whether any score reads this resource.
   [[nodiscard]] bool reads(std::size_t resource) const;
   /// The scores of resources (value by value; the same order of additions for every T).
@@ -69,8 +87,9 @@ struct Criteria {
   [[nodiscard]] bool is_as_good(std::span<const double> score, std::span<const double> than, double part) const;
   /// Lowers guides to the sums of these scores, where they say more.
   void lower_guides(std::span<double> score) const;
-  /// Raises a lower bound of a single objective's total by what guides say of designs that keep a limit.
-  void raise_by_limit_prices(std::span<double> total) const;
+  /// Raises lower bounds of totals by what others say: floors, and of a single objective guides, of designs that keep a
+  /// limit.
+  void raise(std::span<double> total) const;
 };
 
 /// For a front in two or three objectives: adds weighted sums of them as further scores. They decide nothing, but the

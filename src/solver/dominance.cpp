@@ -7,26 +7,28 @@
 namespace millwright::solver {
 namespace {
 
-std::vector<std::pair<std::size_t, Direction>> components_that_matter(std::span<const Direction> directions) {
-  std::vector<std::pair<std::size_t, Direction>> compared;
+using ComparedStates = std::vector<std::pair<std::size_t, Direction>>;
+
+ComparedStates components_that_matter(const Criteria& criteria, std::span<const Direction> directions) {
+  ComparedStates compared;
   for (std::size_t c = 0; c < directions.size(); ++c)
-    if (directions[c] != Direction::irrelevant) compared.emplace_back(c, directions[c]);
+    if (directions[c] != Direction::irrelevant && !criteria.is_in_floors(c)) compared.emplace_back(c, directions[c]);
   return compared;
 }
 
-/// One coordinate for each objective and each further score with a limit, one or two for each state component.
-std::size_t coordinates(const Criteria& criteria, std::span<const Direction> directions) {
+/// One coordinate for each objective and each further score with a limit or that is a floor, one or two for each state
+/// component that matters.
+std::size_t coordinates(const Criteria& criteria, const ComparedStates& compared) {
   std::size_t count = criteria.objectives;
-  for (std::size_t k = criteria.objectives; k < criteria.size(); ++k) count += std::isfinite(criteria.limit[k]) ? 1 : 0;
-  for (const Direction direction : directions)
-    count += direction == Direction::irrelevant ? 0 : direction == Direction::equal_only ? 2 : 1;
+  for (std::size_t k = criteria.objectives; k < criteria.size(); ++k) count += criteria.has_to_be_kept_low(k) ? 1 : 0;
+  for (const auto& [component, direction] : compared) count += direction == Direction::equal_only ? 2 : 1;
   return count;
 }
 
 void add_scores(const Criteria& criteria, std::span<const double> score, std::vector<double>& key) {
   for (std::size_t k = 0; k < criteria.objectives; ++k) key.push_back(rounded(score[k]));
   for (std::size_t k = criteria.objectives; k < criteria.size(); ++k)
-    if (std::isfinite(criteria.limit[k])) key.push_back(score[k]);
+    if (criteria.has_to_be_kept_low(k)) key.push_back(std::isfinite(criteria.limit[k]) ? score[k] : rounded(score[k]));
 }
 
 /// The best of what a label stands for.
@@ -40,11 +42,11 @@ LabelSet::LabelSet(const Criteria& criteria,
                    Dominating by,
                    double slack)
     : criteria_(&criteria),
-      compared_(components_that_matter(directions)),
+      compared_(components_that_matter(criteria, directions)),
       store_(&store),
       by_(by),
       slack_(slack),
-      known_(coordinates(criteria, directions)),
+      known_(coordinates(criteria, compared_)),
       replaced_(known_) {}
 
 void LabelSet::key_of(const Label& label, std::vector<double>& key) const {
@@ -73,7 +75,9 @@ bool LabelSet::wins_tie(const Label& label, const Worth& worth) const {
   for (std::size_t k = 0; k < objectives + criteria_->ties; ++k) {
     const double known = rounded(score[k]);
     const double other = rounded(worth.score[k]);
-    if (known != other) return known < other || (slack_ > 0.0 && k < objectives);
+    if (slack_ > 0.0 && k < objectives && known != other) return true;
+    if (known < other && criteria_->is_less_by_floors(k, score, worth.score)) return true;
+    if (known > other) return false;
   }
   return slack_ > 0.0 || label.utilisation <= worth.utilisation;
 }

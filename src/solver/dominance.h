@@ -5,6 +5,9 @@
 // component in its proved direction (monotonicity.h); a component without a proved direction has to be equal. States
 // are compared as objectives are (criteria.h): the same sum in another order counts as equal.
 //
+// Components that only make a total the largest of its floors (stage.h) need not be compared: the floors are, instead.
+// A label that is less in an objective is so in the end only if it is less in its floors, too.
+//
 // Equal objectives are decided by the tie scores and then by the worst utilisation: a label that is strictly better in
 // an objective need not be as good in those; one that is equal in all objectives must be.
 //

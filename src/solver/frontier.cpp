@@ -2,6 +2,7 @@
 #include "solver/frontier.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "solver/easing.h"
@@ -16,6 +17,7 @@ namespace {
 
 constexpr std::size_t front_nodes = 3000;                        // spent on the least front of one stage
 constexpr std::size_t most_combinations = std::size_t{1} << 22;  // kept at a time
+constexpr double rounding_of_sums = 1e-13;                       // less than makes two totals differ
 
 /// Room for the rounding of sums, so that bounds stay bounds.
 double with_slack(double bound) { return std::isfinite(bound) ? bound + 1e-11 * std::fabs(bound) : bound; }
@@ -81,6 +83,13 @@ void Frontier::find_rest() {
   });
   rest_.assign(stages + 1, {Pair{}});
   for (std::size_t i = stages; i-- > 0;) rest_[i] = sum_of_staircases(own[i], rest_[i + 1], staircase_points);
+  floor_total_ = -infinity;
+  for (const Floor& floor : criteria_.floors) {
+    double least = floor.resource == 0 ? 0.0 : -infinity;
+    for (const StagePlan& plan : plans_) least = scalar::rounding::sum_down(least, plan.least[floor.bound]);
+    floor_total_ = std::max(floor_total_, least);
+  }
+  least_total_ = std::max(least_total_, floor_total_);
 }
 
 /// A total matters only below a corner between two neighbours of the known front. `equals`: they may win a tie.
@@ -100,7 +109,9 @@ std::vector<Pair> Frontier::corners(bool equals) const {
     }
     corners.push_back({infinity, less_than(second)});
   }
-  std::erase_if(corners, [&](const Pair& corner) { return corner.first < section_.from; });
+  std::erase_if(corners, [&](const Pair& corner) {
+    return corner.first < section_.from || corner.first < floor_total_ - rounding_of_sums * std::fabs(floor_total_);
+  });
   // And nothing matters beyond the limits.
   for (Pair& corner : corners) {
     corner.first = std::min({corner.first, with_slack(criteria_.limit[0]), with_slack(section_.to)});
@@ -178,9 +189,12 @@ bool Frontier::advance(std::size_t stage, const Comparison& comparison) {
 bool Frontier::may_matter(std::size_t stage, std::span<const double> score, std::span<const double> state) const {
   const StagePlan& plan = plans_[stage];
   if (!bearable(plan, state)) return false;
-  if (plan.curves.empty() && plan.planes.empty()) return true;
-  LeastTotals totals(score[0] + rest_after(plan, 0, state),
-                     criteria_.second(score) + (criteria_.size() > 1 ? rest_after(plan, 1, state) : 0.0));
+  if (plan.curves.empty() && plan.planes.empty() && criteria_.floors.empty()) return true;
+  const auto total = [&](std::size_t k) { return score[k] + rest_after(plan, k, state); };
+  std::array<double, 2> least{total(0), criteria_.size() > 1 ? total(1) : 0.0};
+  for (const Floor& floor : criteria_.floors)
+    if (floor.resource < least.size()) least[floor.resource] = std::max(least[floor.resource], total(floor.bound));
+  LeastTotals totals(least[0], least[1]);
   if (criteria_.objectives > 1) totals.add_mixed(plan, score, [&](std::size_t c) { return state[c]; });
   return totals.below(useful_.back()) &&
          (plan.vectors.add.empty() ||

@@ -207,6 +207,7 @@ class Frontier {
   std::unique_ptr<RestPlanes> planes_;
   std::vector<Mix> mixes_;                  ///< of the objectives that have planes
   double least_total_ = 0.0;                ///< of the first score
+  double floor_total_ = -infinity;          ///< of the first score, by its floors
   std::vector<std::vector<Pair>> rest_;     ///< [stage]: least added by this and all later stages
   std::vector<std::vector<Pair>> useful_;   ///< [stage]: what a label before it must be below
   std::vector<std::vector<Label>> labels_;  ///< [stage]

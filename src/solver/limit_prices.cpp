@@ -37,7 +37,8 @@ std::vector<std::size_t> SolveRun::limited_scores() const {
   std::vector<std::size_t> limited;
   if (scope_ != Scope::all || !control_.options().price_limits || criteria_.objectives != 1 || !priced_) return limited;
   for (std::size_t k = 1; k < criteria_.size(); ++k)
-    if (std::isfinite(criteria_.limit[k]) && criteria_.limit[k] > 0.0 && resource_of(criteria_.weight[k]))
+    if (std::isfinite(criteria_.limit[k]) && criteria_.limit[k] > 0.0 && resource_of(criteria_.weight[k]) &&
+        !criteria_.is_floor(k))
       limited.push_back(k);
   return limited;
 }

@@ -21,6 +21,7 @@ std::vector<double> quick_bound(
     for (std::size_t k = 0; k < total.size(); ++k) total[k] = scalar::rounding::sum_down(total[k], score[k]);
     state = answer.handed_on;
   }
+  criteria.raise(total);
   return total;
 }
 

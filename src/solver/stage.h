@@ -203,12 +203,24 @@ struct Resource {
   double limit = std::numeric_limits<double>::infinity();  ///< total must not exceed this
 };
 
+/// Says that the total of `resource` is never less than that of `bound`, whatever is chosen. So what a stage adds
+/// according to its state can be bounded by sums to which it adds nothing of the kind.
+struct Floor {
+  std::size_t resource = 0;
+  std::size_t bound = 0;
+};
+
 /// A whole problem: stages from the tool to the base.
 struct Problem {
   std::vector<Slot> shared;          ///< choices every stage sees
   std::vector<double> first_state;   ///< what the first stage inherits
   std::vector<const Stage*> stages;  ///< not owned
   std::vector<Resource> resources;   ///< every stage's answer has one entry for each
+  std::vector<Floor> floors = {};
+  /// Components of the state that are read for nothing but to make a total the largest of its floors and of what the
+  /// stages before have added to it. Of two designs whose totals and floors are no larger, neither need be compared in
+  /// these.
+  std::vector<std::size_t> states_in_floors = {};
 };
 
 }  // namespace millwright::solver

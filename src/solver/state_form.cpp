@@ -56,12 +56,13 @@ Comparison::Comparison(const Criteria& criteria, std::span<const Direction> dire
     const bool is_tie = !is_objective && k < ties_end && !std::isfinite(criteria.limit[k]);
     if (compared == Compared::objectives ? !is_objective : compared == Compared::without_ties && is_tie) continue;
     scores_.push_back(k);
-    is_tie_.push_back(is_tie);
+    // Where objectives have floors, what is less in one may come to the same in the end: ties are not decided before.
+    is_tie_.push_back(is_tie && criteria.floors.empty());
   }
   if (compared == Compared::objectives) return;
   for (std::size_t c = 0; c < directions.size(); ++c) {
     const Direction direction = directions[c];
-    if (direction == Direction::irrelevant) continue;
+    if (direction == Direction::irrelevant || criteria.is_in_floors(c)) continue;
     if (direction != Direction::larger_is_better) states_.push_back({c, false});
     if (direction != Direction::smaller_is_better) states_.push_back({c, true});
   }

@@ -70,7 +70,7 @@ class Comparison {
   [[nodiscard]] std::size_t dimensions() const { return scores_.size() + states_.size(); }
   /// The scores that are compared: they are the first coordinates.
   [[nodiscard]] const std::vector<std::size_t>& scores() const { return scores_; }
-  /// [coordinate]: it decides between equal objectives and nothing else.
+  /// [coordinate]: it decides between equal objectives and nothing else, and which are equal is known.
   [[nodiscard]] const std::vector<bool>& is_tie() const { return is_tie_; }
   void key(std::span<const double> score, std::span<const double> state, double* out) const;
   /// Of something that lies between two states: its best in every coordinate; with the two exchanged, its worst.

@@ -152,7 +152,7 @@ TEST_CASE("What prices say of an objective is true of all that keeps the limit")
   add_limit_prices(criteria, 1, prices);
   REQUIRE(criteria.size() == 4);
   std::vector<double> total{2.0, 3.0, 13.0, 30.0};
-  criteria.raise_by_limit_prices(total);
+  criteria.raise(total);
   CHECK(total[0] == Approx(10.0).epsilon(1e-9));
   CHECK(total[0] <= 10.0);
   // Sums of designs that keep the limit, up to it, say no more than the objective itself.
@@ -162,7 +162,7 @@ TEST_CASE("What prices say of an objective is true of all that keeps the limit")
     const double other = i % 2 == 0 ? 5.0 : uniform(rng, 0.0, 5.0);
     std::vector<double> scores(4);
     criteria.scores<double>(std::vector<double>{objective, other}, scores);
-    criteria.raise_by_limit_prices(scores);
+    criteria.raise(scores);
     REQUIRE(scores[0] == objective);
   }
 }
