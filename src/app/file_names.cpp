@@ -17,8 +17,9 @@ namespace {
 
 CLI::Validator ending_as(const std::string& kind) {
   const auto complaint = [kind](const std::string& name) -> std::string {
-    static const std::set<std::string> known{".xlsx", ".xls", ".ods", ".pdf"};
-    const bool is_other = name == "-" || known.contains(ending_of(name));
+    static const std::set<std::string> known{".xlsx", ".xls", ".ods", ".pdf", ".docx", ".md", ".json", ".html"};
+    const std::string ending = ending_of(name);
+    const bool is_other = name == "-" || (known.contains(ending) && ending != kind);
     return is_other ? name + ": a " + kind + " file is expected here" : "";
   };
   return CLI::Validator(complaint, "");

@@ -67,7 +67,7 @@ report::MachineResult check(const Options& options,
     diagnostics.warning(remark.where, remark.message, remark.hint);
   if (!outcome.problems.empty()) return result;
   result.completed = outcome.completed;
-  result.completion_is_optimal = outcome.complete_is_optimal;
+  result.completion = outcome.completion;
   result.certificate.incomplete = std::move(outcome.incomplete);
   std::vector<evaluation::Design> designs;
   designs.push_back(std::move(outcome.design));
@@ -82,6 +82,12 @@ bool is_robust(const evaluation::Design& design) {
   using enum evaluation::ToleranceVerdict;
   const auto& check = design.tolerances;
   return check && (check->verdict == compliant || check->verdict == none_stated);
+}
+
+/// A build that complies does so whether or not something better could be chosen where the bill leaves nothing open.
+bool was_ended(const report::MachineResult& result) {
+  using enum evaluation::Completion;
+  return result.completion == open || (result.completed && result.completion == compliant);
 }
 
 }  // namespace
@@ -124,6 +130,8 @@ int run_check(const Options& options) {
           : report::machine_page(result, input->problem, report::PageKind::check, json, page_language(options));
   const bool delivered = deliver(options, report::check_text(result, output_style(options)), json, page);
   if (!delivered || !written) return exit_bad_input;
+  if (result.designs.empty()) return exit_failed;
+  if (was_ended(result) && (satisfied || result.completion == evaluation::Completion::open)) return exit_limit;
   return satisfied ? exit_done : exit_failed;
 }
 

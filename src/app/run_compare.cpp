@@ -89,7 +89,7 @@ ComparedBuild recorded_build(Side&& side) {
     build.origin += fmt::format(", asked for beside it: {}", fmt::join(words, "; "));
   }
   if (!recorded.proved) build.origin += ", not proved best";
-  build.title = recorded.title.empty() ? recorded.problem_file : recorded.title;
+  build.title = text::printable(recorded.title.empty() ? recorded.problem_file : recorded.title);
   build.axes = std::move(recorded.axes);
   build.design = std::move(recorded.design);
   return build;
@@ -114,6 +114,9 @@ std::optional<ComparedBuild> evaluated_build(const Options& options,
   build.file = side.file;
   build.origin = "a bill of materials, evaluated now with " + text::printable(input.problem.file);
   if (outcome.completed) build.origin += ", completed by us";
+  if (outcome.completed && outcome.completion == evaluation::Completion::compliant) build.origin += ", not proved best";
+  if (outcome.completion == evaluation::Completion::open)
+    build.origin += "; the search was ended before it was known whether it can comply";
   build.title = input.problem.title.empty() ? input.problem.file : input.problem.title;
   for (const machine::Axis& axis : input.problem.axes) build.axes.push_back(axis.name);
   build.design = std::move(outcome.design);

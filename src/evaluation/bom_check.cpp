@@ -312,8 +312,9 @@ BomCheck check(const machine::Problem& problem,
     result.design = model.design(build, options.worksheets);
     if (options.tolerances)
       result.design.tolerances = std::make_shared<const ToleranceCheck>(check_tolerances(model, build, result.design));
-    result.complete_is_optimal = summary.status == solver::Status::optimal;
+    result.completion = summary.status == solver::Status::optimal ? Completion::best : Completion::compliant;
   } else {
+    result.completion = summary.status == solver::Status::infeasible ? Completion::refuted : Completion::open;
     result.design = least_bad(model, held, restricted, options);
   }
   mark_origins(result.design, bom);

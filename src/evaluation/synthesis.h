@@ -52,6 +52,14 @@ RobustSynthesis synthesise_robustly(const machine::Problem& problem,
                                     const ModelOptions& model_options,
                                     const SearchOptions& options);
 
+/// What the search for the rest of a bill of materials has come to.
+enum class Completion {
+  best,       ///< the build is the best compliant one with what the bill holds
+  compliant,  ///< it complies; a limit was reached before it was proved that none is better
+  refuted,    ///< nothing complies with what the bill holds: the rest are the cheapest parts that fit
+  open        ///< the same parts: a limit was reached before it was known whether something complies
+};
+
 /// What a bill of materials amounts to.
 struct BomCheck {
   std::vector<BomProblem>
@@ -60,8 +68,7 @@ struct BomCheck {
   std::vector<EmptySlot> empty_slots;  ///< no catalogue row can fill these, which is a problem
   Design design;                       ///< with every check, satisfied or not
   bool completed = false;              ///< something was chosen by us
-  bool complete_is_optimal =
-      false;  ///< the completion is the cheapest compliant one (else the cheapest that fits, not compliant)
+  Completion completion = Completion::open;
   std::vector<IncompleteParts> incomplete;  ///< what could not be looked at for that
 };
 

@@ -152,6 +152,21 @@ void add_design(const MachineResult& result, const Design& design, Json& json) {
   json["requirements"] = requirements_of(result);
 }
 
+/// What is known of the rest of a bill of materials.
+std::string_view completion_name(evaluation::Completion completion) {
+  switch (completion) {
+    case evaluation::Completion::best:
+      return "optimal";
+    case evaluation::Completion::compliant:
+      return "limit";
+    case evaluation::Completion::refuted:
+      return "infeasible";
+    case evaluation::Completion::open:
+      break;
+  }
+  return "open";
+}
+
 }  // namespace
 
 std::string solve_json(const MachineResult& result) {
@@ -206,6 +221,7 @@ std::string check_json(const MachineResult& result) {
   const bool satisfied = !result.designs.empty() && result.designs.front().satisfied();
   json["satisfied"] = satisfied;
   json["completed"] = result.completed;
+  if (!result.designs.empty()) json["completion"] = completion_name(result.completion);
   json["incomplete"] = incomplete_of(result.certificate.incomplete);
   if (!result.designs.empty()) add_design(result, result.designs.front(), json);
   add_missing(result, json);

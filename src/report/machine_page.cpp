@@ -30,6 +30,21 @@ bool is_failure(const Check& check) {
 
 std::string value_cell(double value, const std::string& unit) { return escaped(shown_quantity(value, unit)); }
 
+/// What is known of what a bill of materials leaves open, where that is not all.
+std::string completion_words(const MachineResult& result, const Texts& t) {
+  switch (result.completion) {
+    case evaluation::Completion::best:
+      return {};
+    case evaluation::Completion::compliant:
+      return result.completed ? " " + std::string(t("banner.completion_ended")) : std::string();
+    case evaluation::Completion::refuted:
+      return result.completed ? " " + std::string(t("banner.completion_refuted")) : std::string();
+    case evaluation::Completion::open:
+      break;
+  }
+  return " " + std::string(t("banner.completion_open"));
+}
+
 /// What one reads first.
 std::string verdict_banner(const MachineResult& result, PageKind kind, const Texts& t) {
   const auto banner = [](const char* state, const std::string& text) {
@@ -40,8 +55,10 @@ std::string verdict_banner(const MachineResult& result, PageKind kind, const Tex
   const Design& design = result.designs.front();
   if (kind == PageKind::check) {
     const auto failed = std::count_if(design.checks.begin(), design.checks.end(), is_failure);
-    return failed == 0 ? banner("good", t("banner.satisfied"))
-                       : banner("bad", fmt::format(fmt::runtime(t("banner.failed")), failed, design.checks.size()));
+    const std::string rest = completion_words(result, t);
+    return failed == 0
+               ? banner("good", std::string(t("banner.satisfied")) + rest)
+               : banner("bad", fmt::format(fmt::runtime(t("banner.failed")), failed, design.checks.size()) + rest);
   }
   const auto fill = [&](const char* key, auto&&... values) { return fmt::format(fmt::runtime(t(key)), values...); };
   // What is said to be best is so as builds were compared.

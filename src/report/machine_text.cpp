@@ -177,6 +177,36 @@ std::string objectives_text(std::span<const std::string> names) {
   return fmt::format("{} and {}", fmt::join(names.first(names.size() - 1), ", "), names.back());
 }
 
+/// What the parts, ramps and dimensions are that a bill of materials leaves open.
+std::string completion_text(const MachineResult& result) {
+  constexpr std::string_view ended = "The search was ended (time, memory or Ctrl-C)";
+  switch (result.completion) {
+    case evaluation::Completion::best:
+      if (!result.completed) return {};
+      return fmt::format("What it leaves open was chosen so that the build is the {} compliant one{}.\n",
+                         in_sentence(best_word(result.objectives.front())),
+                         preference_words(result));
+    case evaluation::Completion::compliant:
+      if (!result.completed) return {};
+      return fmt::format(
+          "What it leaves open was chosen so that the build complies. {} before it was proved to be the "
+          "{} one{}.\n",
+          ended,
+          in_sentence(best_word(result.objectives.front())),
+          preference_words(result));
+    case evaluation::Completion::refuted:
+      if (!result.completed) return {};
+      return "Nothing complies with what it holds (proved). What it leaves open was filled with the cheapest parts "
+             "that "
+             "fit.\n";
+    case evaluation::Completion::open:
+      break;
+  }
+  return fmt::format("{} before it was known whether anything complies with what it holds.{}\n",
+                     ended,
+                     result.completed ? " What it leaves open was filled with the cheapest parts that fit." : "");
+}
+
 }  // namespace
 
 std::string title_text(const MachineResult& result, const Style& style) {
@@ -313,13 +343,7 @@ std::string check_text(const MachineResult& result, const Style& style) {
   out += fmt::format("Bill of materials: {}\n", result.bom_file);
   out += failed == 0 ? style.good("It satisfies every check.") + "\n"
                      : style.bad(fmt::format("It fails {} of {} checks.", failed, design.checks.size())) + "\n";
-  if (result.completed)
-    out += result.completion_is_optimal
-               ? fmt::format("What it leaves open was chosen so that the build is the {} compliant one{}.\n",
-                             in_sentence(best_word(result.objectives.front())),
-                             preference_words(result))
-               : "What it leaves open was filled with the cheapest parts that fit.\n";
-  out += fmt::format("Totals: {}\n\n", totals_text(design));
+  out += completion_text(result) + fmt::format("Totals: {}\n\n", totals_text(design));
   out += failures_text(result, design, style);
   if (style.brief) return out;
   std::string left_out = incomplete_text(result.certificate.incomplete, style);

@@ -42,6 +42,18 @@ std::vector<PageText> report_texts() {
        "Memenuhi syarat; terbaik yang ditemukan sebelum pencarian dihentikan, belum terbukti terbaik."},
       {"banner.satisfied", "It satisfies every check.", "Semua pemeriksaan terpenuhi."},
       {"banner.failed", "It fails {} of {} checks.", "Gagal pada {} dari {} pemeriksaan."},
+      {"banner.completion_ended",
+       "What the bill leaves open was chosen so that the build complies; the search was ended before it was proved to "
+       "be "
+       "the best.",
+       "Yang belum ditentukan dipilih agar rancangan memenuhi syarat; pencarian dihentikan sebelum terbukti terbaik."},
+      {"banner.completion_refuted",
+       "Nothing complies with what the bill holds (proved); the rest are the cheapest parts that fit.",
+       "Tidak ada rancangan yang memenuhi syarat dengan isi daftar ini (terbukti); sisanya komponen termurah yang "
+       "cocok."},
+      {"banner.completion_open",
+       "The search was ended before it was known whether anything complies with what the bill holds.",
+       "Pencarian dihentikan sebelum diketahui apakah ada yang memenuhi syarat dengan isi daftar ini."},
       {"banner.none", "No compliant build exists.", "Tidak ada rancangan yang memenuhi syarat."},
       {"banner.limit_none",
        "The search was ended before a compliant build was found.",

@@ -289,7 +289,8 @@ std::optional<RecordedBuild> read_recorded_build(const std::shared_ptr<const Sou
   result.title = problem.string("title");
   result.problem_file = problem.string("file");
   result.bom_file = fields.string("bill_of_materials", false);
-  result.proved = fields.string("status", false) != "limit";
+  const std::string completion = fields.string("completion", false);  // of check
+  result.proved = fields.string("status", false) != "limit" && completion != "limit" && completion != "open";
   if (fields.has("steering")) result.asked = asked_of(fields.object("steering"));
   read_build(fields, result.design);
   result.axes = axes_of(result.design);

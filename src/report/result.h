@@ -9,6 +9,7 @@
 #include "catalogue/inventory.h"
 #include "evaluation/incomplete_parts.h"
 #include "evaluation/ledger.h"
+#include "evaluation/synthesis.h"
 #include "evaluation/ways_out.h"
 #include "machine/problem.h"
 #include "machine/steering.h"
@@ -90,7 +91,7 @@ struct MachineResult {
   Timing timing;
   std::string bom_file;    ///< of check
   bool completed = false;  ///< check chose parts that the bill of materials leaves open
-  bool completion_is_optimal = false;
+  evaluation::Completion completion = evaluation::Completion::best;  ///< of these, ramps and dimensions
 };
 
 /// Whether builds were compared with preferred parts counted less: an objective counts the cost, and such parts could

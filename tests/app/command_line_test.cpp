@@ -31,6 +31,7 @@ TEST_CASE("Every mistake on the command line is exit code 2 with a hint, and pri
       {{"solve", "m.toml", "--bom", "build.xlsx"}, "--bom: build.xlsx: a .csv file is expected here"},
       {{"solve", "m.toml", "--bom", "-"}, "--bom: -: a .csv file is expected here"},
       {{"solve", "m.toml", "--report", "sheet.PDF"}, "--report: sheet.PDF: a .html file is expected here"},
+      {{"solve", "m.toml", "--report", "sheet.md"}, "--report: sheet.md: a .html file is expected here"},
       {{"solve", "m.toml", "--locked", ""}, "--locked: the name is empty"},
       {{"check", "m.toml", "b.csv", "--write-lock", ""}, "--write-lock: the name is empty"},
       {{"check", "m.toml", "b.csv", "--hold-origin", ""}, "--hold-origin: the name is empty"},

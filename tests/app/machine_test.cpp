@@ -152,6 +152,31 @@ TEST_CASE("A bill of materials that fails a check has exit code 1 and names the 
   CHECK_FALSE(json.out.find("nan") != std::string::npos);
 }
 
+TEST_CASE("A bill whose completion is ended says so, with exit code 3, and what can be known is told apart") {
+  const Workshop shop;
+  shop.write("part.csv", "axis,slot,manufacturer,part_number,quantity,length,value\nx,guide,,MGN9H clone,4,,\n");
+  const auto completed = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words{
+        "check", MILLWRIGHT_SOURCE_DIR "/problems/sander.toml", "part.csv", "--complete", "--json", "c.json"};
+    words.insert(words.end(), more.begin(), more.end());
+    return shop.run(words);
+  };
+  const auto completion = [&] { return Json::parse(shop.read("c.json")).at("completion").get<std::string>(); };
+  const Outcome ended = completed({"--time-limit", "0.000001", "--report", "ended.html"});
+  CHECK(ended.exit_code == 3);
+  CHECK(ended.prints("The search was ended"));
+  CHECK(completion() == "open");
+  CHECK(shop.read("ended.html").find("before it was known whether anything complies") != std::string::npos);
+  const Outcome whole = completed({});
+  CHECK(whole.exit_code == 0);
+  CHECK(whole.prints("is the cheapest compliant one"));
+  CHECK(completion() == "optimal");
+  const Outcome refuted = completed({"--set", "axis.x.require.position_error.limit='0.001 mm'"});
+  CHECK(refuted.exit_code == 1);
+  CHECK(refuted.prints("Nothing complies with what it holds (proved)"));
+  CHECK(completion() == "infeasible");
+}
+
 TEST_CASE("A time limit that is over at once is exit code 3, or the proof was complete by then") {
   const Workshop shop;
   const Outcome outcome =

@@ -123,7 +123,7 @@ TEST_CASE("An empty bill is completed to the cheapest build") {
   const BomCheck result = checked({}, true);
   REQUIRE(result.problems.empty());
   CHECK(result.completed);
-  CHECK(result.complete_is_optimal);
+  CHECK(result.completion == evaluation::Completion::best);
   CHECK(result.design.satisfied());
   CHECK(result.design.cost == Approx(cheapest().cost));
 }
@@ -131,7 +131,7 @@ TEST_CASE("An empty bill is completed to the cheapest build") {
 TEST_CASE("A dear part that is held stays, and the rest is the cheapest around it") {
   const BomCheck result = checked({part("x", "motor", "M34")}, true);
   REQUIRE(result.problems.empty());
-  CHECK(result.complete_is_optimal);
+  CHECK(result.completion == evaluation::Completion::best);
   CHECK(result.design.cost > cheapest().cost);
   bool held = false;
   for (const auto& line : result.design.parts) {
@@ -156,7 +156,7 @@ TEST_CASE("A bill that cannot comply is evaluated all the same, and says by how 
   const BomCheck result = evaluation::check(problem_of_text(heavy), parts(), bom, false, {});
   REQUIRE(result.problems.empty());
   CHECK_FALSE(result.design.satisfied());
-  CHECK_FALSE(result.complete_is_optimal);
+  CHECK(result.completion == evaluation::Completion::refuted);
   bool fails = false;
   for (const auto& c : result.design.checks) fails = fails || (c.utilisation > 1.0 && std::isfinite(c.utilisation));
   CHECK(fails);
