@@ -48,7 +48,12 @@ std::optional<Document> read_json(const std::shared_ptr<const SourceText>& text,
 /// What a person writes has some kilobytes; a program may write more.
 inline constexpr std::uintmax_t document_size_limit = std::uintmax_t{4} << 20U;
 
-/// Loads a file of that size at most; JSON if its name ends in `.json`, else TOML.
+/// Reports texts and keys with control characters but tabs and line ends: they stand there as escapes, and printed they
+/// would tell a terminal what to do.
+void refuse_control_characters(const Node& node, Diagnostics& diagnostics);
+
+/// Loads a file that a person writes, of that size at most; JSON if its name ends in `.json`, else TOML. Control
+/// characters are refused.
 std::optional<Document> read_document(const std::string& path, Diagnostics& diagnostics);
 
 }  // namespace millwright::text

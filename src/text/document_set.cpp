@@ -170,6 +170,13 @@ bool store(Node& node, const Step& last, Node value, Diagnostics& diagnostics) {
   return false;
 }
 
+std::optional<Node> printable_value(Node value, Diagnostics& diagnostics) {
+  const std::size_t errors = diagnostics.error_count();
+  refuse_control_characters(value, diagnostics);
+  if (diagnostics.error_count() > errors) return std::nullopt;
+  return value;
+}
+
 /// The value behind the `=` at byte `equals` of the assignment.
 std::optional<Node> read_value(const std::shared_ptr<const SourceText>& text,
                                std::size_t equals,
@@ -184,7 +191,7 @@ std::optional<Node> read_value(const std::shared_ptr<const SourceText>& text,
   if (table && table->size() == 1) {
     for (const Diagnostic& diagnostic : attempt.all()) diagnostics.add(diagnostic);
     if (attempt.has_errors()) return std::nullopt;
-    return table->entries().front().value;
+    return printable_value(table->entries().front().value, diagnostics);
   }
   // Brackets and quotes were meant as TOML; anything else is text.
   if (!value.empty() && std::string_view("[{\"'").find(value.front()) != std::string_view::npos) {
@@ -193,7 +200,7 @@ std::optional<Node> read_value(const std::shared_ptr<const SourceText>& text,
     return std::nullopt;
   }
   const std::size_t offset = value.empty() ? equals + 1 : static_cast<std::size_t>(value.data() - contents.data());
-  return Node::make_string(span_at(text, offset, value.size()), std::string(value));
+  return printable_value(Node::make_string(span_at(text, offset, value.size()), std::string(value)), diagnostics);
 }
 
 }  // namespace

@@ -329,6 +329,20 @@ TEST_CASE("files are read by their ending") {
   CHECK(read_document(write("p.json", "{\"a\": 2}"), diagnostics)->root().find("a")->as_integer() == 2);
   CHECK(read_document(write("empty.toml", ""), diagnostics)->root().size() == 0);
   CHECK(diagnostics.count() == 0);
+  const auto controls = [&](const std::string& contents) {
+    Diagnostics found;
+    read_document(write("c.toml", contents), found);
+    Words words;
+    for (const Diagnostic& each : found.all())
+      words.push_back(std::to_string(each.where.line) + ":" + std::to_string(each.where.column) + " " + each.message);
+    return words;
+  };
+  CHECK(controls("a = \"one\\u001B[31m\"\n\"b\\u0007\" = [\"\\t\", \"\\u007F\"]\n") ==
+        Words{"1:5 a control character (\\x1B) in a text",
+              "2:1 a control character (\\x07) in a text",
+              "2:20 a control character (\\x7F) in a text"});
+  CHECK(controls("a = \"\\u009B31m\"\nb = \"over\\rwritten\"\n").size() == 2);
+  CHECK(controls("c = \"\\u00A0 \\u00e9 \\n\\r\\n\"\n").empty());
   CHECK_FALSE(read_document(name + "/none.toml", diagnostics));
   CHECK_FALSE(read_document(name, diagnostics));
   CHECK(diagnostics.error_count() == 2);
