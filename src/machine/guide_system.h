@@ -117,14 +117,14 @@ void GuideSystem<T>::derive() {
     largest_load = named("P", load(none));
     life_load = larger(largest_load, one);
   } else {
-    T damage = in_unit<T>(0.0, dimension::length);
+    T damage = in_unit<T>(0.0, power(dimension::force, 3.0) * dimension::length);
     make_room(cycle.phases.size(), carriage_loads);
     for (const Phase<T>& phase : cycle.phases) {
       carriage_loads.push_back(load(moved_mass * absolute(phase.acceleration)));
-      damage = damage + cube(T(larger(carriage_loads.back(), one) / one)) * phase.mean_speed * phase.duration;
+      damage = damage + cube(T(larger(carriage_loads.back(), one))) * phase.mean_speed * phase.duration;
     }
     largest_load = named("P", largest(carriage_loads));
-    life_load = named("P_m", one * cbrt(damage / cycle.travelled));
+    life_load = named("P_m", cbrt(damage / cycle.travelled));
   }
   static_load = larger(largest_load, one);
   T pitch = steady_pitch;
