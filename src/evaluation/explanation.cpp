@@ -76,8 +76,10 @@ class Contradictions {
     Conflict& conflict = result_.conflicts[index];
     const ConditionSet imposed = background(index);
     for (const std::size_t member : conflict.conditions) {
-      conflict.ways.push_back({member, true, std::nullopt, std::nullopt, std::nullopt, {}});
-      relax(imposed, conflict.ways.back());
+      // What is not answered in time is no way out, and is not said to be none either.
+      const bool enough = trials_.possible(without(imposed, {member}));
+      conflict.ways.push_back({member, enough, std::nullopt, std::nullopt, std::nullopt, {}});
+      if (enough) ease(imposed, conflict.ways.back());
       // What costs nothing here may well be more than the least that is enough.
       if (auto way = cheapest_of(imposed, member); way && way->to != conflict.ways.back().to)
         conflict.ways.push_back(std::move(*way));
@@ -93,10 +95,9 @@ class Contradictions {
     });
   }
 
-  void relax(const ConditionSet& imposed, Relaxation& way) {
+  /// How far a condition whose giving way is enough has to, and the cheapest build then.
+  void ease(const ConditionSet& imposed, Relaxation& way) {
     const Condition& condition = trials_.conditions()[way.condition];
-    way.enough = trials_.possible(without(imposed, {way.condition}));
-    if (!way.enough) return;
     const std::string what = "a way out by " + title_of(condition);
     const auto eased = [&](Asked& asked, double to) {
       trials_.lift_others(imposed, asked);
@@ -236,6 +237,7 @@ class Contradictions {
       }
       asked.problem.preference.reset();
     });
+    result_.too_little_together = !result_.all_resolved;
   }
 
   ConditionTrials& trials_;

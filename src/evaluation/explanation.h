@@ -21,7 +21,7 @@ namespace millwright::evaluation {
 struct Relaxation {
   std::size_t condition = 0;
   bool enough = true;            ///< else nothing is compliant even without this condition: another conflict is left
-  std::optional<double> to;      ///< of a number or budget; a choice is lifted
+  std::optional<double> to;      ///< of a number or budget, if it was found out in time; a choice is lifted
   std::optional<Design> design;  ///< the cheapest build then
   std::optional<std::size_t> instead = std::nullopt;  ///< by that of what may be had instead of the condition
   std::vector<Check> broken{};  ///< checks that stand against the same build if the condition does not give way
@@ -82,6 +82,7 @@ struct Explanation {
   // nothing compliant
   std::vector<Conflict> conflicts;     ///< without a common member; each must be resolved
   std::optional<Design> all_resolved;  ///< with the first way out of each of several conflicts
+  bool too_little_together = false;    ///< with these nothing is compliant
   std::vector<UnmetCheck> unmet;       ///< checks that fail whatever is chosen
   std::vector<EmptySlot> empty_slots;  ///< nothing fits there
   bool catalogue_lacks = false;        ///< nothing is compliant even with all conditions lifted

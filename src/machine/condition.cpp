@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <string>
 
 #include "machine/condition_holding.h"
 #include "machine/condition_places.h"
@@ -164,8 +165,7 @@ class Collector {
     condition.lift = std::move(lift);
   }
 
-  /// Times, speeds and forces of the moves. A coordinated move is one move of several axes: their parts are found by
-  /// their common place.
+  /// Times, speeds and forces of the moves. A coordinated move is one of several axes, found by their common place.
   void add_moves() {
     std::vector<std::pair<std::string, SourceSpan>> seen;
     for (std::size_t i = 0; i < problem_.axes.size(); ++i) {
@@ -173,10 +173,7 @@ class Collector {
       for (std::size_t k = 0; k < axis.moves.size(); ++k) {
         const Move& move = axis.moves[k];
         if (move.profile) continue;
-        const auto same = [&](const std::pair<std::string, SourceSpan>& other) {
-          return other.second.text == move.where.text && other.second.line == move.where.line &&
-                 other.second.column == move.where.column;
-        };
+        const auto same = [&](const auto& other) { return is_same(other.second, move.where); };
         const bool first = move.where.line == 0 || std::none_of(seen.begin(), seen.end(), same);
         if (first) seen.emplace_back(axis.name, move.where);
         add_move(i, k, first);
@@ -199,30 +196,35 @@ class Collector {
     std::vector<std::pair<std::size_t, std::size_t>> parts;  // of the same coordinated move
     for (std::size_t a = 0; a < problem_.axes.size(); ++a)
       for (std::size_t m = 0; m < problem_.axes[a].moves.size(); ++m) {
-        const SourceSpan& other = problem_.axes[a].moves[m].where;
-        const bool same = move.where.line > 0 && other.text == move.where.text && other.line == move.where.line &&
-                          other.column == move.where.column;
+        const bool same = move.where.line > 0 && is_same(problem_.axes[a].moves[m].where, move.where);
         if (same || (a == i && m == k)) parts.emplace_back(a, m);
       }
     const bool coordinated = parts.size() > 1;
     const std::string title = move.name.empty() ? fmt::format("move {}", k + 1) : fmt::format("move '{}'", move.name);
+    std::string path = fmt::format("axis.{}.moves[{}].", axis.name, k);
     const Node* node = own_move(i, k, move);
+    const bool of_machine = node == nullptr;
+    if (of_machine) node = machine_move(move, path);
     const auto place = [&](const char* key) {
       const Node* found = Places::find(node, {key});
       return found != nullptr ? found->span() : move.where;
     };
-    const std::string path = node == nullptr ? std::string() : fmt::format("axis.{}.moves[{}].", axis.name, k);
+    if (node == nullptr) path.clear();
     if (first_of_its_place) {
+      double distance = 0.0;  // along the path, of which each axis has its share of a speed
+      for (const auto& [a, m] : parts) distance = std::hypot(distance, problem_.axes[a].moves[m].distance);
       const auto scale = [&](const char* name, std::optional<double> Move::*value, const char* unit, bool larger) {
         if (!(move.*value)) return;
         Condition& condition =
             add(coordinated ? "machine" : axis.name, fmt::format("{} of {}", name, title), place(name));
         if (!path.empty()) condition.setting = path + name;
-        const double from = *(move.*value);
+        const bool shared = coordinated && value == &Move::speed && move.distance > 0.0;
+        const double from =
+            shared ? std::stod(fmt::format("{:.12g}", *(move.*value) * distance / move.distance)) : *(move.*value);
         add_number(condition, from, unit, larger, [=](Asked& asked, double to) {
           for (const auto& [a, m] : parts) {
             std::optional<double>& part = asked.problem.axes[a].moves[m].*value;
-            if (part) *part *= to / from;  // each has its share of a speed, and the same time
+            if (part) *part *= to / from;
           }
         });
         condition.furthest = 1e3;
@@ -231,14 +233,31 @@ class Collector {
       scale("speed", &Move::speed, is_rotary(axis) ? "rad/s" : "m/s", false);
     }
     if (move.force > 0.0) {
-      Condition& condition = add(axis.name,
-                                 fmt::format("{} of {}", move.cutting ? "cutting force" : "force", title),
-                                 place(move.cutting ? "cutting" : "force"));
-      if (!path.empty() && !move.cutting) condition.setting = path + "force";
+      const Node* shared = of_machine ? Places::find(node, {"forces", axis.name}) : nullptr;
+      const SourceSpan where = shared != nullptr ? shared->span() : place(move.cutting ? "cutting" : "force");
+      Condition& condition =
+          add(axis.name, fmt::format("{} of {}", move.cutting ? "cutting force" : "force", title), where);
+      if (!path.empty() && !move.cutting) condition.setting = path + (of_machine ? "forces." + axis.name : "force");
       add_number(condition, move.force, is_rotary(axis) ? "N.m" : "N", false, [i, k](Asked& asked, double to) {
         asked.problem.axes[i].moves[k].force = to;
       });
     }
+  }
+
+  static bool is_same(const SourceSpan& a, const SourceSpan& b) {
+    return a.text == b.text && a.line == b.line && a.column == b.column;
+  }
+
+  /// The node of a move of several axes, and the path to it.
+  [[nodiscard]] const Node* machine_move(const Move& move, std::string& path) const {
+    const Node* moves = places_.root()->find("moves");
+    if (moves == nullptr || !moves->is_array()) return nullptr;
+    for (std::size_t i = 0; i < moves->items().size(); ++i) {
+      if (!is_same(moves->items()[i].span(), move.where)) continue;
+      path = fmt::format("moves[{}].", i);
+      return &moves->items()[i];
+    }
+    return nullptr;
   }
 
   /// The node of a move that the axis itself states: those of the machine come after them.
@@ -340,17 +359,21 @@ class Collector {
 
   void add_loads(std::size_t i) {
     const Axis& axis = problem_.axes[i];
+    const Node* const table = places_.axis(i);
     const auto load = [&](const char* key, double Axis::*value, const char* unit) {
       if (!(axis.*value > 0.0)) return;
-      Condition& condition = add(axis.name, key, places_.of(Places::find(places_.axis(i), {key})));
-      condition.setting = fmt::format("axis.{}.{}", axis.name, key);
+      const Node* const node = Places::find(table, {key});
+      Condition& condition = add(axis.name, key, places_.of(node != nullptr ? node : table));
+      if (node != nullptr) condition.setting = fmt::format("axis.{}.{}", axis.name, key);
       add_number(condition, axis.*value, unit, false, [i, value](Asked& asked, double to) {
         asked.problem.axes[i].*value = to;
       });
     };
     load("payload_mass", &Axis::payload_mass, "kg");
     load("structure_mass", &Axis::structure_mass, "kg");
-    load("inertia", &Axis::inertia, "kg.m2");
+    // Of a table and what is clamped on it together, where both are stated.
+    const bool clamped = Places::find(table, {"payload_inertia"}) != nullptr;
+    load(clamped ? "inertia" : "structure_inertia", &Axis::inertia, "kg.m2");
     load("friction_torque", &Axis::friction_torque, "N.m");
   }
 

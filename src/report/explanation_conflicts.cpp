@@ -46,6 +46,8 @@ std::string way_words(const Explanation& explanation, const Relaxation& way, con
   } else if (way.design) {
     if (const std::string part = taken(condition, *way.design); !part.empty())
       to = condition.slot == "supply_voltage" ? part : fmt::format("any; the build has {}", part);
+  } else if (condition.kind != machine::ConditionKind::choice) {
+    to = "eased; how far was not found out before the search was ended";
   }
   return fmt::format("{}: {} {} -> {}", condition.axis, condition.name, from, to);
 }
@@ -175,7 +177,14 @@ std::string conflicts_text(const MachineResult& result, const Explanation& expla
   if (count == 0)
     return out + "Why was not found out before the search was ended.\n\n" + empty_text(explanation) +
            unmet_text(explanation, style);
-  out += count == 1 ? "\n" : fmt::format("There are {} separate conflicts; each must be resolved.\n\n", count);
+  out += count == 1 ? "\n"
+                    : wrapped(fmt::format("There are {} separate conflicts; each must be resolved. The ways out of one "
+                                          "are found without what the others ask for: their builds and prices need not "
+                                          "meet that.",
+                                          count),
+                              paragraph_width,
+                              0) +
+                          "\n\n";
   for (std::size_t i = 0; i < count; ++i) {
     const Conflict& conflict = explanation.conflicts[i];
     const std::size_t members = conflict.conditions.size();
@@ -190,6 +199,13 @@ std::string conflicts_text(const MachineResult& result, const Explanation& expla
                        explanation.all_resolved->cost,
                        result.currency,
                        explanation.all_resolved->mass);
+  if (explanation.too_little_together)
+    out += wrapped(
+               "The first way out of each, all together, is too little, proved: eased no further they still "
+               "contradict each other. Ease one of them (--set) and ask again what the rest takes.",
+               paragraph_width,
+               0) +
+           "\n\n";
   return out + empty_text(explanation) + unmet_text(explanation, style);
 }
 

@@ -69,6 +69,7 @@ void add_infeasible(const MachineResult& result, const Explanation& explanation,
   json["catalogue_lacks"] = explanation.catalogue_lacks;
   json["conflicts"] = conflicts_of(explanation, result.currency);
   if (explanation.all_resolved) json["all_resolved"] = {{"totals", totals_of(*explanation.all_resolved)}};
+  if (explanation.too_little_together) json["all_resolved"] = nullptr;
   json["missing"] = Json::array();
   for (const evaluation::EmptySlot& slot : explanation.empty_slots)
     json["missing"].push_back({{"axis", slot.axis}, {"slot", slot.slot}, {"reason", slot.reason}});

@@ -191,4 +191,49 @@ TEST_CASE("An optimum inside its bounds is explained too") {
   CHECK((outcome.exit_code == 0 || outcome.exit_code == 3));
 }
 
+// The shipped inserter goes to the board at 500 mm/s along a path; an axis has its share of that.
+TEST_CASE("What a machine's own move asks is told as it is written, with where and how to change it") {
+  const Workshop shop;
+  const std::string inserter = MILLWRIGHT_SOURCE_DIR "/problems/inserter.toml";
+  const Outcome priced = shop.run({"explain", inserter, "--json", "-"});
+  REQUIRE(priced.exit_code == 0);
+  bool found = false;
+  const Json explained = Json::parse(priced.out);
+  for (const Json& price : explained.at("prices")) {
+    if (price.at("name") != "speed of move 'to the board'") continue;
+    found = true;
+    CHECK(price.at("setting") == "moves[0].speed");
+    CHECK(price.at("value").get<double>() == Approx(0.5));
+    const double to = price.at("eased_to").get<double>();
+    const Outcome eased =
+        shop.run({"solve", inserter, "--set", "moves[0].speed='" + std::to_string(to) + " m/s'", "--json", "-"});
+    REQUIRE(eased.exit_code == 0);
+    const auto cost = [](const std::string& text) {
+      const Json json = Json::parse(text);
+      return json.at("totals").at("cost").at("value").get<double>();
+    };
+    CHECK(cost(priced.out) - cost(eased.out) == Approx(price.at("saving").get<double>()).margin(1e-6));
+  }
+  CHECK(found);
+}
+
+TEST_CASE("Ways out of several conflicts are not said to be enough for all of them") {
+  const Workshop shop;
+  const Outcome outcome = shop.run({"explain",
+                                    MILLWRIGHT_SOURCE_DIR "/problems/lifter.toml",
+                                    "--set",
+                                    "axis.z.require.position_error.limit='0.03 mm'",
+                                    "--limit",
+                                    "cost=150 USD",
+                                    "--json",
+                                    "e.json"});
+  CAPTURE(outcome.out);
+  CHECK(outcome.exit_code == 1);
+  CHECK(outcome.prints("There are 2 separate conflicts"));
+  CHECK(outcome.prints("their builds and prices need not"));
+  CHECK(outcome.prints("all together, is too little, proved"));
+  const Json json = Json::parse(shop.read("e.json"));
+  CHECK(json.at("all_resolved").is_null());
+}
+
 }  // namespace millwright::app::explain_test
