@@ -197,8 +197,7 @@ std::string completion_text(const MachineResult& result) {
     case evaluation::Completion::refuted:
       if (!result.completed) return {};
       return "Nothing complies with what it holds (proved). What it leaves open was filled with the cheapest parts "
-             "that "
-             "fit.\n";
+             "that fit.\n";
     case evaluation::Completion::open:
       break;
   }

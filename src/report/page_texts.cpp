@@ -44,8 +44,7 @@ std::vector<PageText> report_texts() {
       {"banner.failed", "It fails {} of {} checks.", "Gagal pada {} dari {} pemeriksaan."},
       {"banner.completion_ended",
        "What the bill leaves open was chosen so that the build complies; the search was ended before it was proved to "
-       "be "
-       "the best.",
+       "be the best.",
        "Yang belum ditentukan dipilih agar rancangan memenuhi syarat; pencarian dihentikan sebelum terbukti terbaik."},
       {"banner.completion_refuted",
        "Nothing complies with what the bill holds (proved); the rest are the cheapest parts that fit.",
