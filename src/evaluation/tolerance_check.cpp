@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <deque>
+#include <queue>
 
 #include "evaluation/ledger.h"
 #include "evaluation/toleranced_machine.h"
@@ -77,11 +77,12 @@ class ToleranceSearch {
   void run() {
     result_.verdict = ToleranceVerdict::compliant;
     if (is_over()) return;
-    if (proved(whole_)) return;
+    const std::vector<double> of_whole = excesses(whole_);
+    if (is_proved(of_whole)) return;
     nominal_ = utilisations(evaluate(stated_));
     one_at_a_time();
     if (result_.single.empty() && !is_over()) corners();
-    if (result_.single.empty() && !result_.combination && !is_over()) subdivide();
+    if (result_.single.empty() && !result_.combination && !is_over()) subdivide(of_whole);
     if (!result_.single.empty() || result_.combination) {
       result_.verdict = ToleranceVerdict::broken;
       result_.stopped = false;
@@ -97,9 +98,12 @@ class ToleranceSearch {
     }
     return result_.stopped;
   }
-  bool proved(const Box& box) {
+  std::vector<double> excesses(const Box& box) {
     ++result_.boxes;
-    return machine_.holds(box);
+    return machine_.excesses(box);
+  }
+  static bool is_proved(const std::vector<double>& excesses) {
+    return std::all_of(excesses.begin(), excesses.end(), [](double excess) { return excess == 0.0; });
   }
   Design evaluate(const std::vector<double>& values) {
     ++result_.evaluations;
@@ -196,55 +200,90 @@ class ToleranceSearch {
     result_.combination = std::move(found);
   }
 
-  /// By how much a figure moves any check over its whole tolerance.
-  double influence(std::size_t figure) const {
-    double most = 0.0;
-    for (std::size_t check = 0; check < nominal_.size(); ++check)
-      most = std::max(most, std::min(1.0, std::abs(upper_[figure][check] - lower_[figure][check])));
-    return most;
+  /// How much of what is left to prove of each limit hangs on a figure: what falls away where it is as stated and all
+  /// others are anything. [figure][limit]
+  void find_shares(const std::vector<double>& of_whole) {
+    largest_share_.assign(of_whole.size(), 0.0);
+    for (std::size_t i = 0; i < stated_.size() && !is_over(); ++i) {
+      Box box = whole_;
+      box[i] = Interval(stated_[i]);
+      std::vector<double> share = of_whole;
+      const std::vector<double> left = excesses(box);
+      for (std::size_t limit = 0; limit < share.size(); ++limit) {
+        share[limit] = std::max(0.0, share[limit] - left[limit]);
+        largest_share_[limit] = std::max(largest_share_[limit], share[limit]);
+      }
+      shares_.push_back(std::move(share));
+    }
   }
 
-  /// Halves what is not proved, the figure first whose piece matters most, until all is proved, something breaks, or
-  /// the effort is spent.
-  void subdivide() {
-    std::vector<double> influences;
-    for (std::size_t i = 0; i < stated_.size(); ++i) influences.push_back(influence(i));
-    std::deque<Box> open{whole_};
+  /// The figure whose interval has most to do with what is left to prove of a limit.
+  [[nodiscard]] std::size_t figure_to_halve(const Box& box, std::size_t limit) const {
+    // Of a limit that is the largest of several, one figure may hide what another one does.
+    const double hidden = 1e-3 * largest_share_[limit] + 1e-9;
+    std::size_t best = 0;
+    double most = -1.0;
+    for (std::size_t i = 0; i < box.size(); ++i) {
+      const double width = (box[i].upper - box[i].lower) / (2.0 * machine_.figures()[i].half_width);
+      const double matters = width * (shares_[i][limit] + hidden);
+      if (matters > most) {
+        most = matters;
+        best = i;
+      }
+    }
+    return best;
+  }
+
+  /// A part of the tolerances of which something is left to prove.
+  struct Piece {
+    Box box;
+    std::size_t limit = 0;  ///< the one that may be exceeded by most
+    double excess = 0.0;
+    friend bool operator<(const Piece& a, const Piece& b) { return a.excess < b.excess; }
+  };
+  static Piece piece_of(Box box, const std::vector<double>& excesses) {
+    const auto most = std::max_element(excesses.begin(), excesses.end());
+    return {std::move(box), static_cast<std::size_t>(most - excesses.begin()), *most};
+  }
+
+  /// Halves what is not proved, the pieces first that leave most to prove (near the values that break the build, if any
+  /// do), until all is proved, something breaks, or the effort is spent.
+  void subdivide(const std::vector<double>& of_whole) {
+    std::priority_queue<Piece> open;
+    open.push(piece_of(whole_, of_whole));
+    if (result_.boxes + stated_.size() <= effort_.boxes) find_shares(of_whole);
     while (!open.empty() && !is_over()) {
-      if (result_.boxes + 2 > effort_.boxes) {
+      if (shares_.empty() || result_.boxes + 2 > effort_.boxes) {
         result_.verdict = ToleranceVerdict::unsettled;
         return;
       }
-      const Box box = std::move(open.front());
-      open.pop_front();
-      std::size_t widest = 0;
-      double most = -1.0;
-      for (std::size_t i = 0; i < box.size(); ++i) {
-        const double matters =
-            (influences[i] + 1e-9) * (box[i].upper - box[i].lower) / (2.0 * machine_.figures()[i].half_width);
-        if (matters > most) {
-          most = matters;
-          widest = i;
-        }
-      }
-      const double middle = 0.5 * (box[widest].lower + box[widest].upper);
-      for (const Interval& half : {Interval(box[widest].lower, middle), Interval(middle, box[widest].upper)}) {
-        Box piece = box;
-        piece[widest] = half;
-        if (proved(piece)) continue;
-        std::vector<double> values;
-        for (const Interval& x : piece) values.push_back(0.5 * (x.lower + x.upper));
-        const Design design = evaluate(values);
-        result_.combination = break_of(design, values);
+      const Piece next = open.top();
+      open.pop();
+      const std::size_t halved = figure_to_halve(next.box, next.limit);
+      const Interval& values = next.box[halved];
+      const double middle = 0.5 * (values.lower + values.upper);
+      for (const Interval& half : {Interval(values.lower, middle), Interval(middle, values.upper)}) {
+        Box box = next.box;
+        box[halved] = half;
+        const std::vector<double> left = excesses(box);
+        if (is_proved(left)) continue;
+        result_.combination = break_in(box);
         if (result_.combination) return;
-        const std::vector<double> here = utilisations(design);
-        const auto worst = static_cast<std::size_t>(std::max_element(here.begin(), here.end()) - here.begin());
-        values = worst_corner(piece, worst);
-        result_.combination = break_of(evaluate(values), values);
-        if (result_.combination) return;
-        open.push_back(std::move(piece));
+        open.push(piece_of(std::move(box), left));
       }
     }
+  }
+
+  /// What breaks in the middle of a box or in the corner that should be worst for the check that is worst there.
+  std::optional<ToleranceBreak> break_in(const Box& box) {
+    std::vector<double> values;
+    for (const Interval& x : box) values.push_back(0.5 * (x.lower + x.upper));
+    const Design design = evaluate(values);
+    if (auto found = break_of(design, values)) return found;
+    const std::vector<double> here = utilisations(design);
+    const auto worst = static_cast<std::size_t>(std::max_element(here.begin(), here.end()) - here.begin());
+    values = worst_corner(box, worst);
+    return break_of(evaluate(values), values);
   }
 
   const TolerancedMachine& machine_;
@@ -254,6 +293,8 @@ class ToleranceSearch {
   std::vector<double> stated_, nominal_;
   Box whole_;
   std::vector<std::vector<double>> lower_, upper_;  ///< utilisations with one figure at an end, by figure
+  std::vector<std::vector<double>> shares_;         ///< see find_shares
+  std::vector<double> largest_share_;               ///< of each limit
 };
 
 }  // namespace

@@ -72,7 +72,7 @@ struct ToleranceCheck {
 
 /// At most; beyond it is unsettled, unless something that breaks the build was found before.
 struct ToleranceEffort {
-  std::size_t boxes = 400;
+  std::size_t boxes = 4000;
   double seconds = std::numeric_limits<double>::infinity();
   const std::atomic<bool>* stop = nullptr;
 };

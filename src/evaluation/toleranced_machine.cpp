@@ -200,17 +200,22 @@ TolerancedMachine::Bounds TolerancedMachine::bounds(std::span<const Interval> va
   return result;
 }
 
-bool TolerancedMachine::holds(std::span<const Interval> values) const {
+std::vector<double> TolerancedMachine::excesses(std::span<const Interval> values) const {
   const Bounds here = bounds(values);
   // What no figure touches is known to the last digits; where nothing is known nothing is proved.
   const auto untouched = [](const Interval& now, const Interval& as_stated) {
     constexpr double known = 1e-6;
     return same(now, as_stated) && now.upper - now.lower <= known * std::max(1.0, std::abs(now.upper));
   };
-  for (std::size_t i = 0; i < here.utilisation.size(); ++i)
-    if (!(here.utilisation[i].upper <= 1.0) && !untouched(here.utilisation[i], as_stated_.utilisation[i])) return false;
-  const auto limit = problem_.mass_limit;
-  return !limit || here.totals[1].upper <= *limit || untouched(here.totals[1], as_stated_.totals[1]);
+  std::vector<double> result;
+  const auto take = [&](const Interval& now, const Interval& as_stated, double limit) {
+    const bool is_kept = now.upper <= limit || untouched(now, as_stated);
+    const double excess = now.upper / limit - 1.0;
+    result.push_back(is_kept ? 0.0 : excess < machine::useless_utilisation ? excess : machine::useless_utilisation);
+  };
+  for (std::size_t i = 0; i < here.utilisation.size(); ++i) take(here.utilisation[i], as_stated_.utilisation[i], 1.0);
+  if (problem_.mass_limit) take(here.totals[1], as_stated_.totals[1], *problem_.mass_limit);
+  return result;
 }
 
 }  // namespace millwright::evaluation

@@ -24,9 +24,9 @@ class TolerancedMachine {
   /// The design with these values [SI] of the figures, evaluated from scratch.
   [[nodiscard]] Design design(std::span<const double> values) const;
 
-  /// Whether every limit is kept with any values in these intervals: true is proved, false says nothing. What the
-  /// figures do not touch counts as it stands.
-  [[nodiscard]] bool holds(std::span<const scalar::Interval> values) const;
+  /// Of every limit how far, as a share of it, values in these intervals may exceed it: 0 is proved to be kept by all
+  /// of them, more says nothing but how much is left to prove. What the figures do not touch counts as it stands.
+  [[nodiscard]] std::vector<double> excesses(std::span<const scalar::Interval> values) const;
 
  private:
   struct Bounds {

@@ -170,6 +170,17 @@ TEST_CASE("a build that must hold for every value takes another motor") {
   CHECK(same.best.designs.front().cost == Approx(first.designs.front().cost));
 }
 
+TEST_CASE("the robust build of a whole machine is settled where all its figures may be off") {
+  if (sanitized) return;  // three minutes, of code that random machines go through as well
+  const TolerancedCatalogue uncertain(shipped_catalogue(), [](const std::string&, int) { return 0.03; });
+  const auto robust = solved_robustly(shipped_problem("lifter"), uncertain.parts());
+  CHECK(robust.best.status == solver::Status::optimal);
+  REQUIRE_FALSE(robust.best.designs.empty());
+  const ToleranceCheck& check = *robust.best.designs.front().tolerances;
+  CHECK(check.figures.size() > 30);
+  CHECK(check.verdict == ToleranceVerdict::compliant);
+}
+
 TEST_CASE("a check that is stopped, or has no time, claims nothing, and a robust search says that it is open") {
   const Catalogue& parts = with_inertias(0.2).parts();
   const machine::Problem problem = lift(1000);
