@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <span>
 
 #include "evaluation/figure_reader.h"
+#include "evaluation/section_figures.h"
 #include "machine/word_column.h"
 
 namespace millwright::evaluation {
@@ -86,66 +86,40 @@ void MemberStage::take_fatigue(const catalogue::Table& materials, int row) {
 void MemberStage::take_sections(const catalogue::Catalogue& catalogue, const PriceBook& prices) {
   const machine::Member& m = data_.member;
   SlotTable table(m.name, machine::section_reading_fields);
-  const auto take = [&](Family family,
-                        catalogue::Column area,
-                        catalogue::Column x,
-                        catalogue::Column y,
-                        catalogue::Column height,
-                        catalogue::Column width,
-                        catalogue::Column mass,
-                        catalogue::Column torsion) {
+  const bool turned_by_tool =
+      place_.tool && place_.tool->height_arm + place_.tool->across_arm + place_.tool->along_arm > 0.0;
+  const bool twisted = turned_by_tool || m.torque > 0.0;
+  const std::size_t needed = twisted ? machine::section_reading_fields : machine::section_readings_needed;
+  // A portal frame is cut of one length: two columns and a beam.
+  const bool portal = m.kind == MemberKind::portal_frame;
+  const double piece = portal ? m.length + 2.0 * m.column_height : m.length;
+  std::vector<CutPieces> pieces{{m.count, m.length}};
+  if (portal) pieces.push_back({2.0 * m.count, m.column_height});
+  const auto take = [&](Family family) {
     const catalogue::Table& t = catalogue.table(family);
+    const SectionFigures figures(t);
+    const catalogue::Column torsion = figures.torsion_constant, mass = figures.mass_per_length;
     for (const int row : t.rows_in_order()) {
       if (family == Family::steel_sections && !machine::word_columns::section_kind.takes(m.section_kinds, t, row))
         continue;
-      const auto readings_of = [&](auto figure) {
-        return std::array{
-            figure(area), figure(x), figure(y), figure(height), figure(width), figure(mass), figure(torsion)};
-      };
-      const bool twisted =
-          place_.tool && place_.tool->height_arm + place_.tool->across_arm + place_.tool->along_arm > 0.0;
       const std::span<const catalogue::Column> soft(&torsion, twisted ? 0 : 1);
       std::vector<catalogue::Column> missing;
-      const std::array<double, machine::section_reading_fields> readings =
-          readings_of(FigureReader(t, row, missing, soft));
-      // A portal frame is cut of one length: two columns and a beam.
-      const double piece = m.kind == MemberKind::portal_frame ? m.length + 2.0 * m.column_height : m.length;
+      const auto readings = figures.readings(row, FigureReader(t, row, missing, soft));
       const double length = m.count * piece;
-      const std::vector<CutPieces> pieces =
-          m.kind == MemberKind::portal_frame
-              ? std::vector<CutPieces>{{m.count, m.length}, {2.0 * m.count, m.column_height}}
-              : std::vector<CutPieces>{{m.count, m.length}};
-      CandidateDraft candidate =
-          candidate_of({{m.name, family, row, m.count, piece, prices.cut(t, row, pieces), readings[5] * length}}, 0.0);
+      CandidateDraft candidate = candidate_of(
+          {{m.name, family, row, m.count, piece, prices.cut(t, row, pieces), t.number(mass, row) * length}}, 0.0);
       if (t.has_ranges())
-        candidate.ranges = candidate_ranges(readings_of([&](catalogue::Column c) { return t.range(c, row); }),
+        candidate.ranges = candidate_ranges(figures.readings(row, [&](catalogue::Column c) { return t.range(c, row); }),
                                             candidate.price,
                                             {},
                                             length * t.range(mass, row));
-      const std::size_t needed = twisted ? machine::section_reading_fields : machine::section_readings_needed;
       if (!table.admits(candidate, std::span(readings).first(needed), missing)) continue;
       table.add(std::move(candidate), readings);
     }
   };
   for (const std::string& family : m.sections) {
-    if (family == "steel_sections")
-      take(Family::steel_sections,
-           column(Family::steel_sections, "area"),
-           column(Family::steel_sections, "second_moment_x"),
-           column(Family::steel_sections, "second_moment_y"),
-           column(Family::steel_sections, "height"),
-           column(Family::steel_sections, "width"),
-           column(Family::steel_sections, "mass_per_length"),
-           column(Family::steel_sections, "torsion_constant"));
-    if (family == "extrusions")
-      take(Family::extrusions,
-           column(Family::extrusions, "area"),
-           column(Family::extrusions, "second_moment_x"),
-           column(Family::extrusions, "second_moment_y"),
-           column(Family::extrusions, "height"),
-           column(Family::extrusions, "width"),
-           column(Family::extrusions, "mass_per_length"),
-           column(Family::extrusions, "torsion_constant"));
+    if (family == "steel_sections") take(Family::steel_sections);
+    if (family == "extrusions") take(Family::extrusions);
   }
   tables_.push_back(std::move(table));
 }

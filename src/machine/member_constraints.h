@@ -22,7 +22,7 @@ void member_strength_constraints(Visit&& visit) {
   constexpr auto guides = [](const auto& d) { return d.is(d.data->member.is_guide); };
   visit(
       Declaration{.id = "C-FR-STRESS",
-                  .title = "Bending stress of the frame member",
+                  .title = "Stress of the frame member",
                   .symbol = "σ",
                   .unit = "MPa",
                   .source = "khurmi_gupta2005, chapter 5; fdm_printer, eq. 6",
@@ -103,7 +103,7 @@ void member_strength_constraints(Visit&& visit) {
                                                                            d.elastic_modulus(),
                                                                            d.yield_strength(),
                                                                            d.section.area,
-                                                                           d.section.weak_second_moment,
+                                                                           d.section.least_second_moment,
                                                                            d.column_length());
       });
   visit(

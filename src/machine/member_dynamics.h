@@ -51,7 +51,7 @@ T natural_frequency(const StructureMember<T>& d) {
   namespace vib = mechanics::vibration;
   const Member& m = d.data->member;
   if (m.kind == MemberKind::portal_frame) return portal_natural_frequency(d);
-  const T second_moment = named("I", smaller(d.section.strong_second_moment, d.section.weak_second_moment));
+  const T& second_moment = d.section.least_second_moment;
   const T own = d.section.mass_per_length * d.length();
   switch (m.support) {
     case BeamSupport::cantilever:

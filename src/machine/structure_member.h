@@ -25,10 +25,15 @@
 
 namespace millwright::machine {
 
-/// A cross-section: from the catalogue, or from free dimensions.
+/// A cross-section: from the catalogue, or from free dimensions. Second moments and section moduli are those that it
+/// bends with under a load over its height (strong) or its width (weak).
 template <class T>
 struct SectionReading {
-  T area{}, strong_second_moment{}, weak_second_moment{}, height{}, width{}, mass_per_length{};
+  T area{}, strong_second_moment{}, weak_second_moment{};
+  T least_second_moment{};  ///< about whichever axis: a column buckles and a beam swings that way
+  T strong_section_modulus{}, weak_section_modulus{};  ///< of the catalogue only
+  T height{}, width{}, mass_per_length{};
+  T torsion_width{};     ///< times torque over torsion constant: the largest shear stress, or more
   T torsion_constant{};  ///< NaN where the catalogue has none
 };
 
@@ -37,18 +42,27 @@ void visit_section_reading(Reading& r, Visit&& visit) {
   for (auto* field : {&r.area,
                       &r.strong_second_moment,
                       &r.weak_second_moment,
+                      &r.least_second_moment,
+                      &r.strong_section_modulus,
+                      &r.weak_section_modulus,
                       &r.height,
                       &r.width,
                       &r.mass_per_length,
+                      &r.torsion_width,
                       &r.torsion_constant})
     visit(*field);
 }
-inline constexpr std::size_t section_reading_fields = 7;
-inline constexpr std::size_t section_readings_needed = 6;  ///< the last is for a soft check only
+inline constexpr std::size_t section_reading_fields = 11;
+inline constexpr std::size_t section_readings_needed = 10;  ///< the last is for what twists only
 
 /// A plate wider than this times its span does not help a load in its middle any more: its deflection there tends to
 /// 0.01695 F L²/D, that of a strip of 1.229 L [timoshenko_plates, Table 23].
 inline constexpr double plate_effective_width = 1.229;
+
+/// Whether a member of this kind is of a catalogue's section.
+constexpr bool is_of_catalogue(MemberKind kind) {
+  return kind == MemberKind::section_beam || kind == MemberKind::column || kind == MemberKind::portal_frame;
+}
 
 struct MemberData {
   Member member;
@@ -111,6 +125,9 @@ struct StructureMember {
   void take_section();
   T deflection_of(const T& point, const T& distributed, const T& second_moment, const T& bent_height) const;
   T moment_of(const T& point, const T& distributed) const;
+  T strong_stress(const T& bending_moment) const;
+  T weak_stress(const T& bending_moment) const;
+  void add_twisting();
   void derive_bending();
   void derive_portal();
   void derive_weld();
@@ -125,7 +142,8 @@ void StructureMember<T>::take_section() {
       in_unit<T>(data->density, dimension::mass / (dimension::length * dimension::length * dimension::length));
   if (data->member.kind == MemberKind::round_shaft) {
     section.area = named("A", 0.25 * pi<T>() * square(diameter));
-    section.strong_second_moment = section.weak_second_moment = named("I", sec::round_second_moment(diameter, hollow));
+    section.strong_second_moment = named("I", sec::round_second_moment(diameter, hollow));
+    section.weak_second_moment = section.least_second_moment = section.strong_second_moment;
     section.height = section.width = diameter;
     section.mass_per_length = density * section.area;
     section.torsion_constant = named("J", sec::round_torsion_constant(diameter, hollow));
@@ -137,6 +155,7 @@ void StructureMember<T>::take_section() {
     section.width = width;
     section.mass_per_length = density * section.area;
     section.torsion_constant = named("J", sec::rectangle_torsion_constant(width, height));
+    section.torsion_width = smaller(width, height);
   } else if (data->member.kind == MemberKind::plate) {
     const double whole = data->member.plate_width;
     const T strip = in_unit<T>(std::min(whole, plate_effective_width * data->member.length), dimension::length);
@@ -148,6 +167,25 @@ void StructureMember<T>::take_section() {
     section.mass_per_length = density * section.area;
     section.torsion_constant = named("J", sec::rectangle_torsion_constant(strip, thickness));
   }
+  if (data->member.kind == MemberKind::rectangular_bar || data->member.kind == MemberKind::plate)
+    section.least_second_moment = smaller(section.strong_second_moment, section.weak_second_moment);
+}
+
+/// In the outermost fibre, which of channels and angles is not half the height away.
+template <class T>
+T StructureMember<T>::strong_stress(const T& bending_moment) const {
+  namespace sec = mechanics::section;
+  return is_of_catalogue(data->member.kind)
+             ? sec::bending_stress_of_modulus(bending_moment, section.strong_section_modulus)
+             : sec::bending_stress(bending_moment, section.strong_second_moment, 0.5 * section.height);
+}
+
+template <class T>
+T StructureMember<T>::weak_stress(const T& bending_moment) const {
+  namespace sec = mechanics::section;
+  return is_of_catalogue(data->member.kind)
+             ? sec::bending_stress_of_modulus(bending_moment, section.weak_section_modulus)
+             : sec::bending_stress(bending_moment, section.weak_second_moment, 0.5 * section.width);
 }
 
 template <class T>
@@ -192,6 +230,19 @@ T StructureMember<T>::deflection_of(const T& point,
          bm::supported_deflection_distributed(distributed, length(), E, second_moment);
 }
 
+/// Of a bar or a beam that is twisted as well. Of shafts C-SH-DIAM knows the torque.
+template <class T>
+void StructureMember<T>::add_twisting() {
+  using namespace scalar;
+  const bool twists = data->member.kind == MemberKind::rectangular_bar || data->member.kind == MemberKind::section_beam;
+  if (!twists || data->member.torque == 0.0) return;
+  // Between two held ends each bears half of it.
+  const double part = data->member.support == BeamSupport::cantilever ? 1.0 : 0.5;
+  const T torque = in_unit<T>(part * data->member.torque / data->member.count, dimension::torque);
+  const T shear = named("τ", torque * section.torsion_width / section.torsion_constant);
+  stress = named("σ_e", mechanics::section::stress_root(stress, shear));
+}
+
 template <class T>
 void StructureMember<T>::derive_bending() {
   using namespace scalar;
@@ -202,18 +253,17 @@ void StructureMember<T>::derive_bending() {
   moment = named("M", moment_of(force, own));
   lateral_moment = named("M_z", moment_of(lateral, no_load));
   const T down = deflection_of(force, own, section.strong_second_moment, section.height);
-  const T stress_down = mechanics::section::bending_stress(moment, section.strong_second_moment, 0.5 * section.height);
+  const T stress_down = strong_stress(moment);
   if (data->member.lateral_force == 0.0) {
     deflection = named("δ", down);
     stress = named("σ", stress_down);
-    return;
+    return add_twisting();
   }
   const T sideways = deflection_of(lateral, no_load, section.weak_second_moment, section.width);
   deflection = named("δ", sqrt(square(down) + square(sideways)));
-  const T stress_sideways =
-      mechanics::section::bending_stress(lateral_moment, section.weak_second_moment, 0.5 * section.width);
   // A round section has its two maxima on different fibres; adding them is safe.
-  stress = named("σ", stress_down + stress_sideways);
+  stress = named("σ", stress_down + weak_stress(lateral_moment));
+  add_twisting();
 }
 
 template <class T>
@@ -235,13 +285,11 @@ void StructureMember<T>::derive_portal() {
   const T swaying = named("M_s", col::portal_corner_moment(lateral, rise, ratio));
   const T corner = named("M_c", hanging + swaying);
   const T foot = named("M_f", 0.5 * hanging + col::portal_foot_moment(lateral, rise, ratio));
-  const T edge = 0.5 * section.height;
-  stress = named("σ", mechanics::section::bending_stress(larger(moment, corner), second_moment, edge));
+  stress = named("σ", strong_stress(larger(moment, corner)));
   // The corners' moments make a couple in the columns, which presses on one and pulls the other.
   axial_force = named("N", 0.5 * on_beam + own * rise + 2.0 * swaying / length());
-  column_stress = named("σ_c",
-                        mechanics::section::direct_stress(axial_force, section.area) +
-                            mechanics::section::bending_stress(larger(corner, foot), second_moment, edge));
+  column_stress =
+      named("σ_c", mechanics::section::direct_stress(axial_force, section.area) + strong_stress(larger(corner, foot)));
   sway = named("δ_s", lateral / col::portal_stiffness(elastic_modulus(), second_moment, rise, second_moment, length()));
   mass = named("m_b", data->member.count * section.mass_per_length * (2.0 * rise + length()));
 }

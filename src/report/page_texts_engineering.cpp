@@ -81,7 +81,7 @@ const std::vector<Saying>& sayings() {
       {"Guide shaft deflection", "Lendutan poros pemandu"},
       {"Guide shaft bending stress", "Tegangan lentur poros pemandu"},
       {"Rail is sold in this length", "Rel dijual dengan panjang ini"},
-      {"Bending stress of the frame member", "Tegangan lentur batang rangka"},
+      {"Stress of the frame member", "Tegangan batang rangka"},
       {"Deflection of the frame member", "Lendutan batang rangka"},
       {"Shaft diameter against the required one", "Diameter poros terhadap yang diperlukan"},
       {"Column buckling", "Tekuk kolom"},

@@ -366,9 +366,13 @@ void check_member(
   d.section = {{1e-3, dimension::area},
                {1e-7, dimension::second_moment_of_area},
                {5e-8, dimension::second_moment_of_area},
+               {4e-8, dimension::second_moment_of_area},
+               {3e-6, dimension::area * dimension::length},
+               {2e-6, dimension::area * dimension::length},
                length(0.06),
                length(0.03),
                {8.0, dimension::mass_per_length},
+               length(0.02),
                {2e-8, dimension::second_moment_of_area}};
   d.carried_mass = mass(20.0);
   d.diameter = length(0.02);
