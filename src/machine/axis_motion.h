@@ -102,6 +102,7 @@ struct Cycle {
   T travelled{};                         ///< m in one cycle
   T time_ratio{};                        ///< worst of needed over allowed time
   T gravity_force{};                     ///< N along the travel, positive downwards pull
+  T weight{};                            ///< N, its size: a counterbalance that outweighs the load pulls upwards
   T friction_force{};                    ///< N
   T process_force{};                     ///< N, the largest
 };
@@ -313,6 +314,7 @@ Cycle<T> duty_cycle(const MotionData& data, const T& mass, const T& acceleration
           ? named("F_g",
                   mechanics::actuation::gravity_force(mass, inclination, si<T>(data.counterbalance_force, of.force)))
           : zero_force;
+  cycle.weight = data.counterbalance_force > 0.0 ? absolute(cycle.gravity_force) : cycle.gravity_force;
   // Normal to the travel only the component of the weight across it presses on the guides.
   const double across = std::abs(std::cos(data.inclination)) < 1e-9 ? 0.0 : std::cos(data.inclination);
   cycle.friction_force = si<T>(data.guide_drag, of.force);

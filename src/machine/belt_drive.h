@@ -76,8 +76,7 @@ void BeltDrive<T>::derive() {
 template <class T>
 T steady_force(const BeltDrive<T>& d) {
   using namespace scalar;
-  const T weight = larger(d.cycle.gravity_force, in_unit<T>(0.0, dimension::force));
-  return weight + d.cycle.friction_force + d.cycle.process_force;
+  return d.cycle.weight + d.cycle.friction_force + d.cycle.process_force;
 }
 
 /// Stiffness of the carriage on its belt where it is softest [N/m].

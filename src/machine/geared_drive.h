@@ -90,7 +90,7 @@ void GearedDrive<T>::derive_gears(const T& moved, const T& travel_per_radian, co
   load_inertia = named("J_L", turning + reduction.reflected(mechanics::transmission::belt_load_inertia(moved, radius)));
   derive_phases(output_inertia);
   peak_speed = named("ω", reduction.at_motor(cycle.peak_speed / radius));
-  const T weight = larger(cycle.gravity_force, in_unit<T>(0.0, dimensions().force));
+  const T& weight = cycle.weight;
   load_torque = named("T_L", driving_torque(*this, T(weight + cycle.friction_force + cycle.process_force)));
   holding_force = named("F_h", weight + cycle.process_force);
   input_power = named("P_in", whole_watts(supply_power(weight)));
@@ -171,8 +171,8 @@ T back_driving_torque(const GearedDrive<T>& d, const T& force) {
 template <class T>
 T power_off_torque(const GearedDrive<T>& d) {
   using namespace scalar;
-  return back_driving_torque(
-      d, T(larger(d.cycle.gravity_force - d.cycle.friction_force, in_unit<T>(0.0, d.dimensions().force))));
+  return back_driving_torque(d,
+                             T(larger(d.cycle.weight - d.cycle.friction_force, in_unit<T>(0.0, d.dimensions().force))));
 }
 
 /// Torque that friction costs the motor before anything moves [N.m].
@@ -217,8 +217,7 @@ template <class T>
 T reduction_windup(const GearedDrive<T>& d) {
   using namespace scalar;
   if (!d.reduction.present) return in_unit<T>(0.0, d.dimensions().distance);
-  const T weight = larger(d.cycle.gravity_force, in_unit<T>(0.0, d.dimensions().force));
-  const T steady = (weight + d.cycle.friction_force + d.cycle.process_force) * d.radius / T(d.data->efficiency);
+  const T steady = (d.cycle.weight + d.cycle.friction_force + d.cycle.process_force) * d.radius / T(d.data->efficiency);
   return d.reduction.compliance * steady * d.radius;
 }
 

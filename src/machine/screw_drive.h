@@ -125,7 +125,7 @@ void ScrewDrive<T>::derive_power() {
   using namespace scalar;
   namespace st = mechanics::stepper;
   Largest<T> power;
-  const T weight = larger(cycle.gravity_force, in_unit<T>(0.0, dimension::force));
+  const T& weight = cycle.weight;
   for (const PowerDemand<T>& demand : cycle.demands) {
     const T& acceleration = demand.acceleration;
     const T force = moved_mass * acceleration + weight + cycle.friction_force + demand.force;
@@ -226,7 +226,7 @@ void ScrewDrive<T>::derive() {
   peak_speed = named("ω", reduction.at_motor(screw_speed));
   screw_torque = named("T_R", mechanics::ball_screw::drive_torque(largest_force, screw.lead, screw.efficiency));
   // Without acceleration: against gravity, friction and the process.
-  const T weight = larger(cycle.gravity_force, in_unit<T>(0.0, dimension::force));
+  const T& weight = cycle.weight;
   const T steady = weight + cycle.friction_force + cycle.process_force;
   steady_torque = mechanics::ball_screw::drive_torque(steady, screw.lead, screw.efficiency) + screw.drag_torque;
   load_torque = named("T_L", reduction.driving(steady_torque));

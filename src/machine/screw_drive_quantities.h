@@ -101,7 +101,7 @@ T back_driving_torque(const ScrewDrive<T>& d, const T& force) {
 template <class T>
 T power_off_torque(const ScrewDrive<T>& d) {
   return d.reduction.driven(mechanics::actuation::backdriving_torque(
-      d.cycle.gravity_force, d.screw.lead, d.screw.reverse_efficiency, d.cycle.friction_force, T(1.0)));
+      d.cycle.weight, d.screw.lead, d.screw.reverse_efficiency, d.cycle.friction_force, T(1.0)));
 }
 
 /// Smallest of all speed limits of the drive, as a speed of the axis [m/s].
@@ -189,7 +189,7 @@ T axial_give(const ScrewDrive<T>& d, const T& force) {
 template <class T>
 T friction_torque(const ScrewDrive<T>& d) {
   using namespace scalar;
-  const T weight = larger(d.cycle.gravity_force, in_unit<T>(0.0, dimension::force));
+  const T& weight = d.cycle.weight;
   const T raising = mechanics::ball_screw::drive_torque(weight, d.screw.lead, d.screw.efficiency);
   const T lowering = mechanics::ball_screw::backdriving_torque(weight, d.screw.lead, d.screw.reverse_efficiency);
   const T at_screw = mechanics::ball_screw::drive_torque(d.cycle.friction_force, d.screw.lead, d.screw.efficiency) +
