@@ -215,8 +215,10 @@ void mark_estimated_torque(const DriveStage& stage,
   for (PartLine& part : design.parts)
     if (part.axis == axis && part.slot == "motor") part.estimate = true;
   for (Check& check : design.checks)
-    if (check.axis == axis && check.id == "C-ST-TORQUE")
+    if (check.axis == axis && check.id == "C-ST-TORQUE") {
       check.note = "torque at speed is an estimate from the winding: no published curve at this voltage and current";
+      check.requirement = machine::requirements()[static_cast<std::size_t>(stage.data().require.margin_of_model())].key;
+    }
 }
 
 /// The element of a stage; what its formulas leave of their ranges goes into the ledger. A screw's readings come from a

@@ -17,12 +17,8 @@ MotorSet::MotorSet(std::vector<MotorPair> pairs,
     std::vector<double>& numbers = numbers_[v];
     numbers.reserve(pairs_.size() * width);
     for (const MotorPair& pair : pairs_) {
-      // A margin that the problem states holds for curve and model alike; else the model, an estimate, gets the smaller
-      // share.
       const bool estimate = pair.curve_at(v) == nullptr;
-      const double margin =
-          require(estimate && !require.given(Requirement::torque_margin) ? Requirement::torque_margin_estimate
-                                                                         : Requirement::torque_margin);
+      const double margin = require(estimate ? require.margin_of_model() : Requirement::torque_margin);
       machine::MotorReading<double> reading = machine::motor_reading(pair.figures_at(v), margin);
       const auto keep = [&](const double& x) { numbers.push_back(x); };
       visit_motor_reading(reading, keep);
@@ -36,8 +32,7 @@ MotorSet::MotorSet(std::vector<MotorPair> pairs,
 void MotorSet::read_ranges(std::size_t voltage, const MotorPair& pair, std::vector<Interval>& readings) const {
   const MotorRanges& ranges = pair.ranges[voltage];
   const double published = require_(Requirement::torque_margin);
-  const double estimated = require_(require_.given(Requirement::torque_margin) ? Requirement::torque_margin
-                                                                               : Requirement::torque_margin_estimate);
+  const double estimated = require_(require_.margin_of_model());
   Interval margin = ranges.model_may_govern ? estimated : published;
   if (ranges.model_may_govern && !ranges.curves.empty()) margin = hull(margin, published);
   machine::MotorReading<Interval> reading = machine::motor_reading(ranges.figures, margin);

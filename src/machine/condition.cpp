@@ -66,7 +66,7 @@ class Collector {
     const Axis& axis = problem_.axes[index];
     for (const RequirementDeclaration& declared : requirements()) {
       const Looser side = looser_side(declared.requirement);
-      if (side == Looser::neither || !axis.require.known(declared.requirement)) continue;
+      if (side == Looser::neither || !axis.require.counts(declared.requirement)) continue;
       if (axis.require.given(declared.requirement) != given) continue;
       // The largest of all axes' reserves counts, for the one supply of the machine.
       const bool shared = declared.requirement == Requirement::supply_reserve;
@@ -95,7 +95,7 @@ class Collector {
         for (const Axis& each : problem_.axes) value = std::max(value, each.require(which));
       add_number(condition, value, std::string(declared.unit), side == Looser::larger, [=](Asked& asked, double to) {
         for (std::size_t i = 0; i < asked.problem.axes.size(); ++i)
-          if (shared || i == index) asked.problem.axes[i].require.set(which, to);
+          if (shared || i == index) asked.problem.axes[i].require.change(which, to);
       });
     }
   }

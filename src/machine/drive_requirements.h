@@ -25,7 +25,7 @@ inline constexpr auto drive_requirements = [] {
        "torque_margin_estimate",
        "1",
        0.5,
-       "the same where the pull-out torque is only a model (up to 1.97 times a published curve)",
+       "the same where it is only a model (up to 1.97 times a published curve), unless torque_margin alone is stated",
        "oriental_motor_sizing"},
       {Requirement::load_torque_factor,
        "load_torque_factor",

@@ -149,6 +149,20 @@ class Requirements {
     return values_[static_cast<std::size_t>(requirement)];
   }
   [[nodiscard]] bool given(Requirement requirement) const { return given_[static_cast<std::size_t>(requirement)]; }
+  /// What limits the torque of a motor of which only a model is known: a margin that the problem states holds for
+  /// curve and model alike, unless it states the model's as well.
+  [[nodiscard]] Requirement margin_of_model() const {
+    return given(Requirement::torque_margin) && !given(Requirement::torque_margin_estimate)
+               ? Requirement::torque_margin
+               : Requirement::torque_margin_estimate;
+  }
+  /// Whether there is a value and it counts: not where another requirement stands for it (margin_of_model).
+  [[nodiscard]] bool counts(Requirement requirement) const {
+    return known(requirement) && (requirement != Requirement::torque_margin_estimate ||
+                                  margin_of_model() == Requirement::torque_margin_estimate);
+  }
+  /// Another value for what is given or a default, which stays one.
+  void change(Requirement requirement, double value) { values_[static_cast<std::size_t>(requirement)] = value; }
   /// Whether there is a value at all (a default or a given one).
   [[nodiscard]] bool known(Requirement requirement) const;
 

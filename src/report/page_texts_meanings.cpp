@@ -9,8 +9,8 @@ const std::vector<Saying>& meanings() {
       // requirements (machine/drive_requirements.h, requirement.cpp)
       {"torque demand over pull-out torque, published curve",
        "torsi yang diminta terhadap torsi tarik-lepas, kurva terbitan"},
-      {"the same where the pull-out torque is only a model (up to 1.97 times a published curve)",
-       "sama, bila torsi tarik-lepas hanya model (sampai 1.97 kali kurva terbitan)"},
+      {"the same where it is only a model (up to 1.97 times a published curve), unless torque_margin alone is stated",
+       "sama, bila hanya model (sampai 1.97 kali kurva terbitan), kecuali hanya torque_margin yang dinyatakan"},
       {"load torque over holding torque (80 % rule)", "torsi beban terhadap torsi penahan (aturan 80 %)"},
       {"load inertia over rotor inertia", "inersia beban terhadap inersia rotor"},
       {"RMS torque over holding torque", "torsi RMS terhadap torsi penahan"},

@@ -284,6 +284,59 @@ TEST_CASE("A torque margin that the problem states holds for curve and model") {
   }
 }
 
+TEST_CASE("A margin of modelled torques that the problem states holds beside one for all") {
+  machine::Problem problem = one_axis("horizontal", "lead_screws");
+  problem.axes[0].require.set(machine::Requirement::torque_margin, 0.6);
+  problem.axes[0].require.set(machine::Requirement::torque_margin_estimate, 0.3);
+  const evaluation::MachineModel model(problem, parts());
+  const auto& drive = std::get<std::unique_ptr<evaluation::ScrewDriveStage>>(model.entries().front().stage);
+  bool of_curve = false, of_model = false;
+  for (solver::Row row = 0; row < drive->motors().pairs().size(); ++row) {
+    const solver::RowsAlive alive{std::span(&row, 1)};
+    for (std::size_t v = 0; v < 2; ++v) {
+      const bool curve = drive->motors().pairs()[row].curve_at(v) != nullptr;
+      CHECK(drive->motors().reading<double>(alive, v).torque_margin == (curve ? 0.6 : 0.3));
+      of_curve = of_curve || curve;
+      of_model = of_model || !curve;
+    }
+  }
+  CHECK((of_curve && of_model));
+}
+
+TEST_CASE("A margin that does not count is no condition, and a default that is eased stays one") {
+  using machine::Requirement;
+  machine::Requirements require;
+  CHECK(require.counts(Requirement::torque_margin_estimate));
+  require.change(Requirement::torque_margin, 0.9);
+  CHECK_FALSE(require.given(Requirement::torque_margin));
+  CHECK(require(require.margin_of_model()) == 0.5);  // as before
+  require.set(Requirement::torque_margin, 0.3);
+  CHECK_FALSE(require.counts(Requirement::torque_margin_estimate));
+  CHECK(require(require.margin_of_model()) == 0.3);
+  require.set(Requirement::torque_margin_estimate, 0.4);
+  CHECK(require.counts(Requirement::torque_margin_estimate));
+}
+
+TEST_CASE("A counterbalance that outweighs the load asks as much of the drive as the load alone") {
+  machine::Problem problem = one_axis("vertical", "ball_screws");
+  const Design alone = worked(problem, "B16x5", "B16x5", "P24-350");
+  // With twice the weight of all that moves the axis is pulled upwards as it was downwards.
+  problem.axes[0].counterbalance_force = 2.0 * 20.25 * g;
+  const Design outweighed = worked(problem, "B16x5", "B16x5", "P24-350");
+  for (const char* id : {"C-ST-80", "C-ST-HOLD", "C-ST-BACK", "C-ST-TORQUE", "C-ACC-TOTAL", "C-ST-START"}) {
+    INFO(id);
+    const auto value = [&](const Design& design) {
+      const auto found = std::find_if(design.checks.begin(), design.checks.end(), [&](const evaluation::Check& check) {
+        return check.id == std::string(id);
+      });
+      REQUIRE(found != design.checks.end());
+      return found->value;
+    };
+    CHECK(value(alone) > 0.0);
+    CHECK(value(outweighed) == Approx(value(alone)));
+  }
+}
+
 TEST_CASE("A vertical axis on a ball screw, worked by hand") {
   const Design d = worked(one_axis("vertical", "ball_screws"), "B16x5", "B16x5", "P24-350");
   const double v = 0.03, a = 0.15, lead = 0.005, m = 20.25;
