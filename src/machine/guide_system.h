@@ -88,18 +88,19 @@ void GuideSystem<T>::derive() {
   cycle = duty_cycle(data->motion, moved_mass, acceleration_time);
   const T weight = named("G", moved_mass * in_unit<T>(standard_gravity, dimension::acceleration));
   const T none = in_unit<T>(0.0, dimension::force);
-  // On a slope one part of the weight presses on the guides and the other pulls along them. An offset along x counts
-  // with all of it, because on a steep axis it is the distance from the rails.
+  // On a slope one part of the weight presses on the guides and the other pulls along them.
   const double steep = std::sin(data->motion.inclination);
   const double level = std::abs(std::cos(data->motion.inclination));
   const T pressing = level < 1e-9 ? none : level * weight;
   const T pulling = steep < 1e-9 ? none : steep * weight;
-  const T steady_pitch =
-      named("M_y", weight * length(std::abs(c.load_offset_x)) + cycle.process_force * length(std::abs(c.force_height)));
+  // What pulls, and the mass where it accelerates, turns the slide by its height above the line of the drive; on a
+  // steep axis an offset along x is the distance from the rails and such a lever too.
+  const double height = std::max(std::abs(c.load_height), steep < 1e-9 ? 0.0 : std::abs(c.load_offset_x));
+  const T steady_pitch = named("M_y",
+                               pressing * length(std::abs(c.load_offset_x)) + pulling * length(height) +
+                                   cycle.process_force * length(std::abs(c.force_height)));
   const T roll = named("M_x", pressing * length(std::abs(c.load_offset_y)));
   const T steady_yaw = named("M_z", pulling * length(std::abs(c.load_offset_y)));
-  // On a steep axis the mass stands off the rails by its offset along x; there that is the lever of its inertia too.
-  const double height = std::max(std::abs(c.load_height), steep < 1e-9 ? 0.0 : std::abs(c.load_offset_x));
   const auto load = [&](const T& inertia) {
     const T pitch = steady_pitch + inertia * length(height);
     const T yaw = steady_yaw + inertia * length(std::abs(c.load_offset_y));

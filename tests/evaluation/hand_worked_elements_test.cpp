@@ -132,10 +132,31 @@ TEST_CASE("Guides worked by hand") {
         design_of(MachineModel(problem_of_text(axis_text("inclined\"\ninclination = \"30 deg", four, "")), parts()),
                   {{"x", "guide", {{"R12"}}, {}}});
     const double across = G * std::cos(pi / 6.0), along = G * 0.5;
+    // The 20 mm are a lever of what presses if they lie along the travel, and of what pulls if they stand off the
+    // rails.
+    const double tilt = across * 0.02 + along * 0.02 + 50.0 * 0.05;
     expect(d,
            "guide",
            "C-GD-STATIC",
-           2.0 * (across / 4.0 + pitch / 0.2 + across * 0.03 / 0.4 + along * 0.03 / 0.2 + (yaw + off) / 0.2),
+           2.0 * (across / 4.0 + tilt / 0.2 + across * 0.03 / 0.4 + along * 0.03 / 0.2 + (yaw + off) / 0.2),
+           5000.0);
+  }
+  SECTION("what pulls along a steep axis pitches by its height above the line of the drive") {
+    const std::string high =
+        "{ rails = 2, carriages = 4, carriage_spacing = \"100 mm\", rail_spacing = \"200 mm\", load_height = "
+        "\"80 mm\" }";
+    const auto guided = [&](const char* direction) {
+      return design_of(MachineModel(problem_of_text(axis_text(direction, high, "")), parts()),
+                       {{"x", "guide", {{"R12"}}, {}}});
+    };
+    const double inertia = m * speed / 0.05 * 0.08 / 0.2, upright = G * 0.08 / 0.2;
+    const Design vertical = guided("vertical");
+    expect(vertical, "guide", "C-GD-STATIC", 2.0 * (upright + inertia), 5000.0);
+    expect(vertical, "guide", "C-GD-LIFE", 10000.0, life_hours(3000.0, mean(upright, upright + inertia), 0.2));
+    expect(guided("inclined\"\ninclination = \"30 deg"),
+           "guide",
+           "C-GD-STATIC",
+           2.0 * (G * std::cos(pi / 6.0) / 4.0 + 0.5 * upright + inertia),
            5000.0);
   }
   SECTION("a mass above the line of the drive pitches when it is accelerated, and not between") {
