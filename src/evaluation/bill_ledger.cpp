@@ -96,7 +96,7 @@ BillLedger::BillLedger(const MachineModel& model,
   for (std::size_t i = 0; i < model.entries().size(); ++i)
     for (std::size_t slot = 0; slot < model.entries()[i].tables().size(); ++slot)
       for (const PartUse& use : model.entries()[i].tables()[slot].candidate(build.stages[i].rows[slot]).parts) {
-        counted_.set_aside(use);
+        counted_.take(use);
         const std::string& axis = model.entries()[i].axis;
         bars_.take({i, slot}, axis, use, cuts_of(model.machine(), use, axis));
       }
@@ -109,7 +109,7 @@ void BillLedger::add_parts(const StageEntry& entry, std::span<const solver::Row>
   for (std::size_t slot = 0; slot < tables.size(); ++slot) {
     const Candidate& candidate = tables[slot].candidate(rows[slot]);
     for (const PartUse& use : candidate.parts) {
-      CountedPartsLedger::Share share = counted_.take(use);
+      CountedPartsLedger::Share share = counted_.share(use);
       share.price += bars_.share({stage, slot}, use, cuts_of(model_.machine(), use, entry.axis));
       shops_.take(use, share.owned, share.price);
       design_.parts.push_back(part_line(model_, use, entry.axis, design_.currency, share));

@@ -16,7 +16,7 @@ std::string build_identity(const MachineModel& model, const solver::Build& build
   for (std::size_t stage = 0; stage < build.stages.size(); ++stage)
     for (std::size_t slot = 0; slot < build.stages[stage].rows.size(); ++slot) {
       candidates.push_back(model.candidate(stage, slot, build.stages[stage].rows[slot]));
-      for (const PartUse& use : candidates.back().parts) counted.set_aside(use);
+      for (const PartUse& use : candidates.back().parts) counted.take(use);
     }
   std::string identity = fmt::format("{}\n", build.shared.empty() ? solver::Row{0} : build.shared.front());
   std::map<std::pair<catalogue::Family, int>, double> bought;
@@ -28,7 +28,7 @@ std::string build_identity(const MachineModel& model, const solver::Build& build
         identity += fmt::format("{}\n", use.row);
         continue;
       }
-      const double pieces = use.pieces() - counted.take(use).owned;
+      const double pieces = use.pieces() - counted.share(use).owned;
       if (pieces > 0.0) bought[{use.family, use.row}] += pieces;
     }
   }

@@ -2,12 +2,23 @@
 #include "evaluation/counted_parts.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace millwright::evaluation {
 namespace {
 
 auto is_of(const PartUse& use) {
   return [&use](const CountedPart& part) { return part.family == use.family && part.row == use.row; };
+}
+
+/// What is paid for the first so many of the pieces that are bought, all at the same price. Where cents do not come out
+/// even they are rounded here, so that the shares of the lines are whole cents and still add up to the order.
+double part_of_order(double order, double pieces, double of) {
+  if (pieces >= of) return order;
+  const auto is_whole = [](double value) { return std::abs(value - std::round(value)) <= 1e-6; };
+  const double share = order * pieces / of;
+  const bool round = is_whole(100.0 * order) && !is_whole(10000.0 * order / of);
+  return round ? std::round(100.0 * share) / 100.0 : share;
 }
 
 }  // namespace
@@ -85,20 +96,38 @@ std::vector<CountedPart> CountedParts::finish() && {
   return std::move(parts_);
 }
 
-void CountedPartsLedger::set_aside(const PartUse& use) {
+CountedPartsLedger::CountedPartsLedger(std::span<const CountedPart> parts)
+    : parts_(parts), taken_(parts.size(), 0.0), set_aside_(taken_), listed_(taken_), charged_(taken_) {}
+
+std::optional<std::size_t> CountedPartsLedger::find(const PartUse& use) const {
   const auto found = use.stated.empty() ? std::find_if(parts_.begin(), parts_.end(), is_of(use)) : parts_.end();
-  if (found != parts_.end() && found->whole) set_aside_[*found->whole] += use.pieces();
+  if (found == parts_.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - parts_.begin());
 }
 
-CountedPartsLedger::Share CountedPartsLedger::take(const PartUse& use) {
-  const auto found = use.stated.empty() ? std::find_if(parts_.begin(), parts_.end(), is_of(use)) : parts_.end();
-  if (found == parts_.end()) return {0.0, use.price};
-  const auto index = static_cast<std::size_t>(found - parts_.begin());
-  double& taken = taken_[index];
-  const double gone = taken + set_aside_[index];
-  const double left = std::max(0.0, found->owned - gone);
-  taken += use.pieces();
-  return {std::min(left, use.pieces()), found->purchase(gone + use.pieces()).price - found->purchase(gone).price};
+void CountedPartsLedger::take(const PartUse& use) {
+  const auto index = find(use);
+  if (!index) return;
+  taken_[*index] += use.pieces();
+  if (parts_[*index].whole) set_aside_[*parts_[*index].whole] += use.pieces();
+}
+
+double CountedPartsLedger::owned(std::size_t part) const {
+  return std::min(taken_[part], std::max(0.0, parts_[part].owned - set_aside_[part]));
+}
+
+CountedPartsLedger::Share CountedPartsLedger::share(const PartUse& use) {
+  const auto index = find(use);
+  if (!index) return {0.0, use.price};
+  const double mine = std::min(std::max(0.0, owned(*index) - listed_[*index]), use.pieces());
+  const double to_buy = taken_[*index] - owned(*index);
+  const double before = std::max(0.0, listed_[*index] - owned(*index));
+  listed_[*index] += use.pieces();
+  const double order = parts_[*index].purchase(set_aside_[*index] + taken_[*index]).price -
+                       parts_[*index].purchase(set_aside_[*index]).price;
+  const double charged = charged_[*index];
+  charged_[*index] = part_of_order(order, before + use.pieces() - mine, to_buy);
+  return {mine, charged_[*index] - charged};
 }
 
 std::vector<Purchase> CountedPartsLedger::purchases(const catalogue::Catalogue& catalogue) const {
@@ -112,7 +141,7 @@ std::vector<Purchase> CountedPartsLedger::purchases(const catalogue::Catalogue& 
                       std::string(table.part_number(parts_[i].row)),
                       std::string(table.text(catalogue::column(parts_[i].family, "supplier"), parts_[i].row)),
                       taken_[i],
-                      std::min(taken_[i], std::max(0.0, parts_[i].owned - set_aside_[i])),
+                      owned(i),
                       bought.pieces,
                       bought.price});
   }

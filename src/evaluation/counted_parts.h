@@ -70,28 +70,34 @@ class CountedParts {
   std::vector<double> most_;  ///< [part]: pieces that a build can take
 };
 
-/// Goes through the parts of a build and says what each is charged.
+/// Goes through the parts of a build, twice, and says what each is charged: by then it is known how many are bought.
 class CountedPartsLedger {
  public:
-  explicit CountedPartsLedger(std::span<const CountedPart> parts)
-      : parts_(parts), taken_(parts.size(), 0.0), set_aside_(taken_) {}
+  explicit CountedPartsLedger(std::span<const CountedPart> parts);
 
-  /// Before anything is taken: of everything that the build takes, what may only be owned is set aside.
-  void set_aside(const PartUse& use);
+  /// Of everything that the build takes, before the first share. Pieces that may only be owned are set aside.
+  void take(const PartUse& use);
 
   struct Share {
     double owned = 0.0;  ///< pieces of it that are there
     double price = 0.0;  ///< of the line, in the problem's currency
   };
-  /// By how much the order grows with this line; of a part that is not counted its own price.
-  Share take(const PartUse& use);
+  /// Line by line: the first ones have what is there; the others pay the same for each piece, together the order. Of a
+  /// part that is not counted its own price.
+  Share share(const PartUse& use);
   /// What has to be bought of the counted parts that were taken.
   [[nodiscard]] std::vector<Purchase> purchases(const catalogue::Catalogue& catalogue) const;
 
  private:
+  [[nodiscard]] std::optional<std::size_t> find(const PartUse& use) const;
+  /// Pieces of those taken that are there.
+  [[nodiscard]] double owned(std::size_t part) const;
+
   std::span<const CountedPart> parts_;
   std::vector<double> taken_;
   std::vector<double> set_aside_;  ///< pieces of a part that lines of owned pieces take
+  std::vector<double> listed_;     ///< pieces of the lines that had their share
+  std::vector<double> charged_;    ///< what they were charged
 };
 
 }  // namespace millwright::evaluation

@@ -393,6 +393,40 @@ TEST_CASE("With preferred parts the best build and the front equal those of all 
   CHECK(heavier > 0);
 }
 
+/// What lines of so many pieces are charged; from three pieces on each costs `each`, and only whole packs are sold.
+std::vector<double> charged(double each, double pack, double owned, const std::vector<double>& lines) {
+  evaluation::CountedPart part;
+  part.family = catalogue::Family::couplings;
+  part.owned = owned;
+  part.price = catalogue::PiecePrice{12.0, {{3.0, each}}, pack};
+  const std::vector<evaluation::CountedPart> parts(1, part);
+  std::vector<evaluation::PartUse> uses(lines.size());
+  evaluation::CountedPartsLedger ledger(parts);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    uses[i].family = part.family;
+    uses[i].quantity = lines[i];
+    ledger.take(uses[i]);
+  }
+  std::vector<double> prices;
+  for (const evaluation::PartUse& use : uses) prices.push_back(ledger.share(use).price);
+  return prices;
+}
+
+// Three pieces at 4 USD are 4 USD each wherever they stand, and not 12 USD for the first line that is counted.
+TEST_CASE("Lines of a part with price breaks or in packs pay the same for every piece that is bought") {
+  CHECK(charged(4.0, 1.0, 0.0, {1.0, 2.0}) == std::vector<double>{4.0, 8.0});
+  CHECK(charged(4.0, 1.0, 1.0, {2.0, 1.0, 1.0}) == std::vector<double>{4.0, 4.0, 4.0});
+  CHECK(charged(4.0, 1.0, 3.0, {1.0, 2.0}) == std::vector<double>{0.0, 0.0});
+  // Four pieces, 5 USD, for three lines: whole cents, and no cent is lost.
+  const std::vector<double> thirds = charged(1.25, 4.0, 0.0, {1.0, 1.0, 1.0});
+  CHECK(thirds[0] == Approx(1.67));
+  CHECK(thirds[1] == Approx(1.66));
+  CHECK(thirds[0] + thirds[1] + thirds[2] == Approx(5.0).epsilon(1e-15));
+  const std::vector<double> small = charged(0.0125, 1.0, 0.0, {1.0, 3.0});
+  CHECK(small[0] == Approx(0.0125));
+  CHECK(small[1] == Approx(0.0375));
+}
+
 // M17 costs 9 USD. At a premium of 5 % another motor that does the same is taken up to 9.45 USD.
 TEST_CASE("A preferred part is taken up to just its premium and no further") {
   const auto motor = [](double price, std::optional<double> premium, const char* mark = "preferred") {
