@@ -17,8 +17,6 @@
 namespace millwright::catalogue {
 namespace {
 
-/// What a cell of a spreadsheet can hold; what is longer is no cell.
-
 /// Digits with at most one point between them: already a number of ours.
 bool is_plain(std::string_view cell) {
   bool point = false;
@@ -387,7 +385,8 @@ std::string ImportFields::currency_of_row(const SheetRows& row, const ImportFiel
   } else if (!said.empty() && !row_currency_.empty() && row_currency_ != "?" && said != row_currency_) {
     refuse(row, at, fmt::format("the price is in {}, but the currency is said to be {}", row_currency_, said));
   }
-  return said.empty() ? row_currency_ : said;
+  if (!said.empty()) return said;
+  return row_currency_.empty() ? currency_without_price(row, mapping_) : row_currency_;
 }
 
 }  // namespace millwright::catalogue

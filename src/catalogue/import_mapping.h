@@ -97,6 +97,10 @@ std::optional<ImportMapping> propose_mapping(const ImportSheet& sheet,
 /// Columns whose unit nothing says.
 std::vector<const SourceColumn*> assumed_units(const ImportMapping& mapping);
 
+/// What headers or cells of other rows say that prices are in, of a row of which no price is known: it has a currency
+/// though that prices nothing. Empty if nothing says it, and where a price stands in the row: a bare figure has none.
+std::string currency_without_price(const SheetRows& row, const ImportMapping& mapping);
+
 inline bool is_number_column(Column column) {
   return declaration(column).kind == Kind::number || declaration(column).kind == Kind::money;
 }

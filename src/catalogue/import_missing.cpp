@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "catalogue/import_mapping.h"
+#include "catalogue/import_unit.h"
 
 namespace millwright::catalogue {
 namespace {
@@ -85,6 +86,23 @@ std::vector<const SourceColumn*> assumed_units(const ImportMapping& mapping) {
   for (const SourceColumn& each : mapping.columns)
     if (each.target && each.unit_origin == UnitOrigin::assumed && each.has_bare_figures) columns.push_back(&each);
   return columns;
+}
+
+std::string currency_without_price(const SheetRows& row, const ImportMapping& mapping) {
+  std::string found;
+  for (std::size_t i = 0; i < mapping.columns.size(); ++i) {
+    const SourceColumn& column = mapping.columns[i];
+    if (!column.target || declaration(*column.target).kind != Kind::money) continue;
+    if (!row.cell(i).empty() && !says_unknown(row.cell(i))) return {};
+    std::vector<std::string> said{column.currency};
+    for (const std::string& unit : column.cell_units) {
+      std::string reason;
+      if (const auto known = shop_unit(unit, *column.target, reason)) said.push_back(known->currency);
+    }
+    for (const std::string& currency : said)
+      if (found.empty() && currency != "?") found = currency;
+  }
+  return found;
 }
 
 }  // namespace millwright::catalogue

@@ -65,6 +65,25 @@ TEST_CASE("Semicolons, decimal commas and a row of units") {
   CHECK(result.column("Haltemoment").unit_origin == UnitOrigin::units_row);
 }
 
+TEST_CASE("A row whose price is not known is in the currency of the others") {
+  const std::string top = "Brand,Part No,Step angle (deg),Torque (N.m),Current (A),";
+  for (const char* mapped : {"Preis netto EUR\nA,1,1.8,1.2,2.8,20\nA,2,1.8,1.2,2.8,n/a\nA,3,1.8,1.2,2.8,\n",
+                             "Price\nA,1,1.8,1.2,2.8,20 EUR\nA,2,1.8,1.2,2.8,-\nA,3,1.8,1.2,2.8,\n"}) {
+    const Imported result = import_csv(top + mapped);
+    INFO(result.complaints);
+    REQUIRE(result.good);
+    CHECK(result.says("price is not known"));
+    const Table table = result.table(Family::steppers);
+    REQUIRE(table.rows() == 3);
+    CHECK(std::isnan(table.price(1).piece));
+    for (int row = 0; row < table.rows(); ++row) CHECK(table.price(row).currency == "EUR");
+  }
+  // A price that says none has none.
+  const Imported bare = import_csv(top + "Price\nA,1,1.8,1.2,2.8,20 EUR\nA,2,1.8,1.2,2.8,21\n");
+  CHECK_FALSE(bare.good);
+  CHECK(bare.says("currency is missing"));
+}
+
 TEST_CASE("Units in the cells: of one kind they stay, of several they are converted") {
   const Imported result = import_csv(
       "Brand,Part No,Step angle,Holding torque,Current,Inertia,Price\n"
