@@ -258,8 +258,8 @@ void report_missing(const MachineModel& model,
           return line.axis == entry.axis && line.slot == part;
         });
         if (given) continue;
-        machine::SourceSpan where;
-        if (!bom.lines.empty()) where = bom.lines.back().where;
+        machine::SourceSpan where;  // no line is at fault
+        if (!bom.lines.empty()) where = text::whole(bom.lines.back().where.text);
         problems.push_back(
             {where,
              fmt::format("axis '{}' has no {}", entry.axis, part),

@@ -289,7 +289,7 @@ TEST_CASE("A missing slot is an error that names it, unless it is to be chosen")
   const std::string bom = with(full_bom, "x,coupling,generic,D19L25 beam,1,,\n", "");
   const Outcome outcome = check_bom(bom);
   CHECK(outcome.exit_code == 2);
-  CHECK(outcome.says("error: axis 'x' has no coupling"));
+  CHECK(outcome.says("b.csv: error: axis 'x' has no coupling"));  // of the file: no line of it is at fault
   CHECK(outcome.says("hint: add a line 'x,coupling,...' or use --complete to have it chosen"));
   const Outcome completed = check_bom(bom, {"--complete"});
   CHECK(completed.exit_code == 0);

@@ -303,8 +303,16 @@ TEST_CASE("Of a bound no more is said than was proved, of a gap no less") {
   CHECK(text.find("a build of 7.49 USD or more may still exist (gap 0.01 %)") != std::string::npos);
 }
 
-TEST_CASE("The bill of materials quotes what it must and keeps every bit of a dimension") {
-  const MachineResult result = result_of_three_checks();
+TEST_CASE("The bill of materials quotes what it must and keeps every bit that may decide a check") {
+  MachineResult result = result_of_three_checks();
+  const std::string dimensions = "x,shaft.diameter,,,,,12.5 mm\n";
+  result.designs.front().checks.push_back(
+      check_of("F-SUPPLY-VOLTAGE", 36.0, 36.0, Verdict::satisfied, ConstraintKind::fit));
+  CHECK(bom_csv(result.designs.front()).ends_with("x,acceleration_time,,,,,0.3 s\n" + dimensions));
+  result.designs.front().dimensions.front().value = 0.2707106781186548;
+  CHECK(bom_csv(result.designs.front()).ends_with("x,acceleration_time,,,,,0.2707106781186548 s\n" + dimensions));
+  result = result_of_three_checks();
+  result.designs.front().checks.push_back(check_of("C-EDGE", 100.0, 100.0, Verdict::satisfied));
   CHECK(bom_csv(result.designs.front()) ==
         "axis,slot,manufacturer,part_number,quantity,length,value\n"
         "x,screw,\"Maker, \"\"Best\"\" Ltd\",T10-2,1,384 mm,\n"
