@@ -135,7 +135,8 @@ struct Layout {
 
 void print_row(const Cells& cells, const Layout& layout, std::string& out) {
   std::size_t height = 1;
-  for (const auto& cell : cells) height = std::max(height, cell.size());
+  for (std::size_t i = 0; i < cells.size(); ++i)  // (the title of a column that is left out is many lines of no width)
+    if (layout.widths[i] > 0) height = std::max(height, cells[i].size());
   for (std::size_t line = 0; line < height; ++line) {
     std::string text(layout.indent, ' ');
     for (std::size_t i = 0; i < cells.size(); ++i) {

@@ -22,6 +22,9 @@ TEST_CASE("Empty columns are left out, rows may be short, lines have no blanks a
   table.add({"2", "", "x"});
   CHECK(table.str(0) == "a  b\n1\n2  x\n");
   CHECK(TextTable({{"a"}}).str().empty());
+  TextTable titled({{"a"}, {"changes against the line above"}});
+  titled.add({"1"});
+  CHECK(titled.str(0) == "a\n1\n");
 }
 
 TEST_CASE("Long cells go on below, words are not broken") {
