@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/calc_arguments.h"
@@ -66,6 +67,18 @@ std::vector<mechanics::ArgumentValue<Traced>> traced(const Formula& formula, con
   return values;
 }
 
+/// Counts that are none. (The formula takes them as any number, and a search may do so: here somebody wrote it.)
+void warn_of_fractions(const Formula& formula, const CalcArguments& arguments, std::vector<std::string>& warnings) {
+  constexpr double rounding = 1e-9;
+  for (std::size_t i = 0; i < arguments.values.size(); ++i) {
+    const auto* value = std::get_if<double>(&arguments.values[i]);
+    if (value == nullptr || !formula.arguments()[i].whole) continue;
+    if (std::abs(*value - std::round(*value)) > rounding * std::max(1.0, std::abs(*value)))
+      warnings.push_back(
+          fmt::format("{} = {} is not a whole number", formula.arguments()[i].name, scalar::format_number(*value, 10)));
+  }
+}
+
 std::optional<report::Calculation> calculate(const Formula& formula,
                                              const Options& options,
                                              text::Diagnostics& diagnostics) {
@@ -85,6 +98,7 @@ std::optional<report::Calculation> calculate(const Formula& formula,
     calculation.unit = *unit;
   }
   calculation.warnings = formula.violations(arguments->values);
+  warn_of_fractions(formula, *arguments, calculation.warnings);
   const Traced result = formula.evaluate<Traced>(traced(formula, *arguments));
   calculation.value = result.value;
   if (std::isinf(result.value)) calculation.warnings.push_back("the result is infinite, or too large for a number");

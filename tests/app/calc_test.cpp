@@ -144,6 +144,18 @@ TEST_CASE("Outside the stated validity there is a warning, outside the formula's
   CHECK(quiet.says("warning: power_screw.raising_torque: force = -1500 N is below 0 N"));
 }
 
+TEST_CASE("A count that is not a whole number is warned of, in text and JSON") {
+  const Workshop shop;
+  const auto lead = [](const char* starts) {
+    return std::vector<std::string>{"calc", "power_screw.lead", "pitch=4 mm", starts};
+  };
+  const Outcome text = shop.run(lead("starts=2.5"));
+  CHECK(text.exit_code == 0);
+  CHECK(text.prints("outside the stated validity: starts = 2.5 is not a whole number"));
+  CHECK(json_of(lead("starts=2.5")).at("warnings") == Json{"starts = 2.5 is not a whole number"});
+  CHECK(json_of(lead("starts=2")).at("warnings").empty());
+}
+
 TEST_CASE("A relation between arguments that does not hold is warned of, in text and JSON") {
   const Workshop shop;
   // tan λ = 31.4 / (π · 10): 45 degrees.
