@@ -2,6 +2,7 @@
 #include "catalogue/import_head.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -79,6 +80,25 @@ void sample_rows(SheetRows& row, std::size_t used, TableHead& head) {
   }
 }
 
+/// Nothing was found that is imported from such a table.
+void report_no_head(const ImportSheet& sheet, const ImportChoices& choices, text::Diagnostics& diagnostics) {
+  const std::string family(declaration(choices.family).name);
+  const std::string message =
+      choices.complete ? "no row holds the headers that the mapping names"
+                       : fmt::format("no row among the first {} names columns of {}", rows_looked_at, family);
+  std::string hint = choices.complete ? "is this the table it was made for?"
+                                      : "is it another family? 'millwright catalogue list' shows them; a mapping "
+                                        "file can name the columns";
+  if (!sheet.others.empty()) {  // often the first one is a cover
+    constexpr std::size_t shown = 200;
+    hint = fmt::format("this is sheet {}; --sheet reads another one: {}; or {}",
+                       text::in_quotes(sheet.sheet),
+                       text::printable(fmt::format("{}", fmt::join(sheet.others, ", ")), shown),
+                       hint);
+  }
+  diagnostics.error(text::whole(sheet.text), message, hint);
+}
+
 }  // namespace
 
 std::optional<TableHead> find_head(const ImportSheet& sheet,
@@ -110,14 +130,7 @@ std::optional<TableHead> find_head(const ImportSheet& sheet,
     if (best.names == 0) break;
   }
   if (!found) {
-    const std::string family(declaration(choices.family).name);
-    diagnostics.error(
-        text::whole(sheet.text),
-        choices.complete ? "no row holds the headers that the mapping names"
-                         : fmt::format("no row among the first {} names columns of {}", rows_looked_at, family),
-        choices.complete ? "is this the table it was made for?"
-                         : "is it another family? 'millwright catalogue list' shows them; a mapping file can "
-                           "name the columns");
+    report_no_head(sheet, choices, diagnostics);
     return std::nullopt;
   }
   std::size_t used = row.cells();

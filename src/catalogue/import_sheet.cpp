@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
 
 #include "catalogue/import_workbook.h"
@@ -126,6 +127,7 @@ std::optional<ImportSheet> load_workbook(const std::string& path,
   ImportSheet sheet;
   sheet.separator = '\t';
   sheet.sheet = read->name;
+  std::remove_copy(read->names.begin(), read->names.end(), std::back_inserter(sheet.others), read->name);
   sheet.numbers = std::move(read->numbers);
   sheet.text = text::SourceText::from_string(path, std::move(read->text));
   if (format.sheet.empty() && read->names.size() > 1)

@@ -30,6 +30,7 @@ struct ImportSheet {
   std::shared_ptr<const text::SourceText> text;
   char separator = ',';
   std::string sheet;                   ///< of a workbook; empty: it is none
+  std::vector<std::string> others;     ///< of a workbook: its other sheets
   std::vector<std::uint32_t> numbers;  ///< of a workbook: bytes where cells begin that hold a number, not a text
   std::vector<std::string> remarks;    ///< what was found out about it, for people
 };

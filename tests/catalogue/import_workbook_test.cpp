@@ -128,6 +128,28 @@ TEST_CASE("A workbook is imported as a text is, and its lines are the rows of th
   CHECK(result.mapping->header.line == 4);
 }
 
+TEST_CASE("Where the first sheet is a cover, the others are named") {
+  const auto sheet = [](const char* name, const std::vector<std::string>& cells) {
+    std::string row;
+    for (const std::string& text : cells) row += cell("office:value-type=\"string\"", text);
+    return std::string("<table:table table:name=\"") + name + "\"><table:table-row>" + row +
+           "</table:table-row></table:table>";
+  };
+  const TemporaryFolder folder;
+  const std::string path =
+      folder
+          .write("book.ods",
+                 ods(sheet("Cover", {"Welcome"}) +
+                     sheet("Motors", {"Brand", "Part number", "Step angle (deg)", "Torque (N.m)", "Current (A)"})))
+          .string();
+  ImportRequest request = asking();
+  const Imported cover = import_request(path, request);
+  CHECK(cover.says("no row among the first 40 names columns of steppers"));
+  CHECK(cover.says("this is sheet 'Cover'; --sheet reads another one: Motors; or is it another family?"));
+  request.format.sheet = "Motors";
+  CHECK_FALSE(import_request(path, request).says("no row among"));
+}
+
 // --- what means harm
 // ---------------------------------------------------------------------------------------------------
 
