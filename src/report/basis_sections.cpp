@@ -130,7 +130,7 @@ namespace {
 /// Bar by bar what is cut from it; empty where no whole bars are bought.
 std::string bars_table(const Design& design, const Texts& t) {
   HtmlTable table("<><>", {t("parts.part"), t("parts.bar"), t("parts.pieces"), t("parts.left_over")});
-  const auto millimetres = [](double metres) { return escaped(shown_quantity(1e3 * metres, "mm")); };
+  const auto millimetres = [](double metres) { return escaped(shown_millimetres(metres)); };
   for (const evaluation::BarPurchase& purchase : design.bars) {
     bool first = true;
     for (const evaluation::CutBar& bar : purchase.bars) {
@@ -199,7 +199,7 @@ std::string parts_table(const MachineResult& result, const Design& design, const
                (part.spares > 0.0
                     ? fmt::format("<small>+ {} {}</small>", scalar::format_number(part.spares), t("parts.spare"))
                     : ""),
-           part.length > 0.0 ? escaped(shown_quantity(1e3 * part.length, "mm")) : "",
+           part.length > 0.0 ? escaped(shown_millimetres(part.length)) : "",
            fmt::format("{}{:.2f}", part.estimate ? "~" : "", part.price) + unit(design.currency) +
                stated(part.stated_currency, part.price),
            part.mass > 0.0 ? fmt::format("{:.3f}", part.mass) + unit("kg") : "",

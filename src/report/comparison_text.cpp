@@ -9,6 +9,7 @@
 #include "report/design_json.h"
 #include "report/design_text.h"
 #include "report/json_value.h"
+#include "report/quantity_text.h"
 #include "scalar/unit.h"
 
 namespace millwright::report {
@@ -67,7 +68,7 @@ std::string part_cell(const PartLine* part, const PartLine* other) {
   const bool count_differs = other == nullptr || part->quantity != other->quantity;
   if (count_differs && part->quantity != 1.0) text = scalar::format_number(part->quantity) + " x " + text;
   const bool length_differs = same_name && std::abs(part->length - other->length) > 5e-5;
-  if (length_differs) text += ", " + scalar::format(part->length, scalar::Unit::of("mm"));
+  if (length_differs) text += ", " + millimetres_text(part->length) + " mm";
   return text;
 }
 

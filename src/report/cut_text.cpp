@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "report/design_text.h"
+#include "report/quantity_text.h"
 #include "scalar/unit.h"
 
 namespace millwright::report {
@@ -15,14 +16,13 @@ using evaluation::Design;
 using evaluation::PartLine;
 
 std::string bars_text(const evaluation::BarPurchase& purchase) {
-  const auto millimetres = [](double metres) { return scalar::format_number(1e3 * metres); };
   std::vector<std::string> rests;
   for (const evaluation::CutBar& bar : purchase.bars)
-    if (bar.left_over > 5e-4) rests.push_back(millimetres(bar.left_over));
+    if (bar.left_over > 5e-4) rests.push_back(millimetres_text(bar.left_over));
   std::string out = fmt::format("{} bar{} of {} mm",
                                 purchase.bars.size(),
                                 purchase.bars.size() == 1 ? "" : "s",
-                                millimetres(purchase.stock_length));
+                                millimetres_text(purchase.stock_length));
   if (!purchase.is_fewest) out += " (fewer may do)";
   if (!rests.empty()) out += fmt::format(", left over {} mm", fmt::join(rests, " + "));
   return out;
@@ -35,7 +35,7 @@ std::string bars_lines(const Design& design, const Style& style) {
     for (const evaluation::CutBar& bar : purchase.bars) {
       std::vector<std::string> pieces;
       for (const evaluation::BarPiece& piece : bar.pieces)
-        pieces.push_back(fmt::format("{}.{} {}", piece.axis, piece.slot, scalar::format_number(1e3 * piece.length)));
+        pieces.push_back(fmt::format("{}.{} {}", piece.axis, piece.slot, millimetres_text(piece.length)));
       bars.push_back(fmt::format("{}", fmt::join(pieces, " + ")));
     }
     out += "  " +

@@ -10,6 +10,7 @@
 
 #include "report/conversion_text.h"
 #include "report/cut_text.h"
+#include "report/quantity_text.h"
 #include "scalar/unit.h"
 
 namespace millwright::report {
@@ -22,9 +23,7 @@ using machine::ConstraintKind;
 
 namespace {
 
-std::string length_text(double metres) {
-  return metres > 0.0 ? scalar::format_number(scalar::Unit::of("mm").from_si(metres)) : std::string();
-}
+std::string length_text(double metres) { return metres > 0.0 ? millimetres_text(metres) : std::string(); }
 
 std::string mass_text(double kilograms) { return kilograms > 0.0 ? fmt::format("{:.3f}", kilograms) : std::string(); }
 

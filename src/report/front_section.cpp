@@ -52,7 +52,7 @@ Json part_record(const PartLine& part, const Texts& t) {
           t.slot(part.slot),
           part_name(part),
           scalar::format_number(part.quantity),
-          part.length > 0.0 ? shown_quantity(1e3 * part.length, "mm") : "",
+          part.length > 0.0 ? shown_millimetres(part.length) : "",
           fmt::format("{}{:.2f}", part.estimate ? "~" : "", part.price),
           part.mass > 0.0 ? fmt::format("{:.3f}", part.mass) : ""};
 }

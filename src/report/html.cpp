@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "report/quantity_text.h"
 #include "scalar/unit.h"
 
 namespace millwright::report {
@@ -137,5 +138,7 @@ std::string shown_quantity(double value, std::string_view unit, int significant)
   const std::string shown = shown_unit(unit);
   return scalar::format_number(value, significant) + (shown.empty() ? "" : (shown == "°" ? "" : "\u202f") + shown);
 }
+
+std::string shown_millimetres(double metres) { return millimetres_text(metres) + "\u202fmm"; }
 
 }  // namespace millwright::report

@@ -21,5 +21,7 @@ std::string shown_unit(std::string_view unit);
 
 /// A value in its unit, "12.3 kg·cm²"; "-" where it is not a number.
 std::string shown_quantity(double value, std::string_view unit, int significant = 4);
+/// A length in millimetres with its tenths (millimetres_text).
+std::string shown_millimetres(double metres);
 
 }  // namespace millwright::report

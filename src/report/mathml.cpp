@@ -295,11 +295,16 @@ void MathPrinter::add(const scalar::Traced& result, double shown_value, const st
   kept_.push_back(pointer);
   const Printed printed = print(pointer);
   const std::string unit = shown_unit(unit_name);
-  std::string value =
-      std::isnan(shown_value) ? "<mtext>–</mtext>" : number_mathml(scalar::format_number(shown_value, result_digits));
-  if (!unit.empty())
-    value += (unit == "°" ? "" : "<mspace width=\"0.2em\"/>") + ("<mtext>" + escaped(unit) + "</mtext>");
-  value = row(value);
+  const auto shown = [&](int digits) {
+    std::string text =
+        std::isnan(shown_value) ? "<mtext>–</mtext>" : number_mathml(scalar::format_number(shown_value, digits));
+    if (!unit.empty())
+      text += (unit == "°" ? "" : "<mspace width=\"0.2em\"/>") + ("<mtext>" + escaped(unit) + "</mtext>");
+    return row(text);
+  };
+  // A figure that is given is not rounded once more: 1247.5 mm are not "1247.5 mm = 1247 mm".
+  std::string value = shown(argument_digits);
+  if (printed.numbers.text != value) value = shown(result_digits);
   results_.push_back({{{},
                        printed.plain ? std::string() : printed.symbols.text,
                        printed.plain || printed.numbers.text == value ? std::string() : printed.numbers.text,

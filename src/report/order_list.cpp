@@ -11,6 +11,7 @@
 #include "catalogue/family.h"
 #include "report/conversion_text.h"
 #include "report/cut_text.h"
+#include "report/quantity_text.h"
 #include "scalar/unit.h"
 #include "text/characters.h"
 
@@ -80,8 +81,7 @@ std::string_view word_for(std::size_t family, bool cut) {
 std::string description_of(const PartLine& part, std::size_t family, bool cut) {
   std::string words(word_for(family, cut));
   if (part.family == "materials" && part.cuts.empty()) words = "weld metal";
-  if (part.cuts.empty() && part.length > 0.0)
-    words += fmt::format(" {}", scalar::format(part.length, scalar::Unit::of("mm")));
+  if (part.cuts.empty() && part.length > 0.0) words += fmt::format(" {} mm", millimetres_text(part.length));
   return words;
 }
 
@@ -240,7 +240,7 @@ void settle(OrderList& list, const evaluation::BarPurchase& purchase) {
   for (auto other = std::next(first); other != list.lines.end(); ++other)
     if (is_of(*other)) first->used_for += ", " + other->used_for;
   first->unit = "pcs";
-  first->description += fmt::format(", bar of {}", scalar::format(purchase.stock_length, scalar::Unit::of("mm")));
+  first->description += fmt::format(", bar of {} mm", millimetres_text(purchase.stock_length));
   first->quantity = static_cast<double>(purchase.bars.size());
   first->unit_price = purchase.bar_price;
   first->total = first->quantity * first->unit_price;

@@ -47,6 +47,13 @@ std::string quantity_bound_text(machine::Quantity quantity, double bound, const 
   return {};
 }
 
+std::string millimetres_text(double metres) {
+  const double millimetres = scalar::Unit::of("mm").from_si(metres);
+  int digits = 4;
+  for (double tenfold = 1000.0; tenfold <= std::abs(millimetres); tenfold *= 10.0) ++digits;
+  return scalar::format_number(millimetres, digits);
+}
+
 std::string percent_rounded_up(double part, int digits) {
   return fmt::format("{:.{}g}", rounded_up(100.0 * part, last_digit(100.0 * part, digits)), digits);
 }

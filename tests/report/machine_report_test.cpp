@@ -9,6 +9,7 @@
 #include "report/design_text.h"
 #include "report/json.h"
 #include "report/machine_text.h"
+#include "report/quantity_text.h"
 #include "scalar/unit.h"
 
 namespace millwright::report::machine_report_test {
@@ -321,6 +322,18 @@ TEST_CASE("The bill of materials quotes what it must and keeps every bit that ma
   CHECK(csv_cell("plain") == "plain");
   CHECK(csv_cell("# no comment") == "\"# no comment\"");
   CHECK(csv_cell("line\nbreak") == "\"line\nbreak\"");
+}
+
+// A rail of 1247.5 mm that is cut to 1247 mm is too short.
+TEST_CASE("Lengths have their tenths, however long they are") {
+  CHECK(millimetres_text(1.2475) == "1247.5");
+  CHECK(millimetres_text(12.3456) == "12345.6");
+  CHECK(millimetres_text(2.49998) == "2500");
+  CHECK(millimetres_text(0.70994) == "709.9");
+  CHECK(millimetres_text(0.01234) == "12.34");
+  MachineResult result = result_of_three_checks();
+  result.designs.front().parts.front().length = 1.2475;
+  CHECK(check_text(result, {}).find("  1247.5  ") != std::string::npos);
 }
 
 TEST_CASE("A reduction is on the bill of materials by its name, and left out without one") {

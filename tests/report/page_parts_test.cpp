@@ -94,6 +94,15 @@ TEST_CASE("A formula stands in symbols, in numbers, and with its value") {
   CHECK_FALSE(printer.uses("E"));
 }
 
+TEST_CASE("A figure that is the result itself is not rounded once more") {
+  MathPrinter printer;
+  printer.add(figure("L_r", 1.2475, "mm"), 1247.5, "mm");
+  const MathLine line = printer.lines(0).front();
+  CHECK(plain(line.expression) == "Lr");
+  CHECK(line.substituted.empty());
+  CHECK(plain(line.value) == "1247.5mm");
+}
+
 TEST_CASE("What changes nothing is left out") {
   const Traced x = figure("x", 0.002, "mm");
   const Traced nothing = scalar::in_unit<Traced>(0.0, scalar::dimension::length);
