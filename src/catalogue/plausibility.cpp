@@ -226,6 +226,23 @@ bool Plausibility::explain(const Kind& kind, const Evidence& row, const Fault& f
   return true;
 }
 
+/// Where nothing but its price speaks of a figure, the price is odd in the first place: it is what varies, and what no
+/// other figure of the row follows from. Else the figure itself.
+std::size_t Plausibility::price_in_question(const Kind& kind, const Evidence& row, std::size_t figure) {
+  const auto is_money = [&](std::size_t slot) {
+    return declaration(kind.columns[slot]).kind == catalogue::Kind::money && !kind.given[slot];
+  };
+  std::size_t price = figure;
+  if (is_money(figure)) return figure;
+  for (const Part& stands : kind.of_column[figure]) {
+    if (std::isnan(row.residuals[stands.slot])) continue;
+    if (!kind.relations[stands.slot].priced) return figure;
+    for (const Part& part : kind.relations[stands.slot].parts)
+      if (is_money(part.slot)) price = part.slot;
+  }
+  return price;
+}
+
 Suspicion Plausibility::describe(const Kind& kind, const Evidence& row) {
   const std::size_t slots = kind.columns.size();
   const std::vector<Fault> faults = faults_of(kind, row);
@@ -246,8 +263,8 @@ Suspicion Plausibility::describe(const Kind& kind, const Evidence& row) {
   if (any_impossible) found.certainty = std::max(found.certainty, certainty_of_impossible);
   if (found.certainty < certainty_to_report) return found;
 
-  const std::size_t culprit =
-      static_cast<std::size_t>(std::max_element(of_slot.begin(), of_slot.end()) - of_slot.begin());
+  auto culprit = static_cast<std::size_t>(std::max_element(of_slot.begin(), of_slot.end()) - of_slot.begin());
+  if (const std::size_t price = price_in_question(kind, row, culprit); of_slot[price] > 0.0) culprit = price;
   const Fault* fault = nullptr;
   for (const Fault& each : faults) {
     const bool candidate = each.a == each.b ? each.a == culprit : std::exp(each.weight - top) > of_slot[culprit];

@@ -134,6 +134,7 @@ class Plausibility {
   static std::vector<Fault> faults_of(const Kind& kind, const Evidence& row);
   /// What speaks for a fault: expected range, rules, evidence. False if no relation does.
   static bool explain(const Kind& kind, const Evidence& row, const Fault& fault, Suspicion& found);
+  static std::size_t price_in_question(const Kind& kind, const Evidence& row, std::size_t figure);
   static Suspicion describe(const Kind& kind, const Evidence& row);
 
   const Table& table_;

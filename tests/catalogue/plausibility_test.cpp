@@ -96,6 +96,25 @@ TEST_CASE("ten prices in another currency are judged by each other, nine are not
   CHECK(found->expected_high > 450000);
 }
 
+// Without a frame size nothing else speaks of the mass: 36 kg^-0.6 times 1 kg is usual, and 5000 is 139 times that. The
+// usual slips of a mass are commoner than those of a price, but motors of a tonne are not.
+TEST_CASE("where only its price speaks of a mass, the price is blamed, and the mass mentioned") {
+  for (const char* price : {"5000", "0.3"}) {
+    std::string row = motor(1, std::string(price) + ",USD");
+    row.replace(row.find(",57,"), 4, ",,");
+    const Table table = table_of(Family::steppers, motors + row);
+    const auto found = Plausibility(table).examine(0, nothing);
+    INFO(price);
+    REQUIRE(found);
+    CHECK(declaration(found->column).name == "price");
+    CHECK(found->value == Approx(std::stod(price)));
+    CHECK(found->expected_low < 36.0);
+    CHECK(found->expected_high > 36.0);
+    REQUIRE(found->instead);
+    CHECK(declaration(*found->instead).name == "mass");
+  }
+}
+
 TEST_CASE("a torque with one phase on is judged as the root of two times it") {
   // Ten times too large, stated with both phases on and with one.
   const Table both = table_of(Family::steppers, motors + motor(0, "30,USD", "18.9"));
