@@ -29,6 +29,8 @@ struct Readable {
   Step steps[4];
 };
 
+const Dimension cube_of_force = dimension::force * dimension::force * dimension::force;
+
 const Readable readable[] = {
     {dimension::none, {{0, ""}}},
     {dimension::length, {{0, "µm"}, {1e-4, "mm"}, {10, "m"}}},
@@ -54,6 +56,14 @@ const Readable readable[] = {
     {dimension::voltage, {{0, "mV"}, {0.1, "V"}}},
     {dimension::resistance, {{0, "mΩ"}, {0.1, "Ω"}}},
     {dimension::inductance, {{0, "mH"}, {1, "H"}}},
+    // What cubic means of loads and the RMS of torques are made of, and the heat resistance of a winding.
+    {cube_of_force, {{0, "N³"}}},
+    {cube_of_force * dimension::length, {{0, "N³·m"}}},
+    {cube_of_force * dimension::speed, {{0, "N³·m/s"}}},
+    {dimension::torque * dimension::torque * dimension::torque, {{0, "N³·m³"}}},
+    {dimension::torque * dimension::torque, {{0, "N²·m²"}}},
+    {dimension::torque * dimension::torque * dimension::time, {{0, "N²·m²·s"}}},
+    {dimension::temperature / dimension::power_output, {{0, "K/W"}}},
 };
 
 }  // namespace

@@ -388,6 +388,10 @@ TEST_CASE("readable units have the dimension asked for and parse again") {
   CHECK(readable_unit(dimension::pressure, -3e8).name() == "MPa");
   CHECK(readable_unit(dimension::torque, 2).name() == "N·m");
   CHECK(readable_unit(dimension::frequency, 2).name() == "rad/s");
+  const Dimension square_of_torque = dimension::torque * dimension::torque;
+  const Dimension cube_of_force = dimension::force * dimension::force * dimension::force;
+  CHECK(readable_unit(cube_of_force * dimension::length, 2).name() == "N³·m");
+  CHECK(readable_unit(square_of_torque * dimension::time, 2).name() == "N²·m²·s");
   for (const Dimension& d : {dimension::none,
                              dimension::length,
                              dimension::area,
@@ -407,6 +411,12 @@ TEST_CASE("readable units have the dimension asked for and parse again") {
                              power(dimension::length, 0.5),
                              dimension::none / dimension::force,
                              dimension::temperature / dimension::power_output,
+                             cube_of_force,
+                             cube_of_force * dimension::length,
+                             cube_of_force * dimension::speed,
+                             square_of_torque,
+                             square_of_torque * dimension::torque,
+                             square_of_torque * dimension::time,
                              dimension::none / (dimension::mass * dimension::time)}) {
     for (const double value : {0.0, 1e-9, 1e-3, 1.0, -1e3, 1e12}) {
       CAPTURE(to_string(d), value);
