@@ -10,6 +10,9 @@ namespace millwright::machine {
 
 namespace {
 
+/// Of the largest speed: less is none.
+constexpr double speed_rounding = 1e-9;
+
 struct Sample {
   double time = 0.0, speed = 0.0, force = 0.0;
 };
@@ -194,7 +197,13 @@ MeasuredProfile measured_profile(std::span<const double> times,
     lowest = std::min(lowest, position);
     highest = std::max(highest, position);
   };
-  const auto sample = [&](std::size_t i) -> Sample { return {times[i], speeds[i], forces.empty() ? 0.0 : forces[i]}; };
+  // What differences of positions leave of a standstill is rounding, and no motion of 1e-14 s the other way.
+  double fastest = 0.0;
+  for (const double speed : speeds) fastest = std::max(fastest, std::abs(speed));
+  const auto sample = [&](std::size_t i) -> Sample {
+    const bool stands = std::abs(speeds[i]) <= speed_rounding * fastest;
+    return {times[i], stands ? 0.0 : speeds[i], forces.empty() ? 0.0 : forces[i]};
+  };
   for (std::size_t i = 0; i < times.size(); ++i) {
     const Sample now = sample(i);
     profile.peak_speed = std::max(profile.peak_speed, std::abs(now.speed));

@@ -78,6 +78,18 @@ TEST_CASE("A profile of positions and forces is read into SI") {
   CHECK(z.acceleration_time.fixed());  // no ramp is left to choose
 }
 
+// From standstill with 0.4 m/s2: the parabola through the first three samples leaves 7e-18 m/s backwards at the first.
+TEST_CASE("What differences of positions leave of a standstill is no motion") {
+  const Outcome outcome = read_files(replaced(lift, "\"vertical\"", "\"horizontal\""),
+                                     "time [s],position [mm],force [N]\n0,0,0\n0.25,12.5,0\n0.5,50,0\n0.75,87.5,50\n"
+                                     "1,100,50\n1.5,100,0\n2.5,0,0\n");
+  INFO(text::format(outcome.diagnostics));
+  REQUIRE(outcome.problem);
+  const auto& phases = outcome.problem->axes[0].moves[0].profile->phases;
+  CHECK_FALSE(phases.front().backwards);
+  for (const machine::ProfilePhase& phase : phases) CHECK(phase.duration > 0.01);
+}
+
 TEST_CASE("A profile is understood as a spreadsheet writes it, in any unit that fits") {
   const Outcome outcome = read_files(lift,
                                      "\xEF\xBB\xBF# recorded on Monday\r\nforce [kN];speed [m/min];time "
