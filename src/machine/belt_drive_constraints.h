@@ -132,7 +132,7 @@ void belt_constraints(Visit&& visit) {
                   .requirement = "belt_frequency",
                   .place = WorstPlace::long_belt},
       always,
-      [](const auto& d) { return d.require(belt_frequency, dimension::none / dimension::time); },
+      [](const auto& d) { return in_hertz<decltype(d.peak_speed)>(d.data->require(belt_frequency)); },
       [](const auto& d) { return bt::axis_resonant_frequency(belt_stiffness(d), d.moved_mass); });
   visit(
       Declaration{.id = "C-ST-RADIAL",

@@ -12,6 +12,7 @@
 
 #include "machine/axis_motion.h"
 #include "machine/error_budget.h"
+#include "machine/frequency.h"
 #include "machine/motor.h"
 #include "machine/reduction.h"
 #include "machine/requirement.h"
@@ -185,7 +186,7 @@ T friction_torque(const GearedDrive<T>& d) {
 template <class T>
 T speed_limit(const GearedDrive<T>& d) {
   using namespace scalar;
-  const T pulse = d.require(Requirement::step_rate_factor) * d.require(Requirement::step_rate, dimension::frequency) *
+  const T pulse = d.require(Requirement::step_rate_factor) * in_hertz<T>(d.data->require(Requirement::step_rate)) *
                   2.0 * pi<T>() / (4.0 * d.motor.rotor_teeth * d.data->microsteps);
   return d.reduction.at_output(d.reduction.limited(pulse)) * d.radius;
 }

@@ -3,6 +3,7 @@
 // How a structure member twists and swings, and how a rotating shaft tires.
 #pragma once
 
+#include "machine/frequency.h"
 #include "machine/structure_member.h"
 #include "mechanics/vibration.h"
 
@@ -26,7 +27,7 @@ template <class T>
 T required_frequency(const StructureMember<T>& d) {
   using namespace scalar;
   if (d.data->require.known(Requirement::frame_natural_frequency))
-    return d.require(Requirement::frame_natural_frequency, dimension::frequency);
+    return in_hertz<T>(d.data->require(Requirement::frame_natural_frequency));
   return mechanics::vibration::required_natural_frequency(in_unit<T>(d.data->acceleration, dimension::acceleration),
                                                           d.require(Requirement::ringing_amplitude, dimension::length));
 }

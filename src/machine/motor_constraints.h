@@ -102,7 +102,7 @@ void motor_constraints(Visit&& visit) {
         return st::pulse_rate(d.motor.rotor_teeth, decltype(d.peak_speed)(d.data->microsteps), d.peak_speed);
       },
       [](const auto& d) {
-        return d.require(step_rate_factor) * d.require(step_rate, dimension::none / dimension::time);
+        return d.require(step_rate_factor) * in_hertz<decltype(d.peak_speed)>(d.data->require(step_rate));
       });
   visit(
       Declaration{.id = "C-ST-HOLD",

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "machine/axis_motion.h"
+#include "machine/frequency.h"
 #include "machine/motor.h"
 #include "machine/requirement.h"
 
@@ -21,8 +22,7 @@ auto first_step_speed(const Drive& d) {
   const T step = named("θ_s", T(0.5 * pi<T>()) / d.motor.rotor_teeth);
   const T square_of_gain = 2.0 * d.peak_acceleration * step;
   if (!d.data->require.known(Requirement::start_rate)) return T(0.5 * sqrt(square_of_gain));
-  const T start = named(
-      "ω_0", d.require(Requirement::start_rate, dimension::none / dimension::time) * step / T(d.data->microsteps));
+  const T start = named("ω_0", in_hertz<T>(d.data->require(Requirement::start_rate)) * step / T(d.data->microsteps));
   return T(0.5 * (start + sqrt(square(start) + square_of_gain)));
 }
 

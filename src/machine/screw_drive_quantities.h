@@ -7,6 +7,7 @@
 #include <span>
 
 #include "machine/error_budget.h"
+#include "machine/frequency.h"
 #include "machine/screw_drive.h"
 #include "machine/tool_chain.h"
 #include "mechanics/ball_screw_cycle.h"
@@ -108,9 +109,8 @@ T power_off_torque(const ScrewDrive<T>& d) {
 template <class T>
 T speed_limit(const ScrewDrive<T>& d) {
   using namespace scalar;
-  const T pulse = d.require(Requirement::step_rate_factor) *
-                  d.require(Requirement::step_rate, dimension::none / dimension::time) * 2.0 * pi<T>() /
-                  (4.0 * d.motor.rotor_teeth * d.data->microsteps);
+  const T pulse = d.require(Requirement::step_rate_factor) * in_hertz<T>(d.data->require(Requirement::step_rate)) *
+                  2.0 * pi<T>() / (4.0 * d.motor.rotor_teeth * d.data->microsteps);
   const bool turns = !d.data->nut_rotates;
   T limit = d.reduction.at_output(d.reduction.limited(pulse));
   if (d.data->has_coupling) limit = smaller(limit, d.coupling.largest_speed);

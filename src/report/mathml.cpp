@@ -62,6 +62,14 @@ std::string literal_text(double value) {
   return scalar::format_number(value, argument_digits);
 }
 
+/// The unit of an intermediate result. What is called f counts something per second and is no angular speed, although
+/// it has the dimension of one.
+scalar::Unit unit_of_line(const std::string& symbol, const scalar::Expression& expression) {
+  if (expression.dimension == scalar::dimension::frequency && (symbol == "f" || symbol.starts_with("f_")))
+    return scalar::Unit::of("Hz");
+  return scalar::readable_unit(expression.dimension, expression.value);
+}
+
 }  // namespace
 
 std::string symbol_mathml(const std::string& symbol) {
@@ -250,7 +258,7 @@ MathPrinter::Printed MathPrinter::print(const Pointer& whole) {
 MathPrinter::Printed MathPrinter::as_line(const std::string& symbol,
                                           const Printed& meaning,
                                           const Expression& expression) {
-  const scalar::Unit unit = scalar::readable_unit(expression.dimension, expression.value);
+  const scalar::Unit unit = unit_of_line(symbol, expression);
   const std::string value = row(quantity_mathml(expression.value, unit, result_digits));
   const std::string said = meaning.numbers.text + meaning.symbols.text;
   std::string unique = symbol;

@@ -46,6 +46,20 @@ Design shipped_build(const std::string& name) {
 /// Bit by bit; what is not a number is so on both sides.
 bool same(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0 || (std::isnan(a) && std::isnan(b)); }
 
+/// The lines that lead to the limit of a check of the first drive.
+std::string limit_text(const Design& design, const std::string& id) {
+  for (const ElementWorksheet& sheet : design.worksheet->elements)
+    for (const evaluation::CheckSides& sides : sheet.checks)
+      if (sides.id == id) {
+        std::string text;
+        for (const scalar::DerivationLine& line : scalar::derivation(sides.capacity, "limit"))
+          text += scalar::to_string(line) + "\n";
+        return text;
+      }
+  FAIL("no check " << id);
+  return {};
+}
+
 MotionPoint at(const std::vector<MotionPoint>& points, double time) {
   for (const MotionPoint& point : points)
     if (std::abs(point.time - time) < 1e-12) return point;
@@ -91,6 +105,17 @@ TEST_CASE("Both sides of every check of the shipped machines are recomputed, bit
     CHECK(explained == design.checks.size());
   }
   CHECK(elements.count("drive") + elements.count("guide") + elements.count("supply") + elements.count("whole") == 4);
+}
+
+// 200 kHz have the dimension of an angular speed, but 200 000 rad/s would be 31.8 kHz.
+TEST_CASE("Pulse rates are counted in hertz on the sheets") {
+  const Design design = shipped_build("lifter");
+  for (const char* id : {"C-ST-STEPRATE", "C-SYS-SPEED"}) {
+    const std::string limit = limit_text(design, id);
+    INFO(limit);
+    CHECK(limit.find("200 kHz") != std::string::npos);
+    CHECK(limit.find("200000") == std::string::npos);
+  }
 }
 
 TEST_CASE("A design has no worksheet unless it is asked for") {

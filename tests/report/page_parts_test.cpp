@@ -156,6 +156,15 @@ TEST_CASE("Long formulas are broken into lines that fit the paper") {
   Traced sum = figure("x_0", 1.0, "m");
   for (int i = 1; i < 60; ++i) sum = sum + square(figure(("x_" + std::to_string(i)).c_str(), i, "m")) / sum;
   MathPrinter printer;
+TEST_CASE("An intermediate result called f counts per second") {
+  MathPrinter printer;
+  printer.add(named("f_n", figure("ω", 300.0, "rad/s") / 6.0) + figure("f_0", 1.0, "Hz"), 51.0, "Hz");
+  CHECK(plain(printer.lines(0)[0].value) == "50Hz");
+  MathPrinter turning;
+  turning.add(named("ω_1", figure("ω", 300.0, "rad/s") / 6.0) + figure("ω_0", 1.0, "rad/s"), 51.0, "rad/s");
+  CHECK(plain(turning.lines(0)[0].value) == "50rad/s");
+}
+
   printer.add(sum, 1.0, "m");
   for (const MathLine& line : printer.lines(0)) CHECK(plain(line.substituted).size() < 140);
 }
