@@ -89,6 +89,18 @@ std::string outside_html(const Design& design, const Texts& t) {
   return section("outside", t("outside"), "<p>" + escaped(t("outside.about")) + "</p>\n" + table.str());
 }
 
+/// What of a part is an estimate; what is quoted or measured of it is not mentioned.
+std::vector<std::string> estimated_of(const PartLine& part, const Design& design, const Texts& t) {
+  std::vector<std::string> what;
+  if (part.price_estimate) what.push_back(t("parts.price_basis") + ": " + part.price_basis);
+  if (part.confidence == "low") what.push_back(t("parts.confidence") + ": " + t.said(part.confidence));
+  const bool modelled = std::any_of(design.checks.begin(), design.checks.end(), [&](const Check& check) {
+    return check.axis == part.axis && check.id == "C-ST-TORQUE" && !check.note.empty();
+  });
+  if (part.slot == "motor" && modelled) what.push_back(t("assume.torque"));
+  return what;
+}
+
 std::string assumptions_html(const Design& design, const Texts& t) {
   std::string list;
   const auto item = [&](const std::string& text) { list += "<li>" + escaped(text) + "</li>\n"; };
@@ -104,9 +116,7 @@ std::string assumptions_html(const Design& design, const Texts& t) {
   std::string estimates;
   for (const PartLine& part : design.parts) {
     if (!part.estimate) continue;
-    std::vector<std::string> why;
-    if (!part.price_basis.empty()) why.push_back(t("parts.price_basis") + ": " + part.price_basis);
-    if (!part.confidence.empty()) why.push_back(t("parts.confidence") + ": " + t.said(part.confidence));
+    const std::vector<std::string> why = estimated_of(part, design, t);
     estimates += fmt::format("<li>{} {}: {} <small>{}</small></li>\n",
                              escaped(t.axis(part.axis)),
                              escaped(t.slot(part.slot)),

@@ -309,6 +309,7 @@ std::vector<PageText> report_texts() {
        "lazim, efisiensi driver 0,9; tidak ada yang dikembalikan."},
       {"assume.prices", "Prices", "Harga"},
       {"assume.estimates", "Estimated inputs", "Masukan perkiraan"},
+      {"assume.torque", "torque at speed, by the model of the winding", "torsi pada putaran, menurut model lilitan"},
       {"certificate", "Certificate", "Sertifikat"},
       {"catalogues", "Catalogues", "Katalog"},
       {"catalogues.about",

@@ -9,6 +9,7 @@
 #include "report/design_text.h"
 #include "report/json.h"
 #include "report/machine_text.h"
+#include "report/page_parts.h"
 #include "report/quantity_text.h"
 #include "scalar/unit.h"
 
@@ -140,6 +141,28 @@ TEST_CASE("Estimates are marked, members made to measure are not forgotten") {
   CHECK(text.find("384") != std::string::npos);
   CHECK(text.find("Members made to measure, by their mass: 2.50 USD, 0.300 kg") != std::string::npos);
   CHECK(text.find("Total: 7.50 USD, 0.500 kg") != std::string::npos);
+}
+
+TEST_CASE("Of a part the estimated inputs have what is estimated of it, and not what is quoted") {
+  MachineResult result = result_of_three_checks();
+  evaluation::Design& design = result.designs.front();
+  design.parts[0].price_estimate = true;
+  design.parts[0].price_basis = "estimate 2025";
+  evaluation::PartLine motor = design.parts[0];
+  motor.slot = "motor";
+  motor.part_number = "AM-2301";
+  motor.price_estimate = false;
+  motor.price_basis = "list 2026-02-01";
+  motor.confidence = "high";
+  design.parts.push_back(motor);
+  design.checks.push_back(check_of("C-ST-TORQUE", 1.0, 2.0, Verdict::satisfied));
+  design.checks.back().note = "torque at speed is an estimate";
+  const std::string page = basis_sections(result, design, Texts(Language::english));
+  const std::string estimates = page.substr(page.find("Estimated inputs"));
+  CHECK(estimates.find("estimate 2025") != std::string::npos);
+  CHECK(estimates.find("torque at speed, by the model of the winding") > estimates.find("AM-2301"));
+  CHECK(estimates.find("list 2026") == std::string::npos);
+  CHECK(estimates.find("high") == std::string::npos);
 }
 
 TEST_CASE("JSON has neither infinity nor NaN, and the stable names") {
