@@ -170,7 +170,10 @@ class CheckVisitor {
     check.kind = enforced ? ConstraintKind::hard : declaration.kind;
     check.unit = declaration.unit;
     check.source = declaration.source;
-    check.requirement = declaration.requirement;
+    if constexpr (HasMotor<Element>)
+      check.requirement = machine::limiting_requirement(element_, declaration);
+    else
+      check.requirement = declaration.requirement;
     std::string reason;
     const auto unit = scalar::Unit::parse(declaration.unit, reason);
     check.value = unit ? unit->from_si(value) : value;

@@ -25,6 +25,23 @@ T in_unit_like(const T& /*like*/, double value, const scalar::Dimension& dimensi
   return scalar::in_unit<T>(value, dimension);
 }
 
+/// What the assumed holding brake may be loaded with [N.m]; none without one.
+template <class Drive>
+auto brake_capacity(const Drive& d) {
+  using T = std::remove_cvref_t<decltype(d.peak_speed)>;
+  const T brake = scalar::in_unit<T>(d.data->brake_torque, scalar::dimension::torque);
+  return d.data->brake_torque > 0.0 ? T(brake / d.require(Requirement::brake_factor)) : brake;
+}
+
+/// The key of the requirement that sets the limit of a drive's check: with power off either the brake holds or the
+/// magnets of the motor do, whichever is stronger.
+template <class Drive>
+std::string_view limiting_requirement(const Drive& d, const Declaration& declaration) {
+  if (declaration.requirement != "detent_factor") return declaration.requirement;
+  return brake_capacity(d) > d.require(Requirement::detent_factor) * d.motor.detent_torque ? "brake_factor"
+                                                                                           : declaration.requirement;
+}
+
 /// Whether the moves can be made in their time: every drive.
 template <class Visit>
 void move_time_constraint(Visit&& visit) {
@@ -125,11 +142,7 @@ void motor_constraints(Visit&& visit) {
                   .worst = WorstPhase::standstill},
       [](const auto& d) { return d.data->vertical ? Applies::yes : Applies::no; },
       [](const auto& d) { return power_off_torque(d); },
-      [](const auto& d) {
-        const double brake = d.data->brake_torque / d.data->require(brake_factor);
-        return larger(d.require(detent_factor) * d.motor.detent_torque,
-                      in_unit_like(d.peak_speed, brake, dimension::torque));
-      });
+      [](const auto& d) { return larger(d.require(detent_factor) * d.motor.detent_torque, brake_capacity(d)); });
   visit(
       Declaration{.id = "C-ST-START",
                   .title = "Speed over the first full step of a ramp against the start-stop speed",

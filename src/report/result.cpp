@@ -48,8 +48,11 @@ std::optional<std::string> proof_gap(const MachineResult& result) {
 
 std::vector<RequirementLine> used_requirements(const machine::Problem& problem, const evaluation::Design& design) {
   std::set<std::pair<std::string, std::string>> used;
-  for (const evaluation::Check& check : design.checks)
+  for (const evaluation::Check& check : design.checks) {
     if (!check.requirement.empty()) used.insert({check.requirement, check.axis});
+    // Of two capacities the larger one is the limit, and the calculation has both.
+    if (check.requirement == "brake_factor") used.insert({"detent_factor", check.axis});
+  }
   std::vector<RequirementLine> lines;
   for (const machine::RequirementDeclaration& declared : machine::requirements()) {
     const std::size_t first = lines.size();

@@ -118,6 +118,13 @@ TEST_CASE("Pulse rates are counted in hertz on the sheets") {
   }
 }
 
+TEST_CASE("A brake that holds more than the motor's magnets is named as what sets the limit") {
+  const Design design = shipped_build("lifter");  // 2 N.m over the default 1.5
+  for (const Check& check : design.checks)
+    if (check.id == "C-ST-BACK") CHECK(check.requirement == "brake_factor");
+  CHECK(limit_text(design, "C-ST-BACK").find("2 N·m / 1.5") != std::string::npos);
+}
+
 TEST_CASE("A design has no worksheet unless it is asked for") {
   const evaluation::MachineModel model(problem_of_text(hand_worked::axis_text("horizontal", "", "")),
                                        hand_worked::parts());
