@@ -207,6 +207,23 @@ std::size_t drives_of(const machine::Problem& problem, const std::string& axis) 
   return 0;
 }
 
+/// What the drives before the supply ask of it.
+struct DriveInputs {
+  std::vector<double> motor_currents;
+  std::vector<std::pair<std::string, double>> powers;
+
+  template <class Drive>
+  void take(const machine::Problem& problem, const std::string& axis, const Drive& drive) {
+    const std::size_t drives = drives_of(problem, axis);
+    motor_currents.insert(motor_currents.end(), drives, drive.motor.rated_current);
+    powers.insert(powers.end(), drives, {axis, drive.input_power});
+  }
+  void give(Supply<double>& supply) const {
+    supply.motor_currents = motor_currents;
+    supply.drive_powers = powers;
+  }
+};
+
 /// Marks a motor, and the torque checks, whose torque at speed is the winding model's and not a published curve's.
 template <class DriveStage>
 void mark_estimated_torque(const DriveStage& stage,
@@ -246,7 +263,7 @@ void add_worksheet(const Stage& stage,
                    const StageEntry& entry,
                    const ChosenRows& chosen,
                    Worksheet& worksheet) {
-  ElementWorksheet sheet{entry.axis, entry.element, {}, {}};
+  ElementWorksheet sheet{entry.axis, entry.element, {}, {}, {}};
   if constexpr (HasPhases<Element>) {
     write_calculation(stage, element, chosen, sheet);
     worksheet.drives.push_back(drawing_of(element, entry.axis));
@@ -284,7 +301,7 @@ Design MachineModel::design(const solver::Build& found, bool with_worksheet) con
   design.supply_voltage = problem_.supply_voltages[build.shared.empty() ? 0 : build.shared.front()];
   design.dimensions.push_back({"machine", "supply_voltage", design.supply_voltage, "V"});
   std::vector<double> state = solver_problem_.first_state;
-  std::vector<double> motor_currents;
+  DriveInputs inputs;
   ValidityLedger outside;
   BillLedger bill(*this, build, counted_parts_, shops_, design);
   const auto worksheet = with_worksheet ? std::make_shared<Worksheet>() : nullptr;
@@ -299,10 +316,8 @@ Design MachineModel::design(const solver::Build& found, bool with_worksheet) con
         [&](const auto& stage) {
           using Kind = std::remove_cvref_t<decltype(*stage)>;
           auto element = watched_element(*stage, selection, entry, outside);
-          if constexpr (HasMotor<decltype(element)>) {
-            motor_currents.insert(motor_currents.end(), drives_of(problem_, entry.axis), element.motor.rated_current);
-          }
-          if constexpr (std::is_same_v<Kind, SupplyStage>) element.motor_currents = motor_currents;
+          if constexpr (HasMotor<decltype(element)>) inputs.take(problem_, entry.axis, element);
+          if constexpr (std::is_same_v<Kind, SupplyStage>) inputs.give(element);
           if constexpr (std::is_same_v<Kind, WholeStage>) {
             bill.charge_orders();
             element.cost = design.cost;

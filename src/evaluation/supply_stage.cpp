@@ -52,8 +52,7 @@ Supply<T> SupplyStage::design(const Selection<T>& s) const {
   const auto read = [&](std::size_t field) { return tables_[0].template read<T>(s.rows[0], field); };
   Supply<T> d;
   d.data = &data_;
-  d.power = s.inherited[power_state];
-  d.demanded_power = T(data_.reserve) * d.power;
+  d.demanded_power = T(data_.reserve) * s.inherited[power_state];
   d.rated_power = read(0);
   d.voltage = read(1);
   d.required_voltage = T(voltages_[s.shared.empty() ? 0 : s.shared.front()]);

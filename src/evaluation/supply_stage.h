@@ -4,6 +4,9 @@
 // all of them.
 #pragma once
 
+#include <string>
+#include <utility>
+
 #include "evaluation/element_stage.h"
 #include "evaluation/price_book.h"
 #include "machine/motor_constraints.h"
@@ -24,7 +27,7 @@ struct Supply {
   // What only soft checks read, and the search therefore does not fill in.
   std::vector<T> motor_currents{};  ///< A, rated, of all motors; whoever knows the motors fills it in
   T rated_current{};
-  T power{};  ///< W, of all drives; for the calculation sheet
+  std::vector<std::pair<std::string, double>> drive_powers{};  ///< W, by axis; the same holds
 };
 
 template <class Visit>

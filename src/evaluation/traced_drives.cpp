@@ -111,6 +111,7 @@ void write_calculation(const ScrewDriveStage& stage,
   d.carried_mass = given.take({"m_c", "mass that the drive moves beside its nut", "kg"}, element.carried_mass);
   d.derive();
   machine::screw_drive_constraints(CalculationVisitor(d, sheet));
+  trace_derived(d, sheet);
 }
 
 }  // namespace millwright::evaluation

@@ -23,8 +23,10 @@ class GivenFigures {
  public:
   explicit GivenFigures(std::vector<GivenFigure>& given) : given_(given) {}
 
-  scalar::Traced take(const FigureName& name, double value) {
-    given_.push_back({name.symbol, name.meaning, value, name.unit});
+  scalar::Traced take(const FigureName& name, double value) { return take_of({}, name, value); }
+  /// A figure from the calculation of an axis' drive.
+  scalar::Traced take_of(const std::string& axis, const FigureName& name, double value) {
+    given_.push_back({name.symbol, name.meaning, value, name.unit, axis});
     return scalar::Traced::leaf(name.symbol, value, scalar::Unit::of(name.unit));
   }
   /// Field by field; `walk(reading, visit)` visits the fields of a reading on any scalar, in the order of the names.

@@ -54,6 +54,7 @@ void write_calculation(const BeltDriveStage& stage,
   d.carried_mass = given.take(carried, element.carried_mass);
   d.derive();
   machine::belt_drive_constraints(CalculationVisitor(d, sheet));
+  trace_derived(d, sheet);
 }
 
 void write_calculation(const RackDriveStage& stage,
@@ -71,6 +72,7 @@ void write_calculation(const RackDriveStage& stage,
   d.carried_mass = given.take(carried, element.carried_mass);
   d.derive();
   machine::rack_drive_constraints(CalculationVisitor(d, sheet));
+  trace_derived(d, sheet);
 }
 
 void write_calculation(const RotaryDriveStage& stage,
@@ -84,6 +86,7 @@ void write_calculation(const RotaryDriveStage& stage,
   d.table_inertia = given.take({"J_w", "inertia of table and workpiece", "kg.m2"}, element.table_inertia);
   d.derive();
   machine::rotary_drive_constraints(CalculationVisitor(d, sheet));
+  trace_derived(d, sheet);
 }
 
 }  // namespace millwright::evaluation

@@ -4,6 +4,10 @@
 // and traced_geared_drives.cpp.
 #pragma once
 
+#include <fmt/format.h>
+
+#include <map>
+
 #include "evaluation/traced_elements.h"
 
 namespace millwright::evaluation {
@@ -47,6 +51,39 @@ inline constexpr FigureName reduction_names[] = {{"i", "ratio of the reduction",
                                                  {"d_g", "output shaft of the reduction", "mm"},
                                                  {"m_g", "mass of the reduction", "kg"}};
 
+/// Torques of the published curve, each a given figure: the sheet has the curve's name, not its points.
+struct CurveReader {
+  GivenFigures& given;
+  std::map<double, scalar::Traced> known;  ///< by speed [rad/s]
+
+  scalar::Traced operator()(double speed, double torque) {
+    if (const auto place = known.find(speed); place != known.end()) return place->second;
+    const std::string symbol = fmt::format("T_po,{}", known.size() + 1);
+    const std::string meaning =
+        fmt::format("torque of the published curve at {}", scalar::format(speed, scalar::Unit::of("rpm"), 4));
+    return known[speed] = given.take({symbol.c_str(), meaning.c_str(), "N.m"}, torque);
+  }
+};
+
+/// What the moves and the supply start from: force and feed of the cuts, and the input of a drive.
+template <class TracedDrive>
+void trace_derived(const TracedDrive& d, ElementWorksheet& sheet) {
+  using scalar::Traced;
+  const std::vector<machine::Move>& moves = d.data->motion.moves;
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    if (!moves[i].cutting) continue;
+    const std::string name = moves[i].name.empty() ? fmt::format("move {}", i + 1) : moves[i].name;
+    sheet.derived.push_back({name,
+                             "Cutting force along the axis, every tooth in the cut at its thickest chip",
+                             "F_c",
+                             "N",
+                             machine::cutting_force<Traced>(*moves[i].cutting)});
+    sheet.derived.push_back({name, "Feed of the cut", "v_f", "mm/s", machine::cutting_feed<Traced>(*moves[i].cutting)});
+  }
+  sheet.derived.push_back(
+      {"", "Electrical input of the drive in its hardest ramp, rounded up to whole watts", "P_in", "W", d.input_power});
+}
+
 /// Motor, driver and reduction of `from` for the drive `to`, from the figures of the catalogue on.
 template <class Stage, class Drive, class TracedDrive>
 void trace_motor(
@@ -61,13 +98,12 @@ void trace_motor(
   to.motor_mass = given.take({"m_m", "mass of the motor", "kg"}, from.motor_mass);
   const auto available = from.available_torque;
   const mechanics::PullOutCurve* curve = pair.curve_at(chosen.voltage);
-  to.available_torque = [figures, curve, available, current = to.motor.current](const Traced& omega) -> Traced {
-    const auto read_off = [&](double value) {
-      return Traced::leaf("T_po", value, scalar::Unit::of("N.m"));  // from the published curve
-    };
-    if (curve != nullptr && omega.value < curve->last_speed()) return read_off(available(omega.value));
+  to.available_torque = [figures, read_off = CurveReader{given, {}}, curve, available, current = to.motor.current](
+                            const Traced& omega) mutable -> Traced {
+    if (curve != nullptr && omega.value < curve->last_speed()) return read_off(omega.value, available(omega.value));
     const Traced model = machine::modelled_torque(figures, current, omega);
-    return scalar::named("T_av", curve == nullptr ? model : smaller(model, read_off(curve->points().back().torque)));
+    if (curve == nullptr) return scalar::named("T_av", model);
+    return scalar::named("T_av", smaller(model, read_off(curve->last_speed(), curve->points().back().torque)));
   };
   to.reduction.present = from.reduction.present;
   to.reduction.torque_is_rated = from.reduction.torque_is_rated;

@@ -112,8 +112,13 @@ void write_calculation(const Supply<double>& element, ElementWorksheet& sheet) {
   GivenFigures given(sheet.given);
   Supply<Traced> d;
   d.data = element.data;
-  const std::array<Traced, 1> powers{
-      given.take({"P_in", "input of all drives, each in whole watts at the end of its ramp", "W"}, element.power)};
+  Traced power;
+  for (std::size_t i = 0; i < element.drive_powers.size(); ++i) {
+    const auto& [axis, watts] = element.drive_powers[i];
+    const std::string symbol = "P_" + std::to_string(i + 1);
+    power = power + given.take_of(axis, {symbol.c_str(), "input of a drive, from its own calculation", "W"}, watts);
+  }
+  const std::array<Traced, 1> powers{scalar::named("P_in", power)};
   const Traced reserve = given.take({"k_s", "reserve of the supply", "1"}, element.data->reserve);
   d.demanded_power = scalar::named("P_d", mechanics::stepper::supply_power(std::span<const Traced>(powers), reserve));
   d.rated_power = given.take({"P_s", "rated power of the supply", "W"}, element.rated_power);

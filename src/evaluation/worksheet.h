@@ -24,6 +24,14 @@ struct GivenFigure {
   std::string symbol, meaning;
   double value = 0.0;  ///< SI
   std::string unit;    ///< to show it in
+  std::string axis;    ///< from the calculation of whose drive it comes; empty for other figures
+};
+
+/// A figure that moves or other calculations start from and that is not a side of a check.
+struct DerivedFigure {
+  std::string move;  ///< to which it belongs; empty if to none
+  std::string title, symbol, unit;
+  scalar::Traced value;
 };
 
 /// Demand and capacity of one check.
@@ -37,6 +45,7 @@ struct ElementWorksheet {
   std::string axis, element;
   std::vector<GivenFigure> given;  ///< by their symbols; not all are used in every calculation
   std::vector<CheckSides> checks;  ///< in the order in which Design::checks has those of this element
+  std::vector<DerivedFigure> derived;
 };
 
 /// One phase of the duty cycle at the motor.

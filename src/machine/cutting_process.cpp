@@ -18,11 +18,7 @@ using text::Node;
 using text::Presence;
 using text::TableReader;
 
-namespace ct = mechanics::cutting;
-
-double CuttingProcess::spindle_speed() const { return 2.0 * cutting_speed / diameter; }
-
-double CuttingProcess::feed_speed() const { return ct::feed_speed(feed_per_tooth, teeth, spindle_speed()); }
+double CuttingProcess::feed_speed() const { return cutting_feed<double>(*this); }
 
 double CuttingProcess::teeth_in_cut() const {
   constexpr double turn = 2.0 * 3.14159265358979323846;
@@ -31,10 +27,7 @@ double CuttingProcess::teeth_in_cut() const {
   return std::max(1.0, std::ceil(teeth * engaged / turn - rounding));
 }
 
-double CuttingProcess::largest_force() const {
-  const double tooth = ct::peak_tooth_force(unit_specific_force, exponent, depth, feed_per_tooth, width, diameter);
-  return ct::axis_force(teeth_in_cut() * tooth, force_ratio);
-}
+double CuttingProcess::largest_force() const { return cutting_force<double>(*this); }
 
 namespace {
 

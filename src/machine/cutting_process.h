@@ -26,8 +26,6 @@ struct CuttingProcess {
   double force_ratio = 1.0;    ///< force on this axis over the tangential force
   double spindle_power = 0.0;  ///< W that the spindle has; 0 = not stated
 
-  /// rad/s, from the cutting speed at the edge.
-  [[nodiscard]] double spindle_speed() const;
   /// m/s along the axis.
   [[nodiscard]] double feed_speed() const;
   /// How many teeth can be in the cut at once.
@@ -35,6 +33,33 @@ struct CuttingProcess {
   /// N along the axis, at its largest: every tooth in the cut at its thickest chip.
   [[nodiscard]] double largest_force() const;
 };
+
+/// Feed along the axis [m/s], from the cutting speed at the edge.
+template <class T>
+T cutting_feed(const CuttingProcess& process) {
+  using namespace scalar;
+  const T spindle = named(
+      "ω_s",
+      2.0 * in_unit<T>(process.cutting_speed, dimension::speed) / in_unit<T>(process.diameter, dimension::length));
+  return mechanics::cutting::feed_speed(
+      in_unit<T>(process.feed_per_tooth, dimension::length), T(process.teeth), spindle);
+}
+
+/// Force along the axis [N], at its largest: every tooth in the cut at its thickest chip.
+template <class T>
+T cutting_force(const CuttingProcess& process) {
+  using namespace scalar;
+  namespace ct = mechanics::cutting;
+  const auto length = [](double metres) { return in_unit<T>(metres, dimension::length); };
+  const T tooth = named("F_z",
+                        ct::peak_tooth_force(in_unit<T>(process.unit_specific_force, dimension::pressure),
+                                             T(process.exponent),
+                                             length(process.depth),
+                                             length(process.feed_per_tooth),
+                                             length(process.width),
+                                             length(process.diameter)));
+  return ct::axis_force(T(process.teeth_in_cut() * tooth), T(process.force_ratio));
+}
 
 /// Power at the cutting edges [W], of a sharp tool, by the mean thickness of the chip.
 template <class T>
@@ -51,10 +76,8 @@ T cutting_power(const CuttingProcess& process) {
       named("k_c",
             ct::specific_cutting_force(
                 in_unit<T>(process.unit_specific_force, dimension::pressure), thickness, T(process.exponent), T(0.0)));
-  const T removal =
-      named("Q",
-            ct::removal_rate(
-                length(process.depth), length(process.width), in_unit<T>(process.feed_speed(), dimension::speed)));
+  const T removal = named(
+      "Q", ct::removal_rate(length(process.depth), length(process.width), T(named("v_f", cutting_feed<T>(process)))));
   return ct::cutting_power(specific, removal);
 }
 

@@ -23,7 +23,7 @@ std::string given_html(const ElementWorksheet& sheet, const MathPrinter& printer
     out += fmt::format("<div><math><mrow>{}<mo>=</mo>{}</mrow></math> <span>{}</span></div>\n",
                        symbol_mathml(figure.symbol),
                        quantity_mathml(figure.value, scalar::Unit::of(figure.unit), 5),
-                       escaped(t.said(figure.meaning)));
+                       escaped((figure.axis.empty() ? "" : figure.axis + ": ") + t.said(figure.meaning)));
   }
   return out.empty() ? out : "<h5>" + escaped(t("sheet.given")) + "</h5>\n<div class=\"given\">\n" + out + "</div>\n";
 }
@@ -64,12 +64,27 @@ std::string check_html(const Check& check, const MathPrinter& printer, std::size
   return out + "</p>\n</article>\n";
 }
 
+/// What moves and other calculations start from; `first` is the number of the first of their results.
+std::string derived_html(const ElementWorksheet& sheet, const MathPrinter& printer, std::size_t first, const Texts& t) {
+  std::string out;
+  for (const evaluation::DerivedFigure& figure : sheet.derived) {
+    const std::string move = figure.move.starts_with("move ") ? t.said(figure.move) : figure.move;
+    out += fmt::format("<article class=\"calculation\">\n<h6>{}{}</h6>\n<div class=\"lines\">\n{}</div>\n</article>\n",
+                       move.empty() ? move : "<b>" + escaped(move) + "</b> ",
+                       escaped(t.said(figure.title)),
+                       side_html(printer, first++, symbol_mathml(figure.symbol)));
+  }
+  return out.empty() ? out : "<h5>" + escaped(t("sheet.derived")) + "</h5>\n" + out;
+}
+
 std::string sheet_html(const ElementWorksheet& sheet, const std::vector<const Check*>& checks, const Texts& t) {
   MathPrinter printer;
   for (std::size_t i = 0; i < checks.size(); ++i) {
     printer.add(sheet.checks[i].demand, checks[i]->value, checks[i]->unit);
     printer.add(sheet.checks[i].capacity, checks[i]->limit, checks[i]->unit);
   }
+  for (const evaluation::DerivedFigure& figure : sheet.derived)
+    printer.add(figure.value, scalar::Unit::of(figure.unit).from_si(figure.value.value), figure.unit);
   std::string out = fmt::format("<details class=\"sheet\" open id=\"sheet-{}-{}\">\n<summary>{}</summary>\n",
                                 identifier(sheet.axis),
                                 identifier(sheet.element),
@@ -77,7 +92,7 @@ std::string sheet_html(const ElementWorksheet& sheet, const std::vector<const Ch
   out += given_html(sheet, printer, t) + shared_html(printer, t);
   out += "<h5>" + escaped(t("sheet.checks")) + "</h5>\n";
   for (std::size_t i = 0; i < checks.size(); ++i) out += check_html(*checks[i], printer, i, t);
-  return out + "</details>\n";
+  return out + derived_html(sheet, printer, 2 * checks.size(), t) + "</details>\n";
 }
 
 }  // namespace

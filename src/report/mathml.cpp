@@ -152,7 +152,10 @@ MathPrinter::Pointer MathPrinter::all_that_counts(const Pointer& pointer) {
 
 MathPrinter::Pointer MathPrinter::what_counts(const Pointer& pointer) {
   const auto is_literal = [](const Pointer& each, double value) {
-    return (each->kind == Kind::number || each->kind == Kind::quantity) && each->value == value;
+    // A watt is no factor of one: what is rounded to whole watts is taken times it.
+    const bool has_unit = each->kind == Kind::quantity && !(each->dimension == scalar::dimension::none);
+    return (each->kind == Kind::number || each->kind == Kind::quantity) && each->value == value &&
+           (value == 0.0 || !has_unit);
   };
   const std::vector<Pointer>& operands = pointer->operands;
   const bool is_sum = pointer->kind == Kind::add;

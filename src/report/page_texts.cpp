@@ -234,6 +234,7 @@ std::vector<PageText> report_texts() {
       {"sheet.given", "Given", "Diketahui"},
       {"sheet.shared", "Used by several checks", "Dipakai beberapa pemeriksaan"},
       {"sheet.checks", "Checks", "Pemeriksaan"},
+      {"sheet.derived", "Where other figures come from", "Asal besaran lain"},
       {"sheet.limit", "limit", "batas"},
       {"sheet.worst", "worst in", "terburuk pada"},
       {"sheet.set_by", "limit set by", "batas ditentukan oleh"},
@@ -308,8 +309,8 @@ std::vector<PageText> report_texts() {
        "Energi adalah perkiraan masukan penggerak selama siklus sumbunya: rugi tembaga pada arus penuh, rugi besi yang "
        "lazim, efisiensi driver 0,9; tidak ada yang dikembalikan."},
       {"assume.prices", "Prices", "Harga"},
-      {"assume.estimates", "Estimated inputs", "Masukan perkiraan"},
       {"assume.torque", "torque at speed, by the model of the winding", "torsi pada putaran, menurut model lilitan"},
+      {"assume.estimates", "Estimated inputs", "Masukan perkiraan"},
       {"certificate", "Certificate", "Sertifikat"},
       {"catalogues", "Catalogues", "Katalog"},
       {"catalogues.about",

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <map>
 #include <set>
 
 #include "catch.h"
@@ -11,6 +12,7 @@
 #include "evaluation/machines.h"
 #include "evaluation/synthesis.h"
 #include "machine/bill_of_materials.h"
+#include "scalar/expression.h"
 #include "scalar/unit.h"
 #include "shipped_machines.h"
 #include "text/source_text.h"
@@ -58,6 +60,14 @@ std::string limit_text(const Design& design, const std::string& id) {
       }
   FAIL("no check " << id);
   return {};
+}
+
+void collect_symbols(const scalar::ExpressionPointer& expression,
+                     std::set<const scalar::Expression*>& seen,
+                     std::set<std::string>& symbols) {
+  if (expression == nullptr || !seen.insert(expression.get()).second) return;
+  if (expression->kind == scalar::Expression::Kind::leaf) symbols.insert(expression->symbol);
+  for (const scalar::ExpressionPointer& operand : expression->operands) collect_symbols(operand, seen, symbols);
 }
 
 MotionPoint at(const std::vector<MotionPoint>& points, double time) {
@@ -118,11 +128,62 @@ TEST_CASE("Pulse rates are counted in hertz on the sheets") {
   }
 }
 
+TEST_CASE("Every figure with a symbol is given on its sheet or derived there") {
+  std::set<std::string> read_off;
+  for (const char* name : millwright::shipped_machines)
+    for (const Design design = shipped_build(name); const ElementWorksheet& sheet : design.worksheet->elements) {
+      std::set<std::string> given, used;
+      for (const evaluation::GivenFigure& figure : sheet.given) given.insert(figure.symbol);
+      std::set<const scalar::Expression*> seen;
+      for (const evaluation::CheckSides& sides : sheet.checks) {
+        collect_symbols(sides.demand.expression(), seen, used);
+        collect_symbols(sides.capacity.expression(), seen, used);
+      }
+      for (const evaluation::DerivedFigure& figure : sheet.derived)
+        collect_symbols(figure.value.expression(), seen, used);
+      for (const std::string& symbol : used) {
+        INFO(name << " " << sheet.axis << " " << sheet.element << ": " << symbol);
+        CHECK(given.count(symbol) == 1);
+        if (symbol.starts_with("T_po")) read_off.insert(symbol);
+      }
+    }
+  CHECK(read_off.count("T_po,1") == 1);
+}
+
 TEST_CASE("A brake that holds more than the motor's magnets is named as what sets the limit") {
   const Design design = shipped_build("lifter");  // 2 N.m over the default 1.5
   for (const Check& check : design.checks)
     if (check.id == "C-ST-BACK") CHECK(check.requirement == "brake_factor");
   CHECK(limit_text(design, "C-ST-BACK").find("2 N·m / 1.5") != std::string::npos);
+}
+
+TEST_CASE("The cut's force and feed, and the power that the supply is asked for, are derived") {
+  const machine::Problem problem = shipped_problem("router");
+  const Design design = shipped_build("router");
+  std::map<std::string, double> derived;
+  for (const ElementWorksheet& sheet : design.worksheet->elements)
+    for (const evaluation::DerivedFigure& figure : sheet.derived)
+      derived[sheet.axis + " " + figure.move + " " + figure.symbol] = figure.value.value;
+  std::size_t cuts = 0;
+  std::vector<std::pair<std::string, double>> powers;
+  for (const machine::Axis& axis : problem.axes) {
+    for (const machine::Move& move : axis.moves) {
+      if (!move.cutting) continue;
+      ++cuts;
+      CHECK(same(derived[axis.name + " " + move.name + " F_c"], move.force));
+      CHECK(same(derived[axis.name + " " + move.name + " v_f"], move.speed.value()));
+    }
+    powers.insert(
+        powers.end(), static_cast<std::size_t>(axis.mechanism.drives), {axis.name, derived[axis.name + "  P_in"]});
+  }
+  CHECK(cuts > 0);
+  std::vector<std::pair<std::string, double>> given;
+  for (const ElementWorksheet& sheet : design.worksheet->elements)
+    for (const evaluation::GivenFigure& figure : sheet.given)
+      if (!figure.axis.empty()) given.emplace_back(figure.axis, figure.value);
+  std::sort(powers.begin(), powers.end());
+  std::sort(given.begin(), given.end());
+  CHECK(given == powers);
 }
 
 TEST_CASE("A design has no worksheet unless it is asked for") {

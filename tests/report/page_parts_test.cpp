@@ -119,6 +119,10 @@ TEST_CASE("What changes nothing is left out") {
   MathPrinter printer;
   printer.add(nothing - x, -2.0, "mm");
   CHECK(plain(printer.lines(0).front().expression) == "0mm−x");
+  MathPrinter rounded;
+  const Traced watt = scalar::in_unit<Traced>(1.0, scalar::dimension::power_output);
+  rounded.add(scalar::up_to_whole(figure("P", 59.7, "W"), watt), 60.0, "W");
+  CHECK(plain(rounded.lines(0).front().expression) == "(−⌊−P1W⌋)·1W");
 }
 
 TEST_CASE("What two results share is one line of both, what one needs stands with it") {
@@ -152,10 +156,6 @@ TEST_CASE("A result that its formula named is the last line, and two quantities 
   CHECK(plain(second[1].expression) == "T2+a");
 }
 
-TEST_CASE("Long formulas are broken into lines that fit the paper") {
-  Traced sum = figure("x_0", 1.0, "m");
-  for (int i = 1; i < 60; ++i) sum = sum + square(figure(("x_" + std::to_string(i)).c_str(), i, "m")) / sum;
-  MathPrinter printer;
 TEST_CASE("An intermediate result called f counts per second") {
   MathPrinter printer;
   printer.add(named("f_n", figure("ω", 300.0, "rad/s") / 6.0) + figure("f_0", 1.0, "Hz"), 51.0, "Hz");
@@ -165,6 +165,10 @@ TEST_CASE("An intermediate result called f counts per second") {
   CHECK(plain(turning.lines(0)[0].value) == "50rad/s");
 }
 
+TEST_CASE("Long formulas are broken into lines that fit the paper") {
+  Traced sum = figure("x_0", 1.0, "m");
+  for (int i = 1; i < 60; ++i) sum = sum + square(figure(("x_" + std::to_string(i)).c_str(), i, "m")) / sum;
+  MathPrinter printer;
   printer.add(sum, 1.0, "m");
   for (const MathLine& line : printer.lines(0)) CHECK(plain(line.substituted).size() < 140);
 }
@@ -272,6 +276,7 @@ TEST_CASE("Sayings keep their numbers, and clauses their order") {
         "tahap demi tahap, dengan rancangan tiap tahap dicari sekali untuk semua label; dimulai dari tujuan yang "
         "ditemukan, 153.651433, Ipopt berakhir pada 153.6 dan NLopt SLSQP berakhir pada 1.5e+02; unheard");
   CHECK(id.said("Load torque, 80 % rule") == "Torsi beban, aturan 80 %");
+  CHECK(id.said("torque of the published curve at 852.3 rpm") == "torsi kurva terbitan pada 852.3 rpm");
 }
 
 }  // namespace
