@@ -48,6 +48,7 @@ class Prices {
         }
       });
     } catch (...) {
+      for (std::size_t k = 0; k < dear.size(); ++k) unsettled[k] = prices[k] ? 0 : 1;
       keep();
       throw;
     }

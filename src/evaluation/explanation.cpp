@@ -273,6 +273,9 @@ Explanation explain(const Asked& asked,
   } catch (const Unsettled&) {  // only where all the time there is was given
     result.status = solver::Status::limit;
   }
+  // Where it had not even been found out which conditions cost anything, all of them are open.
+  const bool asked_for_prices = result.costless > 0 || !result.prices.empty() || !result.unsettled.empty();
+  if (result.status == solver::Status::limit && result.design && !asked_for_prices) result.unsettled = trials.all();
   result.solves = trials.solves();
   result.seconds = trials.seconds();
   return result;

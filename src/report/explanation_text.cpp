@@ -136,10 +136,14 @@ std::string prices_text(const Explanation& explanation, const std::string& curre
         return explanation.conditions[price.condition].no_part;
       }))
     out += "  A brake is none of the parts: what it costs itself is to be taken off.\n";
+  std::string open;
   for (const std::size_t i : explanation.unsettled)
-    out += fmt::format("  What {}: {} costs took too long to find out.\n",
-                       explanation.conditions[i].axis,
-                       explanation.conditions[i].name);
+    open += fmt::format(
+        "{}{}: {}", open.empty() ? "" : "; ", explanation.conditions[i].axis, explanation.conditions[i].name);
+  if (explanation.unsettled.size() == 1)
+    out += fmt::format("  What {} costs took too long to find out.\n", open);
+  else if (!open.empty())
+    out += "  " + wrapped("What these cost took too long to find out: " + open + ".", line_width - 2, 2) + "\n";
   if (explanation.status == solver::Status::optimal)
     out += fmt::format("  {} cost{} nothing on {} own.\n",
                        explanation.prices.empty() && explanation.unsettled.empty()
@@ -232,7 +236,8 @@ std::string explanation_text(const MachineResult& result, const Explanation& exp
     out += governing_text(result, design, style) + choices_text(explanation, result.currency, style);
     out += rates_text(explanation, result.currency, style);
     out += tolerance_choices_text(result, explanation, style);
-    if (!limited || !explanation.prices.empty()) out += prices_text(explanation, result.currency, style);
+    if (!limited || !explanation.prices.empty() || !explanation.unsettled.empty())
+      out += prices_text(explanation, result.currency, style);
   } else if (!limited || !explanation.conflicts.empty() || !explanation.unmet.empty() ||
              !explanation.empty_slots.empty()) {
     out += conflicts_text(result, explanation, style);
