@@ -100,6 +100,8 @@ auto ball_screw_figures(const Table& t, int row, const machine::Axis& axis, Figu
   f.nominal_diameter = figure(column(Family::ball_screws, "nominal_diameter"));
   f.root_diameter = figure(column(Family::ball_screws, "root_diameter"));
   f.mean_diameter = 0.5 * (figure(column(Family::ball_screws, "outside_diameter")) + f.root_diameter);
+  constexpr catalogue::Column ball_circle = column(Family::ball_screws, "pitch_circle_diameter");
+  f.ball_circle_diameter = std::isnan(t.number(ball_circle, row)) ? f.nominal_diameter : figure(ball_circle);
   f.lead = figure(column(Family::ball_screws, "lead"));
   f.pitch = f.lead;
   f.friction = axis.mechanism.ball_friction;

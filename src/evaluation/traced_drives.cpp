@@ -35,7 +35,8 @@ constexpr FigureName screw_names[] = {{"d", "outside diameter of the screw", "mm
                                       {"L_max", "longest screw that is sold", "mm"},
                                       {"E", "elastic modulus of the screw", "GPa"},
                                       {"G", "shear modulus of the screw", "GPa"},
-                                      {"ρ", "density of the screw", "kg/m3"}};
+                                      {"ρ", "density of the screw", "kg/m3"},
+                                      {"d_pw", "diameter of the ball pitch circle", "mm"}};
 
 constexpr auto walk_screw_figures = [](auto& f, auto&& visit) {
   for (auto* field : {&f.nominal_diameter,    &f.mean_diameter,  &f.root_diameter,
@@ -47,7 +48,7 @@ constexpr auto walk_screw_figures = [](auto& f, auto&& visit) {
                       &f.allowable_pressure,  &f.pv_limit,       &f.sliding_speed_limit,
                       &f.dynamic_rating,      &f.static_rating,  &f.nut_stiffness,
                       &f.speed_value_limit,   &f.largest_length, &f.elastic_modulus,
-                      &f.shear_modulus,       &f.density})
+                      &f.shear_modulus,       &f.density,        &f.ball_circle_diameter})
     visit(*field);
 };
 

@@ -30,9 +30,10 @@ template <class T>
 struct ScrewFigures {
   T nominal_diameter{}, mean_diameter{}, root_diameter{}, nut_thread_diameter{}, pitch{}, lead{}, flank_angle{},
       thread_depth{};
-  T friction{};        ///< of the thread, or of the balls
-  T wear_rate{};       ///< m^2/N, specific, of the nut; NaN where nothing is known of its material
-  T yield_strength{};  ///< screw
+  T ball_circle_diameter{};  ///< of the centres of the balls
+  T friction{};              ///< of the thread, or of the balls
+  T wear_rate{};             ///< m^2/N, specific, of the nut; NaN where nothing is known of its material
+  T yield_strength{};        ///< screw
   T nut_yield_strength{};
   T mass_per_length{}, nut_mass{}, nut_length{};
   T lead_error_300{};  ///< m in 300 mm
@@ -143,7 +144,9 @@ ScrewReading<T> screw_reading(const ScrewFigures<T>& f, const ScrewSite& site) {
   r.travel = f.largest_length - length(site.end_allowance) - f.nut_length;
   r.screw_mass = named("m_s", f.mass_per_length * r.cut_length);
   r.inertia = named("J_s", ps::inertia(f.density, f.mean_diameter, r.cut_length));
-  const T lead_angle = named("λ", ps::lead_angle(f.lead, f.mean_diameter));
+  // Balls roll up the thread where their centres are.
+  const T& on = site.kind == ScrewKind::ball ? f.ball_circle_diameter : f.mean_diameter;
+  const T lead_angle = named("λ", ps::lead_angle(f.lead, on));
   const T fixity = T(end_fixity(site.ends));
   const T eigenvalue = T(bending_eigenvalue(site.ends));
   if (site.kind == ScrewKind::ball) {

@@ -159,6 +159,7 @@ const std::vector<Saying>& meanings() {
       {"elastic modulus of the screw", "modulus elastisitas ulir"},
       {"shear modulus of the screw", "modulus geser ulir"},
       {"density of the screw", "massa jenis ulir"},
+      {"diameter of the ball pitch circle", "diameter lingkaran jarak bola"},
       {"inertia of the coupling", "inersia kopling"},
       {"rated torque of the coupling", "torsi nominal kopling"},
       {"torsional stiffness of the coupling", "kekakuan torsi kopling"},

@@ -91,6 +91,7 @@ machine::ScrewReading<Dimensioned> screw(machine::ScrewKind kind) {
   machine::ScrewFigures<Dimensioned> f;
   f.nominal_diameter = length(0.016);
   f.mean_diameter = length(0.014);
+  f.ball_circle_diameter = length(0.0165);
   f.root_diameter = length(0.012);
   f.nut_thread_diameter = length(0.016);
   f.pitch = f.lead = length(0.004);

@@ -282,7 +282,7 @@ TEST_CASE("A preloaded ball screw held at both ends, worked by hand") {
     CHECK(1.0 / (1.0 / left + 1.0 / right) <= sides * (1.0 + 1e-12));
   }
   // Friction: drag through the screw, the preload's drag, and what the weight costs more up than it gives back down.
-  const double lambda = std::atan(lead / (pi * 0.0145)), slope = std::tan(lambda);
+  const double lambda = std::atan(lead / (pi * 0.0165)), slope = std::tan(lambda);
   const double eta = (1.0 - 0.005 * slope) / (1.0 + 0.005 / slope),
                back = (1.0 - 0.005 / slope) / (1.0 + 0.005 * slope);
   const double drag = 0.05 / std::sqrt(slope) * 400.0 * lead / (2.0 * pi);

@@ -140,7 +140,7 @@ TEST_CASE("A ball screw behind a gearbox worked by hand") {
   const Design d = design_of(model, {{"x", "drive", {{"B16x5"}, {"M23", "D4"}, {"K8"}, {"F6"}, {"S6"}}, {0.2}}});
   const double lead = 0.005, i = 3.0, eta_g = 0.95, m = 20.25, supported = 0.4 + 0.02 + 0.04, cut = supported + 0.08;
   const double friction = 4.0 + 0.05 * m * g, steady = friction + 50.0, force = m * a + steady;
-  const double slope = lead / (pi * 0.0145);
+  const double slope = lead / (pi * 0.0165);
   const double eta = (1.0 - 0.005 * slope) / (1.0 + 0.005 / slope);
   const double eta_r = (1.0 - 0.005 / slope) / (1.0 + 0.005 * slope);
   const double per_newton = lead / (2.0 * pi * eta);
@@ -262,7 +262,7 @@ time = "1 s"
   const double lead = 0.005, i = 2.0, eta_g = 0.9, supported = 0.46, cut = 0.54;
   const double riding = 0.25 + 0.7 + 0.4, m = 20.0 + riding;
   const double friction = 4.0 + 0.05 * m * g, steady = friction + 50.0, force = m * a + steady;
-  const double slope = lead / (pi * 0.0145), eta = (1.0 - 0.005 * slope) / (1.0 + 0.005 / slope);
+  const double slope = lead / (pi * 0.0165), eta = (1.0 - 0.005 * slope) / (1.0 + 0.005 / slope);
   const double per_newton = lead / (2.0 * pi * eta), omega = 2.0 * pi * v / lead, alpha = 2.0 * pi * a / lead;
   const double torque = force * per_newton / (i * eta_g) + (280e-7 + 3e-6 + 4e-4 / 4.0) * alpha * i;
   expect(d, "drive", "C-ST-TORQUE", torque / torque_of_motor(i * omega), 0.7, "x");

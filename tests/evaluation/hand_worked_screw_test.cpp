@@ -344,7 +344,7 @@ TEST_CASE("A vertical axis on a ball screw, worked by hand") {
   // No weight on the guides: friction is the drag alone. Up against the weight, down with it.
   const double weight = m * g, drag = 4.0;
   const double largest = m * a + weight + drag + 50.0;
-  const double lambda = std::atan(lead / (pi * 0.0145));  // between outside and root diameter
+  const double lambda = std::atan(lead / (pi * 0.0165));  // where the centres of the balls are
   // Ball screw, rolling friction 0.005: eta = (1 - mu tan)/(1 + mu/tan), backwards (1 - mu/tan)/(1 + mu tan).
   const double eta = (1.0 - 0.005 * std::tan(lambda)) / (1.0 + 0.005 / std::tan(lambda));
   const double back = (1.0 - 0.005 / std::tan(lambda)) / (1.0 + 0.005 * std::tan(lambda));

@@ -75,12 +75,14 @@ class TinyCatalogue {
     nut("Tr10x2 nut", "Tr10x2,10,2,bronze CuSn8,20", 4.0, 0.1);
     nut("Tr16x4 nut", "Tr16x4,16,4,bronze CuSn8,32", 8.0, 0.25);
     header("ball_screws",
-           "nominal_diameter [mm],outside_diameter [mm],lead [mm],root_diameter [mm],dynamic_load_rating "
+           "nominal_diameter [mm],outside_diameter [mm],pitch_circle_diameter [mm],lead [mm],root_diameter "
+           "[mm],dynamic_load_rating "
            "[N],static_load_rating [N],nut_stiffness [N/um],nut_length [mm],nut_mass [kg],lead_error_per_300mm "
            "[um],maximum_length [mm],dn_limit [mm.rpm],preloaded,screw_mass_per_length [kg/m],price,price_per_length "
            "[1/m]");
     const auto [p, m] = of("B16x5", 40.0, 1.3);
-    add(fmt::format("tiny,B16x5,16,16,5,13,8000,12000,200,40,0.25,50,2000,70000,no,{},{},{}{}", m, 0.5 * p, p, said));
+    add(fmt::format(
+        "tiny,B16x5,16,16,16.5,5,13,8000,12000,200,40,0.25,50,2000,70000,no,{},{},{}{}", m, 0.5 * p, p, said));
   }
 
   void motors() {
