@@ -104,7 +104,7 @@ double BoxSlopes::change_over(std::size_t variable, const Bounds& bounds, bool s
   double most = 0.0;
   for (std::size_t c = 0; c < slope.utilisation.size(); ++c)
     if (is_open(c)) most = std::max(most, magnitude(slope.utilisation[c]));
-  if (plan.priced[variable] && scores_count) {
+  if (plan.moves_outcome[variable] && scores_count) {
     for (std::size_t k = 0; k < slope.score.size(); ++k) {
       const double total = question_.label->score_lower[k] + bounds.score[k] + plan.rest[k];
       most = std::max(most, magnitude(slope.score[k]) / std::max(std::fabs(total), 1e-9));

@@ -56,7 +56,7 @@ BranchAndBound::BranchAndBound(const Problem& problem,
     const bool shares = many_labels && !shared_.empty() && !plan.region.rows.empty();
     shared_.push_back(shares ? std::make_unique<SharedRegions>(plan, control_.desk(0)) : nullptr);
     auto& tail = tail_.emplace_back();
-    for (const OpenRegion& part : plan.frontier) {
+    for (const OpenRegion& part : plan.open_regions) {
       auto& least = tail.emplace_back(criteria_.size());
       for (std::size_t k = 0; k < least.size(); ++k) {
         least[k] = below(std::max(part.bounds.score[k], plan.least[k]), rest_after(plan, k, part.bounds.handed_on));
@@ -81,11 +81,11 @@ bool BranchAndBound::push(Node node) {
   return true;
 }
 
-/// The node that stands for all regions of the frontier from `region` on.
+/// The node that stands for all open regions of the plan from `region` on.
 bool BranchAndBound::make_stream(std::uint32_t index, std::size_t region, Node& node) const {
   const Label& label = labels_[index];
   const StagePlan& plan = plans_[label.stage];
-  if (region >= plan.frontier.size()) return false;
+  if (region >= plan.open_regions.size()) return false;
   node.label = index;
   node.next_region = region;
   node.utilisation = label.utilisation;
@@ -139,13 +139,13 @@ void BranchAndBound::offer(const Node& from, Region part, Outcome& outcome, Desk
   outcome.nodes.push_back(std::move(child));
 }
 
-/// From one on, the first region of the frontier that may matter to a label. Those that are hopeless even at the best
+/// From one on, the first open region of the plan that may matter to a label. Those that are hopeless even at the best
 /// state need not be bounded with its own.
 std::size_t BranchAndBound::first_to_follow(const Label& label, std::size_t region) const {
   const StagePlan& plan = plans_[label.stage];
   std::vector<double> score(criteria_.size());
-  for (; region < plan.frontier.size(); ++region) {
-    const Bounds& best = plan.frontier[region].bounds;
+  for (; region < plan.open_regions.size(); ++region) {
+    const Bounds& best = plan.open_regions[region].bounds;
     for (std::size_t k = 0; k < score.size(); ++k) {
       const double own = std::max(best.score[k], plan.least[k]);
       score[k] = below(below(label.score_lower[k], own), rest_after(plan, k, best.handed_on));
@@ -160,11 +160,11 @@ void BranchAndBound::expand_stream(const Node& node, Outcome& outcome, Desk& des
   const Label& label = labels_[node.label];
   const StagePlan& plan = plans_[label.stage];
   const std::size_t region = first_to_follow(label, node.next_region);
-  if (region == plan.frontier.size()) return;
+  if (region == plan.open_regions.size()) return;
   if (shares_regions(node.label))
     go_down(node, shared_[label.stage]->part_of(*cells_[node.label], region, desk), node.score[0], outcome);
   else
-    offer(node, plan.frontier[region].region, outcome, desk);
+    offer(node, plan.open_regions[region].region, outcome, desk);
   Node others;
   if (make_stream(node.label, region + 1, others)) outcome.nodes.push_back(std::move(others));
 }

@@ -72,7 +72,7 @@ class BranchAndBound {
   static constexpr std::size_t whole_stage = static_cast<std::size_t>(-1);
   struct Node {
     std::uint32_t label = 0;
-    std::size_t next_region = whole_stage;  ///< of the stage's frontier; whole_stage: `part` or `region` is meant
+    std::size_t next_region = whole_stage;  ///< of the stage's open regions; whole_stage: `part` or `region` is meant
     SharedPart* part = nullptr;             ///< null: `region`
     Region region;
     std::vector<double> score;    ///< totals, lower bounds

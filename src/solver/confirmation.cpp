@@ -19,7 +19,7 @@ constexpr double largest_violation = 1e-6;
 std::vector<Confirmation> confirm(const Problem& problem,
                                   const Criteria& criteria,
                                   const Build& build,
-                                  const std::vector<bool>& priced,
+                                  const std::vector<bool>& covered,
                                   const std::function<bool()>& stop) {
   std::vector<Confirmation> result;
   VariableChain chain(problem, criteria, build);
@@ -28,7 +28,7 @@ std::vector<Confirmation> confirm(const Problem& problem,
   const std::vector<double> start = chain.start();
   const double objective = chain.objective_at(start);
   for (std::size_t i = 0; i < problem.stages.size(); ++i) {
-    if (!priced[i] || problem.stages[i]->variables().empty()) continue;
+    if (!covered[i] || problem.stages[i]->variables().empty()) continue;
     Confirmation confirmation;
     confirmation.stage = i;
     confirmation.variables = build.stages[i].variables;

@@ -14,13 +14,13 @@
 
 namespace millwright::solver {
 
-/// `priced`: per stage, whether its variables move the objective. One entry for each such stage that has variables.
+/// `covered`: per stage, whether its variables move the objective. One entry for each such stage that has variables.
 /// A local solver that ends with a violation above 1e-6 has found nothing: its objective is NaN. Where `stop`, which is
 /// asked now and then, ends it nothing is said at all.
 std::vector<Confirmation> confirm(const Problem& problem,
                                   const Criteria& criteria,
                                   const Build& build,
-                                  const std::vector<bool>& priced,
+                                  const std::vector<bool>& covered,
                                   const std::function<bool()>& stop);
 
 /// For the certificate: what the local solvers said of the build; empty without confirmations.

@@ -190,7 +190,7 @@ void LeafAnswer::leave_undecided(std::span<const double> score) {
 }
 
 LeafAnswer solve_leaf(const LeafQuestion& question, Desk& desk) {
-  if (!question.plan->any_priced) return solve_feasibility(question, desk);
+  if (!question.plan->any_moves_outcome) return solve_feasibility(question, desk);
   if (std::optional<LeafAnswer> one = solve_least(question, desk)) return std::move(*one);
   return cover(question, desk);
 }

@@ -26,7 +26,7 @@ constexpr std::size_t ipopt_after = 401;       // boxes after which Ipopt is ask
 constexpr std::size_t around_every = 64;       // boxes after which points beside one are looked for
 constexpr double undecided_reach = 1.0 / refined_part;  // of the tolerance, where an inexact label leaves open
 
-/// Covers the useful designs of a box of priced variables by feasible points.
+/// Covers the useful designs of a box of variables that move the outcome by feasible points.
 class Cover {
  public:
   Cover(const LeafQuestion& question, Desk& desk)

@@ -190,7 +190,7 @@ void LeafDesign::relieve(std::vector<double>& variables, std::span<const Interva
   constexpr int grid = 8;
   constexpr int refinements = 12;
   for (std::size_t v = 0; v < variables.size(); ++v) {
-    if ((question.plan->priced[v] && !question.plan->moved_state) || !(box[v].upper > box[v].lower)) continue;
+    if ((question.plan->moves_outcome[v] && !question.plan->moved_state) || !(box[v].upper > box[v].lower)) continue;
     double step = (box[v].upper - box[v].lower) / grid;
     for (int i = 0; i <= grid; ++i) improve(v, box[v].lower + i * step);
     for (int i = 0; i < refinements; ++i) {

@@ -3,7 +3,7 @@
 // Where variables move nothing but one component of what is handed on (a ramp that decides how many watts a drive
 // takes), and that component has a direction, a design has one best value of it at each state: what can be handed on
 // with the variables feasible. So nothing has to be covered within a tolerance (cover.h), and stages of that kind can
-// be done stage by stage (frontier.h).
+// be done stage by stage (stagewise_search.h).
 //
 // Branch and bound over boxes of the variables, best bound first. It ends where no box can hand on less (or more, if
 // more is better) than a feasible point does. Of a figure in whole steps that is so soon; of one that changes with

@@ -35,7 +35,8 @@ std::optional<std::size_t> resource_of(const std::vector<double>& weight) {
 /// Scores with a limit that can be given a price, in a search that would make use of it.
 std::vector<std::size_t> SolveRun::limited_scores() const {
   std::vector<std::size_t> limited;
-  if (scope_ != Scope::all || !control_.options().price_limits || criteria_.objectives != 1 || !priced_) return limited;
+  if (scope_ != Scope::all || !control_.options().price_limits || criteria_.objectives != 1 || !any_covered_)
+    return limited;
   for (std::size_t k = 1; k < criteria_.size(); ++k)
     if (std::isfinite(criteria_.limit[k]) && criteria_.limit[k] > 0.0 && resource_of(criteria_.weight[k]) &&
         !criteria_.is_floor(k))

@@ -12,9 +12,9 @@ std::string sentence_of(const MethodsUsed& used) {
   if (used.allowances) text += "; allowances that stages share at prices (Lagrangian bounds)";
   if (used.limit) text += "; what is limited at prices (Lagrangian bounds)";
   if (used.by_front) text += "; as the end of a front, of the objective and of what is limited";
-  if (used.priced && used.whole_front)
+  if (used.covered && used.whole_front)
     text += "; where continuous variables move the objectives the front is covered to its tolerance";
-  if (used.priced)
+  if (used.covered)
     text += "; continuous variables that move the objective by SLSQP and Ipopt proposals inside the bound";
   if (used.among_equals == AmongEquals::all)
     text += "; of builds that are no worse the best in what is compared next, by a search of its own";

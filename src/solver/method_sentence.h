@@ -12,10 +12,10 @@ namespace millwright::solver {
 enum class AmongEquals { not_looked_for, some, all };
 
 struct MethodsUsed {
-  bool priced = false;       ///< continuous variables move the objectives
+  bool covered = false;      ///< continuous variables move the objectives
   bool whole_front = false;  ///< there are several, and the search was not ended before
-  bool stagewise = false;    ///< frontier.h
-  bool in_turn = false;      ///< first frontier.h, then, from the builds found, branch_and_bound.h
+  bool stagewise = false;    ///< stagewise_search.h
+  bool in_turn = false;      ///< first stagewise_search.h, then, from the builds found, branch_and_bound.h
   bool allowances = false;   ///< rest_plane.h
   bool by_front = false;     ///< of a single objective and a resource that is limited (SolveRun::settle_by_front)
   AmongEquals among_equals = AmongEquals::not_looked_for;

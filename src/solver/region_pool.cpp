@@ -21,7 +21,7 @@ RegionPool::RegionPool(const StagePlan& plan, std::vector<Interval> inherited)
     : plan_(&plan), inherited_(std::move(inherited)), worth_(plan.region.rows.size()) {
   const auto same = [](const Interval& a, const Interval& b) { return a.lower == b.lower && a.upper == b.upper; };
   const bool at_best = std::equal(inherited_.begin(), inherited_.end(), plan.best_inherited.begin(), same);
-  for (const OpenRegion& open : plan.frontier) parts_.push_back({open, at_best});
+  for (const OpenRegion& open : plan.open_regions) parts_.push_back({open, at_best});
 }
 
 bool RegionPool::bound(Part& part, const Useful& useful, Desk& desk) const {
@@ -46,7 +46,7 @@ void RegionPool::refine(std::size_t index, const Useful& useful, Desk& desk, Off
   }
   if (parts_[index].open.region.one_design_per_slot()) {
     parts_[index].alive = !proves_infeasible(*plan_, inherited_, parts_[index].open.region, usual_proof_boxes, desk);
-    parts_[index].settled = true;
+    parts_[index].undecided = true;
     if (parts_[index].alive) offer(index);
     return;
   }
@@ -76,7 +76,7 @@ RegionPool::Least RegionPool::least(const Mix& mix, std::span<const double> weig
   std::make_heap(heap.begin(), heap.end());
   for (std::size_t nodes = 0; !heap.empty(); ++nodes) {
     const Entry first = heap.front();
-    if (nodes >= nodes_a_weighing || parts_[first.index].settled) break;
+    if (nodes >= nodes_a_weighing || parts_[first.index].undecided) break;
     std::pop_heap(heap.begin(), heap.end());
     heap.pop_back();
     refine(first.index, {}, desk, [&](std::size_t index) {
@@ -112,7 +112,7 @@ bool RegionPool::refine_front(
     heap.pop_back();
     const std::vector<double> at = key(parts_[index].open.bounds);
     if (known.dominates(at)) continue;
-    if (parts_[index].settled) {
+    if (parts_[index].undecided) {
       known.add(at);
       continue;
     }
@@ -145,7 +145,7 @@ bool RegionPool::keep_only(const Useful& useful, Desk& desk) {
     for (const std::size_t index : open) {
       Part& part = parts_[index];
       part.alive = part.alive && (!part.bounded || useful(part.open.bounds));
-      if (!part.alive || part.settled || refined_now >= most_refined_at_once) continue;
+      if (!part.alive || part.undecided || refined_now >= most_refined_at_once) continue;
       ++refined_now;
       refine(index, useful, desk, [&](std::size_t refined) { next.push_back(refined); });
     }

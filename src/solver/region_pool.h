@@ -68,7 +68,7 @@ class RegionPool {
   struct Part {
     OpenRegion open;
     bool bounded = false;
-    bool settled = false;  ///< a single design that could not be proved infeasible
+    bool undecided = false;  ///< a single design that could not be proved infeasible
     bool alive = true;
   };
   /// Offers the numbers of what a part became.

@@ -9,7 +9,7 @@ namespace {
 
 struct Node {
   OpenRegion part;
-  bool refined = false;  ///< a single design that could not be proved infeasible
+  bool undecided = false;  ///< a single design that could not be proved infeasible
 };
 
 double value_of(const StagePlan& plan, RelaxedTarget target, const Bounds& bounds) {
@@ -27,13 +27,13 @@ class RelaxationSearch {
     Region root = plan_.region;
     offer(std::move(root));
     for (std::size_t nodes = 0; !open_.empty() && nodes < node_limit; ++nodes) {
-      if (open_.first().refined) break;
+      if (open_.first().undecided) break;
       const double value = open_.first_key().value;
       Node node = open_.pop();
       if (!node.part.region.one_design_per_slot() || wide_variable(plan_, node.part.region)) {
         divide(node.part, value);
       } else if (!proves_infeasible(plan_, plan_.best_inherited, node.part.region, usual_proof_boxes, desk_)) {
-        node.refined = true;
+        node.undecided = true;
         open_.push(value, std::move(node));
       }
     }

@@ -17,7 +17,8 @@ Relief::Relief(LeafDesign& design)
     : design_(design), held_(design.question.region->variables.size()), divided_(held_.size()) {
   std::vector<std::size_t> variables;
   for (std::size_t v = 0; v < divided_.size(); ++v)
-    if (!design.question.plan->priced[v] && !design.question.region->variables[v].is_point()) variables.push_back(v);
+    if (!design.question.plan->moves_outcome[v] && !design.question.region->variables[v].is_point())
+      variables.push_back(v);
   if (variables.size() > 1) find_groups(variables);
   for (const Group& group : groups_) {
     for (const std::size_t v : group.variables) held_[v] = true;

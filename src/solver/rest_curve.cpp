@@ -28,7 +28,7 @@ class LeastFrom {
         desk_(desk),
         inherited_(plan.best_inherited),
         worth_(plan.region.rows.size()) {
-    for (const OpenRegion& region : plan_.frontier) {
+    for (const OpenRegion& region : plan_.open_regions) {
       Node node;
       node.known = &region;
       open_.push(value_of(region.bounds), std::move(node));
@@ -39,7 +39,7 @@ class LeastFrom {
     inherited_[component_] = state;
     ++step_;
     while (!open_.empty() && nodes_ < node_limit_) {
-      if (open_.first().settled && open_.first().step == step_) break;
+      if (open_.first().undecided && open_.first().step == step_) break;
       const double value = open_.first_key().value;
       if (value > most_) break;
       ++nodes_;
@@ -50,10 +50,10 @@ class LeastFrom {
 
  private:
   struct Node {
-    const OpenRegion* known = nullptr;  ///< of the frontier, not yet bounded
+    const OpenRegion* known = nullptr;  ///< of the plan, not yet bounded
     OpenRegion part;
-    std::size_t step = 0;  ///< at which it was bounded
-    bool settled = false;  ///< a single design that could not be proved infeasible
+    std::size_t step = 0;    ///< at which it was bounded
+    bool undecided = false;  ///< a single design that could not be proved infeasible
   };
 
   [[nodiscard]] double value_of(const Bounds& bounds) const {
@@ -82,7 +82,7 @@ class LeastFrom {
         return offer(std::move(part), value);
       });
     } else if (!proves_infeasible(plan_, inherited_, node.part.region, usual_proof_boxes, desk_)) {
-      node.settled = true;
+      node.undecided = true;
       open_.push(value, std::move(node));
     }
   }

@@ -6,7 +6,7 @@
 //
 //   R_i(s) = min over the designs of stage i that are feasible from s on: score + R_(i+1)(what they hand on),
 //
-// from the base to the tool, by best-first search over the regions of the stage's frontier. A component has a curve
+// from the base to the tool, by best-first search over the stage's open regions. A component has a curve
 // only where smaller is proved to be better (monotonicity.h): then nothing that is feasible with more is cheaper than
 // R_i(s). All other components are at the best that can arrive, so that a curve is a lower bound for every label.
 #pragma once

@@ -56,7 +56,7 @@ class RestPlanes {
   /// Sets StagePlan::vectors of all stages for the allowances that have had a price so far, as far as they may lead
   /// below some corner of an upper staircase of totals. False: nothing does.
   bool find_vectors(const std::vector<Pair>& corners);
-  /// Makes the regions as they have been refined so far those of the stages' plans (StagePlan::frontier).
+  /// Makes the regions as they have been refined so far those of the stages' plans (StagePlan::open_regions).
   void keep_regions();
 
  private:

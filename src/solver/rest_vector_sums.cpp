@@ -178,7 +178,7 @@ bool RestPlanes::Prices::find_vectors(const std::vector<Pair>& corners) {
 
 void RestPlanes::Prices::keep_regions() {
   for (std::size_t i = 0; i < stages_.size(); ++i)
-    if (stages_[i].pool) plans_[i].frontier = stages_[i].pool->regions();
+    if (stages_[i].pool) plans_[i].open_regions = stages_[i].pool->regions();
 }
 
 /// Whether designs of the other stages go with one of these bounds.

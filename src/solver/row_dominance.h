@@ -18,10 +18,10 @@
 namespace millwright::solver {
 
 /// Of all slots. Takes the plans' directions and the states that can arrive as they are. A search that was begun with
-/// the plans cannot go on with them: their frontiers change, too.
+/// the plans cannot go on with them: their open regions change, too.
 void leave_out_dominated_rows(std::vector<StagePlan>& plans, Desk& desk);
 
-/// The same of one plan, whose frontier need not be known yet, in slots with that many rows at least.
+/// The same of one plan, whose open regions need not be known yet, in slots with that many rows at least.
 void leave_out_dominated_rows(StagePlan& plan, Desk& desk, std::size_t least_rows);
 
 }  // namespace millwright::solver

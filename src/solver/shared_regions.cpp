@@ -47,8 +47,8 @@ SharedRegions::Cell* SharedRegions::cell_of(std::span<const Interval> states) {
   if (cell == nullptr) {
     cell = std::make_unique<Cell>();
     cell->states = std::move(range);
-    cell->parts.resize(plan_->frontier.size());
-    cell->bounded.resize(plan_->frontier.size());
+    cell->parts.resize(plan_->open_regions.size());
+    cell->bounded.resize(plan_->open_regions.size());
   }
   ++cell->labels;
   return cell.get();
@@ -62,7 +62,7 @@ std::mutex& SharedRegions::mutex_of(const void* known) {
 SharedPart* SharedRegions::part_of(Cell& cell, std::size_t region, Desk& desk) {
   const std::lock_guard lock(mutex_of(&cell));
   if (cell.bounded[region] == 0) {
-    Region own = plan_->frontier[region].region;
+    Region own = plan_->open_regions[region].region;
     own.kept = 0;  // that was so at other states
     cell.parts[region] = bounded(cell, std::move(own), desk);
     cell.bounded[region] = 1;

@@ -42,7 +42,7 @@ class SharedRegions {
   struct Cell {
     std::vector<Interval> states;
     std::size_t labels = 0;                          ///< that have come to be in it
-    std::vector<std::unique_ptr<SharedPart>> parts;  ///< [region of the plan's frontier]; null: nothing is feasible
+    std::vector<std::unique_ptr<SharedPart>> parts;  ///< [open region of the plan]; null: nothing is feasible
     std::vector<char> bounded;                       ///< [region]: whether that is known
   };
 
@@ -54,7 +54,7 @@ class SharedRegions {
   /// Takes note of how many parts there are. Not to be called while parts are asked for.
   void count() { full_ = parts_ >= most_parts; }
 
-  /// A region of the plan's frontier; null: no design in it is feasible in the cell.
+  /// An open region of the plan; null: no design in it is feasible in the cell.
   SharedPart* part_of(Cell& cell, std::size_t region, Desk& desk);
   /// Divides a part that is not a single design, if nobody has, by what it has been worth to divide slots. False: there
   /// are too many parts already.

@@ -103,8 +103,8 @@ void SolveRun::add_guides_between_sides() {
 }
 
 /// For what is best in two of three objectives there is a build on the front that is as good in these two. Stage by
-/// stage (frontier.h) such are found soon, where that method applies, while a search in all three that ends at the
-/// limit may have come upon a few builds only. Nothing is proved by it but that there may be no build at all: then
+/// stage (stagewise_search.h) such are found soon, where that method applies, while a search in all three that ends at
+/// the limit may have come upon a few builds only. Nothing is proved by it but that there may be no build at all: then
 /// false.
 bool SolveRun::find_sides() {
   constexpr double share = 0.1;  // of the time left, for each
@@ -124,7 +124,7 @@ bool SolveRun::find_sides() {
 void SolveRun::better_among_equals() {
   if (criteria_.objectives != 1 || criteria_.ties == 0 || incumbents_.builds().empty()) return;
   if (!complete_) among_equals_ = AmongEquals::some;
-  if (!priced_) return;
+  if (!any_covered_) return;
   RankedBuild& best = incumbents_.builds().front();
   searched_best_ = best.score[0];
   const Neighbours neighbours(problem_);
@@ -173,7 +173,7 @@ std::optional<RankedBuild> SolveRun::best_among_equals() {
 /// leaves 5 %.)
 void SolveRun::leave_out_noise() {
   constexpr double little = 0.02;
-  if (!priced_ || criteria_.objectives < 2) return;
+  if (!any_covered_ || criteria_.objectives < 2) return;
   const double gap = std::min(control_.options().gap, little * tolerated());
   std::vector<RankedBuild>& builds = incumbents_.builds();
   std::vector<bool> left_out(builds.size(), false);
@@ -235,7 +235,7 @@ Summary SolveRun::summary() {
                                                : complete_ || out.gap <= control_.options().gap;
   out.status = !closed ? Status::limit : out.builds.empty() ? Status::infeasible : Status::optimal;
   out.seconds = control_.seconds();
-  out.method = sentence_of({priced_,
+  out.method = sentence_of({any_covered_,
                             criteria_.objectives > 1 && closed,
                             stagewise_,
                             !known_.empty(),
@@ -246,8 +246,8 @@ Summary SolveRun::summary() {
   // (Of many axes at once it takes long; after the time is up nobody waits for it.)
   const auto stop = [this] { return control_.time_is_up(); };
   const bool asked = control_.options().confirm && !stop();
-  if (priced_ && asked && criteria_.objectives == 1 && !out.builds.empty()) {
-    out.confirmations = confirm(problem_, criteria_, out.builds.front(), priced_stages_, stop);
+  if (any_covered_ && asked && criteria_.objectives == 1 && !out.builds.empty()) {
+    out.confirmations = confirm(problem_, criteria_, out.builds.front(), covered_stages_, stop);
     out.method += confirmation_sentence(out.confirmations);
   }
   return out;

@@ -14,20 +14,20 @@
 
 #include "solver/branch_and_bound.h"
 #include "solver/criteria.h"
-#include "solver/frontier.h"
 #include "solver/incumbents.h"
 #include "solver/method_sentence.h"
 #include "solver/rest_curve.h"
 #include "solver/search_control.h"
 #include "solver/shared_choices.h"
 #include "solver/stage_plan.h"
+#include "solver/stagewise_search.h"
 
 namespace millwright::solver {
 
 class SolveRun {
  public:
-  /// `stage_by_stage`: only what frontier.h does, the rest is left open. `unpriced`: all, but limits get no prices
-  /// (limit_prices.cpp).
+  /// `stage_by_stage`: only what stagewise_search.h does, the rest is left open. `unpriced`: all, but limits get no
+  /// prices (limit_prices.cpp).
   enum class Scope { all, unpriced, stage_by_stage };
   /// `tables`: what another run has found out about the same problem; null: nothing yet. `known`: builds of a front, to
   /// start from.
@@ -51,10 +51,10 @@ class SolveRun {
   struct OpenSearch {
     std::unique_ptr<std::vector<StagePlan>> plans;
     std::unique_ptr<BranchAndBound> search;
-    std::unique_ptr<Frontier> frontier = nullptr;  ///< by which any build is looked for
-    std::vector<double> score = {};                ///< lower bounds
-    std::uint64_t questions = 0;                   ///< asked to prepare it
-    bool tried = false;                            ///< in vain, to be settled without knowing any build
+    std::unique_ptr<StagewiseSearch> stagewise = nullptr;  ///< by which any build is looked for
+    std::vector<double> score = {};                        ///< lower bounds
+    std::uint64_t questions = 0;                           ///< asked to prepare it
+    bool tried = false;                                    ///< in vain, to be settled without knowing any build
   };
   enum class Effort { brief, thorough, whole };
 
@@ -115,11 +115,11 @@ class SolveRun {
   }
   /// That nothing is known of designs but these lower bounds of their scores.
   void leave_open(std::span<const double> score);
-  [[nodiscard]] double asked_tolerance() const { return priced_ ? tolerated() : 0.0; }
+  [[nodiscard]] double asked_tolerance() const { return any_covered_ ? tolerated() : 0.0; }
   [[nodiscard]] double settled_tolerance() const { return 0.5 * asked_tolerance(); }
   /// Never lower than before.
   void set_tolerance() { incumbents_.set_tolerance(std::max(incumbents_.tolerance(), settled_tolerance())); }
-  /// What an answer with priced variables may fall short of the best.
+  /// What an answer with covered stages may fall short of the best.
   [[nodiscard]] double tolerated() const {
     return criteria_.objectives > 1 ? control_.options().tolerance_of_front() : control_.options().gap;
   }
@@ -141,14 +141,14 @@ class SolveRun {
   double slack_given_ = 0.0;                    ///< by labels of a front, of the whole
   bool complete_ = true;
   bool beyond_scope_ = false;
-  bool priced_ = false;
-  bool stagewise_ = false;          ///< frontier.h was used
+  bool any_covered_ = false;
+  bool stagewise_ = false;          ///< stagewise_search.h was used
   bool allowances_priced_ = false;  ///< by it
   bool front_tried_ = false;        ///< by settle_by_front
   bool settled_by_front_ = false;   ///< every combination
   bool limit_priced_ = false;       ///< by price_limit
   AmongEquals among_equals_ = AmongEquals::not_looked_for;
-  std::vector<bool> priced_stages_;
+  std::vector<bool> covered_stages_;
   std::vector<OpenSearch> equals_left_;  ///< nothing is better, but something as good may win the tie
   double open_bound_ = infinity;
   double searched_best_ = infinity;  ///< of the builds that the search has found

@@ -2,8 +2,8 @@
 //
 // How the combinations of shared choices are settled: each is prepared (stage_plan.h) and looked at briefly, cheapest
 // first; of those left, label by label (branch_and_bound.h) for as long as that is cheap; then stage by stage
-// (frontier.h) where that method applies, and what remains label by label to the end, where that takes long with close
-// curves of what is to come (rest_curve.h). Several objectives go stage by stage at once.
+// (stagewise_search.h) where that method applies, and what remains label by label to the end, where that takes long
+// with close curves of what is to come (rest_curve.h). Several objectives go stage by stage at once.
 #include "solver/solve_run.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace millwright::solver {
 namespace {
 
-/// What a state that uses up all that later stages can bear costs in these looks (Frontier::look).
+/// What a state that uses up all that later stages can bear costs in these looks (StagewiseSearch::look).
 constexpr double little_share = 0.03, much_share = 0.3;
 /// A problem that is settled in so many nodes is not worth rest curves.
 constexpr std::uint64_t easy_nodes = 200;
@@ -46,7 +46,7 @@ void SolveRun::search() {
   }
   std::stable_sort(open.begin(), open.end(), [](const auto& a, const auto& b) { return a.score[0] < b.score[0]; });
   look_around(open);
-  for (OpenSearch& each : open) each.frontier = nullptr;
+  for (OpenSearch& each : open) each.stagewise = nullptr;
   // What is settled soon in one combination may leave nothing to do in those that would take long. (But where variables
   // move the objective builds are looked for last, and without any the others are not settled soon.)
   constexpr std::array efforts = {Effort::brief, Effort::thorough, Effort::whole};
@@ -64,7 +64,7 @@ void SolveRun::search() {
     });
     if (!open.empty() && !control_.time_is_up()) price_limit(open);
     settle_by(std::span(efforts).last(2));
-  } else if (priced_) {
+  } else if (any_covered_) {
     settle_by(efforts);
   } else {
     for (const Effort effort : efforts) go_through(open, [&](OpenSearch& each) { return settle(each, effort); });
@@ -76,8 +76,8 @@ void SolveRun::search() {
 void SolveRun::decide_equals() {
   for (OpenSearch& each : equals_left_) {
     if (incumbents_.hopeless(each.score, 0.0)) continue;
-    const bool decided =
-        !control_.time_is_up() && Frontier(problem_, criteria_, *each.plans, incumbents_, control_).decide_equals();
+    const bool decided = !control_.time_is_up() &&
+                         StagewiseSearch(problem_, criteria_, *each.plans, incumbents_, control_).decide_equals();
     if (!decided) among_equals_ = AmongEquals::some;
   }
 }
@@ -91,7 +91,8 @@ void SolveRun::look_around(std::vector<OpenSearch>& open) {
   settle_more(open);
   for (const double share : {little_share, much_share})
     for (OpenSearch& each : open)
-      if (each.frontier != nullptr && incumbents_.builds().empty() && !each.frontier->look(share, Frontier::many_nodes))
+      if (each.stagewise != nullptr && incumbents_.builds().empty() &&
+          !each.stagewise->look(share, StagewiseSearch::many_nodes))
         return;
   if (incumbents_.builds().empty()) return;
   const std::vector<Row>& shared = incumbents_.builds().front().build.shared;
@@ -106,14 +107,14 @@ bool SolveRun::look_briefly(std::vector<OpenSearch>& open) {
   for (OpenSearch& each : open) {
     if (!incumbents_.builds().empty()) break;
     each.search = nullptr;  // what it knows of the regions may no longer be so
-    each.frontier = std::make_unique<Frontier>(problem_, criteria_, *each.plans, incumbents_, control_);
-    if (!each.frontier->applicable()) return false;
-    const Frontier::Difficulty difficulty = each.frontier->find_difficulty();
-    if (difficulty == Frontier::Difficulty::out_of_time) return false;
-    if (difficulty == Frontier::Difficulty::easy) {
+    each.stagewise = std::make_unique<StagewiseSearch>(problem_, criteria_, *each.plans, incumbents_, control_);
+    if (!each.stagewise->applicable()) return false;
+    const StagewiseSearch::Difficulty difficulty = each.stagewise->find_difficulty();
+    if (difficulty == StagewiseSearch::Difficulty::out_of_time) return false;
+    if (difficulty == StagewiseSearch::Difficulty::easy) {
       if (&each == &open.front()) return false;
-      each.frontier = nullptr;
-    } else if (!each.frontier->look(little_share, Frontier::few_nodes)) {
+      each.stagewise = nullptr;
+    } else if (!each.stagewise->look(little_share, StagewiseSearch::few_nodes)) {
       return false;
     }
   }
@@ -125,7 +126,7 @@ void SolveRun::settle_more(std::vector<OpenSearch>& open) {
   constexpr std::uint64_t share = 2;
   go_through(open, [&](OpenSearch& each) {
     if (!incumbents_.builds().empty()) return false;
-    each.tried = each.frontier != nullptr;
+    each.tried = each.stagewise != nullptr;
     return each.tried && settle_briefly(each, share);
   });
 }
@@ -149,16 +150,16 @@ void SolveRun::go_through(std::vector<OpenSearch>& open, const std::function<boo
 /// (What a label stands for is bounded by the label's lower bounds, in guides of a front too, and so falls short of a
 /// build known by no more than what incumbents settle, and by what labels give up: slack_of_labels.)
 double SolveRun::leaf_tolerance() const {
-  const auto priced = static_cast<double>(std::count(priced_stages_.begin(), priced_stages_.end(), true));
-  return std::min(0.25, 0.45 / std::max(priced, 1.0)) * tolerated();
+  const auto covered = static_cast<double>(std::count(covered_stages_.begin(), covered_stages_.end(), true));
+  return std::min(0.25, 0.45 / std::max(covered, 1.0)) * tolerated();
 }
 
 /// Which stages have variables that move scores.
 void SolveRun::note_covered(const std::vector<StagePlan>& plans) {
-  priced_stages_.resize(plans.size());
+  covered_stages_.resize(plans.size());
   for (std::size_t i = 0; i < plans.size(); ++i) {
-    priced_ = priced_ || is_covered(plans[i]);
-    priced_stages_[i] = priced_stages_[i] || is_covered(plans[i]);
+    any_covered_ = any_covered_ || is_covered(plans[i]);
+    covered_stages_[i] = covered_stages_[i] || is_covered(plans[i]);
   }
 }
 
@@ -175,8 +176,8 @@ std::optional<SolveRun::OpenSearch> SolveRun::start(const Combination& combinati
   if (plans.empty()) return std::nullopt;
   open.questions = control_.evaluations() - before;
   note_covered(plans);
-  beyond_scope_ =
-      scope_ == Scope::stage_by_stage && !Frontier(problem_, criteria_, plans, incumbents_, control_).applicable();
+  beyond_scope_ = scope_ == Scope::stage_by_stage &&
+                  !StagewiseSearch(problem_, criteria_, plans, incumbents_, control_).applicable();
   if (beyond_scope_) {
     leave_open(combination.score);
     return std::nullopt;
@@ -324,20 +325,20 @@ bool SolveRun::settle_by_front() {
   return settled_by_front_;
 }
 
-/// One or two objectives by frontier.h; `no` when that method does not apply or leaves something undecided.
+/// One or two objectives by stagewise_search.h; `no` when that method does not apply or leaves something undecided.
 SolveRun::Settled SolveRun::stage_by_stage(std::vector<StagePlan>& plans, std::span<const double> score) {
   if (criteria_.objectives > 2 || !control_.options().stagewise) return Settled::no;
-  Frontier frontier(problem_, criteria_, plans, incumbents_, control_);
-  if (!frontier.applicable()) return Settled::no;
+  StagewiseSearch search(problem_, criteria_, plans, incumbents_, control_);
+  if (!search.applicable()) return Settled::no;
   stagewise_ = true;
-  const bool settled = frontier.run(allowances_priced_, score[0], [this] { return settle_by_front(); });
-  allowances_priced_ = allowances_priced_ || frontier.used_prices();
+  const bool settled = search.run(allowances_priced_, score[0], [this] { return settle_by_front(); });
+  allowances_priced_ = allowances_priced_ || search.used_prices();
   // Where a later stage refuses the points of a cover it might not refuse what they stand for: builds may be missing.
   const bool covered = std::ranges::any_of(plans, is_covered);
-  if (settled && !covered) return frontier.equals_left() ? Settled::but_for_equals : Settled::yes;
-  if (frontier.undecided() && !covered && !control_.time_is_up()) return Settled::no;
+  if (settled && !covered) return search.equals_left() ? Settled::but_for_equals : Settled::yes;
+  if (search.undecided() && !covered && !control_.time_is_up()) return Settled::no;
   std::vector<double> left(score.begin(), score.end());
-  if (criteria_.objectives == 1) left[0] = std::max(left[0], frontier.least_total());
+  if (criteria_.objectives == 1) left[0] = std::max(left[0], search.least_total());
   leave_open(left);
   return Settled::yes;
 }

@@ -27,7 +27,7 @@ struct Options {
   std::vector<double> weights;    ///< for a weighted single objective over all resources; empty = objectives[0] alone
   std::vector<std::size_t> ties;  ///< resources compared next when the objective is equal, in order
   double gap = 1e-6;              ///< relative gap at which the proof counts as complete
-  double front_tolerance = 1e-3;  ///< of a front where continuous variables move the objectives (frontier.h)
+  double front_tolerance = 1e-3;  ///< of a front where continuous variables move the objectives (stagewise_search.h)
   double time_limit_seconds = std::numeric_limits<double>::infinity();
   bool stagewise = true;  ///< one or two objectives stage by stage where that applies, else always label by label
   /// Nodes that a single objective is at most searched label by label before stage by stage; and that a search label by
@@ -40,7 +40,7 @@ struct Options {
   /// and of a single objective that continuous variables move.
   std::size_t labels_together = 4, labels_together_for_one = 32;
   bool look_first = true;  ///< for good builds, before what takes long; objectives and ties do not depend on it
-  bool confirm = true;     ///< ask the local solvers about an answer with priced variables (confirmation.h)
+  bool confirm = true;     ///< ask the local solvers about variables that move the objective (confirmation.h)
   unsigned threads = 1;    ///< the answer does not depend on it
   const std::atomic<bool>* stop = nullptr;  ///< set by Ctrl-C: end as for the time limit
   std::function<void(const Progress&)> progress;

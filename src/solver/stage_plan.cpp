@@ -192,16 +192,16 @@ bool find_limits(std::vector<StagePlan>& plans, Desk& desk, TableMemory& tables)
 }
 
 /// Which variables move what matters.
-void find_priced(StagePlan& plan, const MonotonicityQuestion& question, Desk& desk) {
+void find_moving(StagePlan& plan, const MonotonicityQuestion& question, Desk& desk) {
   bool scores = false, in_steps = true;
   std::vector<std::size_t> states;
-  plan.priced.clear();
-  plan.any_priced = false;
+  plan.moves_outcome.clear();
+  plan.any_moves_outcome = false;
   for (std::size_t v = 0; v < plan.region.variables.size(); ++v) {
     const bool fixed = plan.region.variables[v].lower == plan.region.variables[v].upper;
     const Moved moved = fixed ? Moved{} : what_moves(question, v, desk);
-    plan.priced.push_back(!moved.nothing());
-    plan.any_priced = plan.any_priced || plan.priced.back();
+    plan.moves_outcome.push_back(!moved.nothing());
+    plan.any_moves_outcome = plan.any_moves_outcome || plan.moves_outcome.back();
     scores = scores || moved.scores;
     in_steps = in_steps && moved.in_steps;
     states.insert(states.end(), moved.states.begin(), moved.states.end());
@@ -259,7 +259,7 @@ void find_directions(std::vector<StagePlan>& plans, PlannedRows planned, Desk& d
       else if (known)
         plan->before[c] = Direction::irrelevant;
     }
-    find_priced(*plan, question, desk);
+    find_moving(*plan, question, desk);
     next = plan->before;
   }
 }
@@ -282,7 +282,7 @@ std::vector<Interval> best_after(const StagePlan& plan, Desk& desk) {
   return state;
 }
 
-/// Least of each score, with the frontier of the first; false when the stage has no feasible design.
+/// Least of each score, with what is left open for the first; false when the stage has no feasible design.
 bool find_least(StagePlan& plan, Desk& desk) {
   const std::size_t scores = plan.criteria->size();
   plan.least.resize(scores);
@@ -293,9 +293,9 @@ bool find_least(StagePlan& plan, Desk& desk) {
         relax(plan, {RelaxedTarget::Kind::score, k}, worth_a_search ? score_nodes : state_nodes, desk);
     if (relaxation.open.empty()) return false;
     plan.least[k] = relaxation.least;
-    if (k == 0) plan.frontier = std::move(relaxation.open);
+    if (k == 0) plan.open_regions = std::move(relaxation.open);
   }
-  std::stable_sort(plan.frontier.begin(), plan.frontier.end(), [](const OpenRegion& a, const OpenRegion& b) {
+  std::stable_sort(plan.open_regions.begin(), plan.open_regions.end(), [](const OpenRegion& a, const OpenRegion& b) {
     return a.bounds.score[0] < b.bounds.score[0];
   });
   return true;
@@ -307,7 +307,7 @@ void keep_within_region(StagePlan& plan, std::size_t slot) {
   std::vector<bool> allowed(plan.stage->slots()[slot].rows, false);
   for (const Row row : *plan.region.rows[slot]) allowed[row] = true;
   std::map<RowSet, RowSet> left;  // by what there was: regions share most of their sets
-  for (OpenRegion& open : plan.frontier) {
+  for (OpenRegion& open : plan.open_regions) {
     RowSet& own = open.region.rows[slot];
     const auto [found, is_new] = left.try_emplace(own, own);
     if (is_new) {
@@ -320,7 +320,7 @@ void keep_within_region(StagePlan& plan, std::size_t slot) {
     }
     own = found->second;
   }
-  std::erase_if(plan.frontier, [&](const OpenRegion& open) { return open.region.rows[slot] == nullptr; });
+  std::erase_if(plan.open_regions, [&](const OpenRegion& open) { return open.region.rows[slot] == nullptr; });
 }
 
 void keep_within_region(StagePlan& plan) {

@@ -97,20 +97,20 @@ struct StagePlan {
   std::vector<Interval> best_inherited;               ///< the best that can arrive
   std::vector<Direction> before, after;               ///< of the inherited and of the handed-on components
   const StageDirections* known_directions = nullptr;  ///< of a larger problem
-  std::vector<double> most_after;  ///< per handed-on component: from more no later stage has a feasible design
-  std::vector<bool> priced;        ///< per variable: it moves a score or a state that matters
-  bool any_priced = false;
-  /// The priced variables move this handed-on component in steps and nothing else, and it has a direction
-  /// (least_state.h).
+  std::vector<double> most_after;   ///< per handed-on component: from more no later stage has a feasible design
+  std::vector<bool> moves_outcome;  ///< per variable: it moves a score or a state that matters
+  bool any_moves_outcome = false;
+  /// The variables that move the outcome move this handed-on component in steps and nothing else, and it has a
+  /// direction (least_state.h).
   std::optional<std::size_t> moved_state;
   RowProfile profile;
-  std::vector<double> least;         ///< of this stage, per score
-  std::vector<double> rest;          ///< of all later stages, per score
-  std::vector<RestCurve> curves;     ///< the same by what is handed on (rest_curve.h)
-  std::vector<RestPlane> planes;     ///< the same by all that is handed on (rest_plane.h)
-  std::vector<RestStairs> stairs;    ///< the same by what is left of an allowance (rest_plane.h)
-  RestVectors vectors;               ///< the same by what is left of several allowances (rest_vectors.h)
-  std::vector<OpenRegion> frontier;  ///< regions that cover all designs, ascending in the first score
+  std::vector<double> least;             ///< of this stage, per score
+  std::vector<double> rest;              ///< of all later stages, per score
+  std::vector<RestCurve> curves;         ///< the same by what is handed on (rest_curve.h)
+  std::vector<RestPlane> planes;         ///< the same by all that is handed on (rest_plane.h)
+  std::vector<RestStairs> stairs;        ///< the same by what is left of an allowance (rest_plane.h)
+  RestVectors vectors;                   ///< the same by what is left of several allowances (rest_vectors.h)
+  std::vector<OpenRegion> open_regions;  ///< regions that cover all designs, ascending in the first score
 
   StagePlan(const Stage& s, std::span<const Row> shared_rows, const Criteria& c, TableMemory& tables)
       : stage(&s),
@@ -121,7 +121,7 @@ struct StagePlan {
 };
 
 /// Whether variables move so much that their designs are covered within a tolerance (continuous.h).
-inline bool is_covered(const StagePlan& plan) { return plan.any_priced && !plan.moved_state; }
+inline bool is_covered(const StagePlan& plan) { return plan.any_moves_outcome && !plan.moved_state; }
 
 inline double least_of(double value) { return value; }
 inline double least_of(const Interval& value) { return value.lower; }
@@ -158,7 +158,7 @@ bool cut_variables(
 /// Asks `bound`, then cuts the variables' intervals.
 bool assess(const StagePlan& plan, std::span<const Interval> inherited, Region& region, Bounds& bounds, Desk& desk);
 
-/// Leaves rows out of the plan's frontier that have been left out of its region, of one slot or of all.
+/// Leaves rows out of the plan's open regions that have been left out of its region, of one slot or of all.
 void keep_within_region(StagePlan& plan, std::size_t slot);
 void keep_within_region(StagePlan& plan);
 

@@ -16,7 +16,8 @@ constexpr double narrow = 1.0 / 1024.0;  // of a variable's range
 /// Of each variable's range, so that all of them together make some ten parts.
 double wide(const StagePlan& plan) {
   constexpr double parts = 8.0;
-  return std::pow(parts, -1.0 / static_cast<double>(std::count(plan.priced.begin(), plan.priced.end(), true)));
+  return std::pow(parts,
+                  -1.0 / static_cast<double>(std::count(plan.moves_outcome.begin(), plan.moves_outcome.end(), true)));
 }
 
 /// Whether there is anything between its ends that bounds can tell apart.
@@ -32,7 +33,7 @@ std::optional<std::size_t> widest_above(double share, const StagePlan& plan, con
     const Interval& side = region.variables[v];
     const Interval& whole = plan.region.variables[v];
     const double left = (side.upper - side.lower) / (whole.upper - whole.lower);
-    if (!plan.priced[v] || !(left > share) || !can_be_halved(side, plan.stage->variables()[v])) continue;
+    if (!plan.moves_outcome[v] || !(left > share) || !can_be_halved(side, plan.stage->variables()[v])) continue;
     share = left;
     widest = v;
   }
@@ -57,7 +58,7 @@ std::optional<std::size_t> variable_to_halve(const StagePlan& plan,
   if (!widest) return std::nullopt;
   desk.trial = region.variables;
   for (std::size_t v = 0; v < desk.trial.size(); ++v)
-    if (plan.priced[v]) desk.trial[v] = middle(desk.trial[v]);
+    if (plan.moves_outcome[v]) desk.trial[v] = middle(desk.trial[v]);
   const auto& at_middle = desk.bound(*plan.stage, plan.shared, inherited, region, desk.trial);
   std::vector<Interval> score(plan.criteria->size());
   plan.criteria->scores<Interval>(at_middle.resources, score);

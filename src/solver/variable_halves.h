@@ -16,7 +16,7 @@
 
 namespace millwright::solver {
 
-/// The priced variable that has most of its range left, if that is much.
+/// Of the variables that move the outcome the one that has most of its range left, if that is much.
 std::optional<std::size_t> wide_variable(const StagePlan& plan, const Region& region);
 
 /// The one that is to be halved first, if any: a wide one, or one that loosens the objectives more than the rows do.

@@ -124,7 +124,7 @@ class Trial {
     plans_ = make_plans(chain_.problem, {}, criteria_, desk_);
     if (plans_.empty()) return;
     for (const StagePlan& plan : plans_) forms_.push_back(find_state_form(plan, desk_));
-    REQUIRE((forms_[1].additive && !plan().any_priced));  // else nobody asks for candidates
+    REQUIRE((forms_[1].additive && !plan().any_moves_outcome));  // else nobody asks for candidates
     counts_.varying += forms_[1].scores_vary() ? 1 : 0;
     for (std::size_t h = 0; h < plan().after.size(); ++h) {
       ++counts_.directions.at(static_cast<std::size_t>(plan().after[h]));
@@ -206,7 +206,7 @@ class Trial {
     question.mix = Mix{1.0, 3.0};
     ++counts_.mixed;
   }
-  /// As the frontier asks (frontier_chunks.cpp).
+  /// As the search asks (stagewise_chunks.cpp).
   void ask_totals(const Labels& labels, CandidateQuestion& question) const {
     const auto least = [&](const Mix& mix, const std::vector<double>& weight) {
       double value = infinity;

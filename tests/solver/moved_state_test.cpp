@@ -278,7 +278,7 @@ TEST_CASE("There is one best value only of a single figure that changes in steps
     const std::vector<StagePlan> plans = make_plans(problem, {}, criteria, desk);
     INFO("kind " << static_cast<int>(kind));
     REQUIRE(plans.size() == 2);
-    CHECK(plans[0].any_priced);
+    CHECK(plans[0].any_moves_outcome);
     CHECK(plans[0].moved_state.has_value() == (kind == Kind::steps));
     CHECK(is_covered(plans[0]) == (kind != Kind::steps));
     Options options;

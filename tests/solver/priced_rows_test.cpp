@@ -256,7 +256,7 @@ TEST_CASE("A variable is halved where it loosens bounds more than the rows do") 
   const std::vector<StagePlan> plans = make_plans(machine.problem, {}, criteria, desk);
   REQUIRE(plans.size() == 2);
   const StagePlan& plan = plans[0];
-  REQUIRE(plan.any_priced);
+  REQUIRE(plan.any_moves_outcome);
   Region region = plan.region;
   REQUIRE(wide_variable(plan, region) == std::optional<std::size_t>(0));
   const auto [lower, upper] = halved(region, 0);

@@ -60,7 +60,7 @@ class Walk {
       CHECK((contains(cell->states[c], states[c].lower) && contains(cell->states[c], states[c].upper)));
     leaves_.clear();
     std::vector<Claim> claims;
-    for (std::size_t region = 0; region < plan_.frontier.size(); ++region) {
+    for (std::size_t region = 0; region < plan_.open_regions.size(); ++region) {
       SharedPart* const part = shared_.part_of(*cell, region, desk_);
       REQUIRE(shared_.part_of(*cell, region, desk_) == part);  // once for all
       if (part != nullptr) walk(*cell, *part, states, claims);
@@ -130,7 +130,7 @@ class Walk {
           CHECK(contains(claim.handed_on[h], answer.handed_on[h]));
       }
       for (std::size_t h = 0; h < answer.handed_on.size(); ++h) {
-        if (!form_.exact[h] || plan_.any_priced || wide) continue;
+        if (!form_.exact[h] || plan_.any_moves_outcome || wide) continue;
         ++counts.exact;
         counts.equal += rounded(leaf.claims.back().handed_on[h].lower) == rounded(answer.handed_on[h]) ? 1 : 0;
       }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "solver/frontier.h"
+#include "solver/stagewise_search.h"
 
 namespace millwright::solver {
 namespace {
@@ -54,7 +54,7 @@ std::vector<Group> group_labels(const std::vector<Label>& labels, const StateFor
 }  // namespace
 
 /// All labels before a stage of this kind to those before the next; false when time is up.
-bool Frontier::advance_priced(std::size_t stage, const Comparison& comparison) {
+bool StagewiseSearch::advance_covered(std::size_t stage, const Comparison& comparison) {
   const StagePlan& plan = plans_[stage];
   const std::vector<Pair>& useful = useful_[stage + 1];
   Region region;
@@ -93,7 +93,7 @@ bool Frontier::advance_priced(std::size_t stage, const Comparison& comparison) {
 }
 
 /// The same for a stage that chooses nothing and whose scores depend on the state.
-bool Frontier::advance_each(std::size_t stage, const Comparison& comparison) {
+bool StagewiseSearch::advance_each(std::size_t stage, const Comparison& comparison) {
   const StagePlan& plan = plans_[stage];
   std::vector<Label> arrived;
   for (std::uint32_t parent = 0; parent < labels_[stage].size(); ++parent) {
@@ -111,7 +111,7 @@ bool Frontier::advance_each(std::size_t stage, const Comparison& comparison) {
 }
 
 /// Of some labels before a stage those that no other is at least as good as in every coordinate.
-void Frontier::keep_undominated(std::vector<Label> labels, std::size_t stage, const Comparison& comparison) {
+void StagewiseSearch::keep_undominated(std::vector<Label> labels, std::size_t stage, const Comparison& comparison) {
   const std::size_t n = comparison.dimensions();
   std::vector<double> keys(labels.size() * n);
   for (std::size_t i = 0; i < labels.size(); ++i) comparison.key(labels[i].score, labels[i].state, &keys[i * n]);

@@ -8,12 +8,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/frontier.h"
+#include "solver/stagewise_search.h"
 
 namespace millwright::solver {
 /// A single objective: its least. What decides between equals is not compared on the way, or far more would be left
 /// wherever stages add nothing to the objective; and where the least is greater than another one nobody asks for it.
-bool Frontier::find_least() {
+bool StagewiseSearch::find_least() {
   undecided_ = false;
   bool found = aim();
   if (!found && !control_.time_is_up()) {
@@ -25,7 +25,7 @@ bool Frontier::find_least() {
   return true;
 }
 
-bool Frontier::decide_equals() {
+bool StagewiseSearch::decide_equals() {
   find_rest();
   least_known_ = true;
   improve_equals();
@@ -42,7 +42,7 @@ bool Frontier::decide_equals() {
 /// Looks for builds that come to no more than a little above what every build comes to at least. There is little to
 /// look at below that, and the best of what is found is the best of all. Where it is too much, less is looked at. True
 /// when one is found.
-bool Frontier::aim() {
+bool StagewiseSearch::aim() {
   constexpr double first_share = 0.1, largest_share = 0.4, least_share = 0.01;
   least_total_ = std::max(least_total_, rest_.front().front().first);
   double too_much = infinity;  // the least that has been
@@ -64,7 +64,7 @@ bool Frontier::aim() {
 }
 
 /// Every design on the front is in the section of its first score. False: time is up, or something undecided.
-bool Frontier::by_sections() {
+bool StagewiseSearch::by_sections() {
   constexpr std::size_t most_known = 16;  // builds of the front in a section that is tried as a whole
   // What is refined once for the whole front serves all sections.
   settled_ = false;
@@ -105,34 +105,34 @@ bool Frontier::by_sections() {
 
 /// What is too much is cut. What cutting did not make less is tried longer each time, or it would be begun again and
 /// again down to the narrowest section.
-std::size_t Frontier::section_patience(unsigned given_up) const {
+std::size_t StagewiseSearch::section_patience(unsigned given_up) const {
   constexpr unsigned longer = 2, most = 20;  // binary digits
   return control_.options().stage_patience << std::min(longer * given_up, most);
 }
 
 /// First scores of known builds in it.
-std::vector<double> Frontier::known_inside(const Section& section) const {
+std::vector<double> StagewiseSearch::known_inside(const Section& section) const {
   std::vector<double> inside;
   for (const RankedBuild& build : incumbents_.builds())
     if (build.score[0] > section.from && build.score[0] < section.to) inside.push_back(build.score[0]);
   return inside;
 }
 
-double Frontier::middle_of(const Section& section) const {
+double StagewiseSearch::middle_of(const Section& section) const {
   constexpr double more = 0.25;
   const double from = std::max(section.from, least_total_);
   return std::isfinite(section.to) ? 0.5 * (from + section.to) : from + more * std::fabs(from);
 }
 
 /// How far the first scores on the known front lie apart: where they are about zero, no share of them is narrow.
-double Frontier::known_range() const {
+double StagewiseSearch::known_range() const {
   const std::vector<RankedBuild>& builds = incumbents_.builds();
   return builds.empty() ? 0.0 : builds.back().score[0] - least_total_;
 }
 
 /// Away from the ends of a wide section: builds that crowd at one end say little about the rest of it. A narrow one is
 /// cut at builds, so that in the end there is none inside.
-double Frontier::central(double score, const Section& section) const {
+double StagewiseSearch::central(double score, const Section& section) const {
   constexpr double least_share = 0.25, narrow = 0.05;
   const double from = std::max(section.from, least_total_);
   const double width = section.to - from;
@@ -141,7 +141,7 @@ double Frontier::central(double score, const Section& section) const {
 }
 
 /// Whether its scores are too different for bounds that fit all of it.
-bool Frontier::is_wide(const Section& section) const {
+bool StagewiseSearch::is_wide(const Section& section) const {
   constexpr double wide = 0.3, wide_of_all = 0.01;
   const double from = std::max(section.from, least_total_);
   if (!std::isfinite(section.to)) return !known_inside(section).empty();
@@ -149,7 +149,7 @@ bool Frontier::is_wide(const Section& section) const {
 }
 
 /// Whether there is no use in cutting it.
-bool Frontier::is_narrow(const Section& section) const {
+bool StagewiseSearch::is_narrow(const Section& section) const {
   constexpr double narrow = 0.02, narrow_of_all = 0.001;
   constexpr double far = 9.0;
   if (!known_inside(section).empty()) return false;
@@ -158,15 +158,15 @@ bool Frontier::is_narrow(const Section& section) const {
 }
 
 /// Vectors below the known front, as far as it is looked at. False: nothing that is left can change it.
-bool Frontier::find_vectors() {
+bool StagewiseSearch::find_vectors() {
   update_useful();
   return planes_->find_vectors(useful_.back());
 }
 
 /// False: it is too much, time is up, or something is undecided.
-bool Frontier::settle(const Section& section,
-                      const std::vector<StagePlan>& plans,
-                      const std::vector<StateForm>& forms) {
+bool StagewiseSearch::settle(const Section& section,
+                             const std::vector<StagePlan>& plans,
+                             const std::vector<StateForm>& forms) {
   section_ = section;
   const std::vector<Pair> corners = this->corners();
   std::copy(plans.begin(), plans.end(), plans_.begin());

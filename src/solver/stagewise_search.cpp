@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "solver/frontier.h"
+#include "solver/stagewise_search.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "solver/easing.h"
-#include "solver/frontier_sums.h"
 #include "solver/leaf_point.h"
 #include "solver/least_front.h"
 #include "solver/neighbours.h"
 #include "solver/rest_curve.h"
+#include "solver/stagewise_sums.h"
 
 namespace millwright::solver {
 namespace {
 
-constexpr std::size_t front_nodes = 3000;                        // spent on the least front of one stage
-constexpr std::size_t most_combinations = std::size_t{1} << 22;  // kept at a time
-constexpr double rounding_of_sums = 1e-13;                       // less than makes two totals differ
+constexpr std::size_t front_nodes = 3000;                      // spent on the least front of one stage
+constexpr std::size_t most_extensions = std::size_t{1} << 22;  // kept at a time
+constexpr double rounding_of_sums = 1e-13;                     // less than makes two totals differ
 
 /// Room for the rounding of sums, so that bounds stay bounds.
 double with_slack(double bound) { return std::isfinite(bound) ? bound + 1e-11 * std::fabs(bound) : bound; }
@@ -32,25 +32,25 @@ double less_than(double score) { return std::isfinite(score) ? score - 1e-12 * s
 
 }  // namespace
 
-Frontier::Frontier(const Problem& problem,
-                   const Criteria& criteria,
-                   std::vector<StagePlan>& plans,
-                   Incumbents& incumbents,
-                   SearchControl& control)
+StagewiseSearch::StagewiseSearch(const Problem& problem,
+                                 const Criteria& criteria,
+                                 std::vector<StagePlan>& plans,
+                                 Incumbents& incumbents,
+                                 SearchControl& control)
     : problem_(problem), criteria_(criteria), plans_(plans), incumbents_(incumbents), control_(control) {
-  std::size_t priced = 0;
+  std::size_t covered = 0;
   for (const StagePlan& plan : plans_) {
     if (is_covered(plan) && criteria_.objectives == 1) applicable_ = false;  // its covers are coarser than a gap
     forms_.push_back(find_state_form(plan, control_.desk(0)));
     applicable_ = applicable_ && (is_alone(plan) || (forms_.back().additive && !is_covered(plan)));
-    priced += is_covered(plan) ? 1 : 0;
+    covered += is_covered(plan) ? 1 : 0;
   }
   // The stages' shares add up; a little is left for rounding.
   const double tolerance = control_.options().tolerance_of_front();
-  leaf_tolerance_ = 0.9 * tolerance / static_cast<double>(std::max<std::size_t>(priced, 1));
+  leaf_tolerance_ = 0.9 * tolerance / static_cast<double>(std::max<std::size_t>(covered, 1));
 }
 
-bool Frontier::run(bool shared_allowances, double least_total, const std::function<bool()>& otherwise) {
+bool StagewiseSearch::run(bool shared_allowances, double least_total, const std::function<bool()>& otherwise) {
   least_total_ = least_total;
   find_rest();
   if (!pass({.compared = Compared::objectives, .patience = quick_patience()}) && control_.time_is_up()) return false;
@@ -75,7 +75,7 @@ bool Frontier::run(bool shared_allowances, double least_total, const std::functi
 }
 
 /// What all stages from each one on add at least.
-void Frontier::find_rest() {
+void StagewiseSearch::find_rest() {
   const std::size_t stages = plans_.size();
   std::vector<std::vector<Pair>> own(stages);
   control_.crew().run(stages, [&](std::size_t i, unsigned thread) {
@@ -93,7 +93,7 @@ void Frontier::find_rest() {
 }
 
 /// A total matters only below a corner between two neighbours of the known front. `equals`: they may win a tie.
-std::vector<Pair> Frontier::corners(bool equals) const {
+std::vector<Pair> StagewiseSearch::corners(bool equals) const {
   const std::vector<RankedBuild>& builds = incumbents_.builds();
   std::vector<Pair> corners;
   if (criteria_.objectives == 1 && !builds.empty()) {
@@ -120,13 +120,13 @@ std::vector<Pair> Frontier::corners(bool equals) const {
   return criteria_.objectives > 1 ? upper_staircase(std::move(corners)) : corners;
 }
 
-void Frontier::update_useful(bool equals) {
+void StagewiseSearch::update_useful(bool equals) {
   const std::vector<Pair> corners = this->corners(equals);
   useful_.clear();
   for (const auto& rest : rest_) useful_.push_back(difference_of_staircases(corners, rest, staircase_points));
 }
 
-bool Frontier::pass(const Pass& pass) {
+bool StagewiseSearch::pass(const Pass& pass) {
   haste_ = pass.haste;
   patience_ = pass.patience;
   update_useful(pass.compared != Compared::without_ties);
@@ -136,7 +136,7 @@ bool Frontier::pass(const Pass& pass) {
     const int digits = haste_ ? haste_->digits : exact_digits;
     const Comparison comparison(criteria_, plans_[stage].after, pass.compared, digits);
     const bool label_by_label = is_alone(plans_[stage]) && (forms_[stage].scores_vary() || !forms_[stage].additive);
-    const bool advanced = is_covered(plans_[stage]) ? advance_priced(stage, comparison)
+    const bool advanced = is_covered(plans_[stage]) ? advance_covered(stage, comparison)
                           : label_by_label          ? advance_each(stage, comparison)
                                                     : advance(stage, comparison);
     if (!advanced) return false;
@@ -147,7 +147,7 @@ bool Frontier::pass(const Pass& pass) {
 }
 
 /// False: it was given up.
-bool Frontier::find_candidates_of(std::vector<Chunk>& chunks) {
+bool StagewiseSearch::find_candidates_of(std::vector<Chunk>& chunks) {
   if (chunks.empty()) return true;
   std::vector<const CandidateQuestion*> questions;
   for (const Chunk& chunk : chunks) questions.push_back(&chunk.question);
@@ -157,26 +157,26 @@ bool Frontier::find_candidates_of(std::vector<Chunk>& chunks) {
 }
 
 /// All labels before one stage to those before the next; false when time is up.
-bool Frontier::advance(std::size_t stage, const Comparison& comparison) {
+bool StagewiseSearch::advance(std::size_t stage, const Comparison& comparison) {
   std::vector<Chunk> chunks = make_chunks(stage, comparison);
   if (!find_candidates_of(chunks)) return false;
-  combinations_.clear();
+  extensions_.clear();
   keys_.clear();
   if (!control_.while_there_is_time([&] { sharpen_planes(stage, chunks); })) return false;
   for (std::size_t i = 0; i < chunks.size(); ++i) {
     control_.nodes += chunks[i].set.nodes;
     if (!combine(stage, static_cast<std::uint32_t>(i), chunks, comparison)) return false;
   }
-  sort_combinations(comparison);
+  sort_extensions(comparison);
   KnownKeys known(comparison);
   const bool exact = forms_[stage].all_exact();
   std::vector<double> own_key(comparison.dimensions());  // of the label, not of what it was bounded by
-  for (std::size_t i = 0; i < combinations_.size(); ++i) {
+  for (std::size_t i = 0; i < extensions_.size(); ++i) {
     if (i % 1024 == 0 && control_.time_is_up()) return false;
-    const Combination& combination = combinations_[i];
-    const std::span<const double> key(keys_.data() + combination.key, comparison.dimensions());
+    const Extension& extension = extensions_[i];
+    const std::span<const double> key(keys_.data() + extension.key, comparison.dimensions());
     if (known.dominates(key)) continue;
-    if (!arrive(stage, chunks[combination.chunk], combination)) continue;
+    if (!arrive(stage, chunks[extension.chunk], extension)) continue;
     if (!exact) comparison.key(labels_[stage + 1].back().score, labels_[stage + 1].back().state, own_key.data());
     known.add(exact ? key : std::span<const double>(own_key));
   }
@@ -186,7 +186,9 @@ bool Frontier::advance(std::size_t stage, const Comparison& comparison) {
 
 /// Whether what the stages after this one must add to these scores, given what is handed to them, leaves a total that
 /// is below some corner of the known front.
-bool Frontier::may_matter(std::size_t stage, std::span<const double> score, std::span<const double> state) const {
+bool StagewiseSearch::may_matter(std::size_t stage,
+                                 std::span<const double> score,
+                                 std::span<const double> state) const {
   const StagePlan& plan = plans_[stage];
   if (!bearable(plan, state)) return false;
   if (plan.curves.empty() && plan.planes.empty() && criteria_.floors.empty()) return true;
@@ -203,32 +205,32 @@ bool Frontier::may_matter(std::size_t stage, std::span<const double> score, std:
 }
 
 /// Adds the combinations of one chunk. False: there are too many, or time is up.
-bool Frontier::combine(std::size_t stage,
-                       std::uint32_t index,
-                       const std::vector<Chunk>& chunks,
-                       const Comparison& comparison) {
+bool StagewiseSearch::combine(std::size_t stage,
+                              std::uint32_t index,
+                              const std::vector<Chunk>& chunks,
+                              const Comparison& comparison) {
   const Chunk& chunk = chunks[index];
   std::uint32_t label = 0;
   const auto keep = [&](std::uint32_t candidate, const auto& score, const auto&... states) {
-    combinations_.push_back({index, label, candidate, keys_.size()});
+    extensions_.push_back({index, label, candidate, keys_.size()});
     keys_.resize(keys_.size() + comparison.dimensions());
-    comparison.best_key(score, states..., keys_.data() + combinations_.back().key);
+    comparison.best_key(score, states..., keys_.data() + extensions_.back().key);
   };
-  std::size_t most = std::max(most_combinations, 2 * combinations_.size());
+  std::size_t most = std::max(most_extensions, 2 * extensions_.size());
   for (; label < chunk.labels.size(); ++label) {
     sums(stage, chunk, label, 1, keep);
-    if (combinations_.size() > patience_ || control_.time_is_up()) return false;
-    if (combinations_.size() <= most) continue;
+    if (extensions_.size() > patience_ || control_.time_is_up()) return false;
+    if (extensions_.size() <= most) continue;
     compact(stage, chunks, comparison);
-    most = std::max(most_combinations, 2 * combinations_.size());
+    most = std::max(most_extensions, 2 * extensions_.size());
   }
   return true;
 }
 
 /// Ascending in the first coordinate, among equals in the second, ...: nothing is dominated by what comes after it.
-void Frontier::sort_combinations(const Comparison& comparison) {
+void StagewiseSearch::sort_extensions(const Comparison& comparison) {
   const std::size_t n = comparison.dimensions();
-  std::sort(combinations_.begin(), combinations_.end(), [&](const Combination& a, const Combination& b) {
+  std::sort(extensions_.begin(), extensions_.end(), [&](const Extension& a, const Extension& b) {
     const double* left = keys_.data() + a.key;
     const double* right = keys_.data() + b.key;
     for (std::size_t d = 0; d < n; ++d) {
@@ -238,14 +240,14 @@ void Frontier::sort_combinations(const Comparison& comparison) {
   });
 }
 
-/// The key of a combination where what it hands on is at its worst.
-void Frontier::worst_key(std::size_t stage,
-                         const Chunk& chunk,
-                         const Combination& combination,
-                         const Comparison& comparison,
-                         double* out) const {
-  const Label& label = labels_[stage][chunk.labels[combination.label]];
-  const Candidate& candidate = chunk.set.candidates[combination.candidate];
+/// The key of an extension where what it hands on is at its worst.
+void StagewiseSearch::worst_key(std::size_t stage,
+                                const Chunk& chunk,
+                                const Extension& extension,
+                                const Comparison& comparison,
+                                double* out) const {
+  const Label& label = labels_[stage][chunk.labels[extension.label]];
+  const Candidate& candidate = chunk.set.candidates[extension.candidate];
   std::vector<double> score = label.score;
   for (std::size_t k = 0; k < score.size(); ++k) score[k] += candidate.most_score[k];
   std::vector<double> least = candidate.least;
@@ -259,77 +261,77 @@ void Frontier::worst_key(std::size_t stage,
 }
 
 /// Drops what feasible combinations dominate, so that memory stays bounded.
-void Frontier::compact(std::size_t stage, const std::vector<Chunk>& chunks, const Comparison& comparison) {
-  sort_combinations(comparison);
+void StagewiseSearch::compact(std::size_t stage, const std::vector<Chunk>& chunks, const Comparison& comparison) {
+  sort_extensions(comparison);
   const std::size_t n = comparison.dimensions();
   KnownKeys known(comparison);
   const bool exact = forms_[stage].all_exact();
   std::vector<double> worst(n);
   std::size_t looked_at = 0;
   bool hurry = false;
-  std::erase_if(combinations_, [&](const Combination& combination) {
+  std::erase_if(extensions_, [&](const Extension& extension) {
     hurry = hurry || (++looked_at % 1024 == 0 && control_.time_is_up());
     if (hurry) return true;  // the pass is given up anyway
-    const std::span<const double> key(keys_.data() + combination.key, n);
+    const std::span<const double> key(keys_.data() + extension.key, n);
     if (known.dominates(key)) return true;
-    if (chunks[combination.chunk].set.candidates[combination.candidate].universal) {
-      if (!exact) worst_key(stage, chunks[combination.chunk], combination, comparison, worst.data());
+    if (chunks[extension.chunk].set.candidates[extension.candidate].universal) {
+      if (!exact) worst_key(stage, chunks[extension.chunk], extension, comparison, worst.data());
       known.add(exact ? key : std::span<const double>(worst));
     }
     return false;
   });
   std::vector<double> keys;
-  keys.reserve(combinations_.size() * n);
-  for (Combination& combination : combinations_) {
-    const auto from = keys_.begin() + static_cast<std::ptrdiff_t>(combination.key);
-    combination.key = keys.size();
+  keys.reserve(extensions_.size() * n);
+  for (Extension& extension : extensions_) {
+    const auto from = keys_.begin() + static_cast<std::ptrdiff_t>(extension.key);
+    extension.key = keys.size();
     keys.insert(keys.end(), from, from + static_cast<std::ptrdiff_t>(n));
   }
   keys_ = std::move(keys);
 }
 
 /// Decides the feasibility of a design that is not feasible for all of its chunk's labels, once for equal states.
-const LeafAnswer& Frontier::leaf(std::size_t stage, Chunk& chunk, const Combination& combination) {
-  const std::uint64_t name = (std::uint64_t{chunk.group[combination.label]} << 32U) | combination.candidate;
+const LeafAnswer& StagewiseSearch::leaf(std::size_t stage, Chunk& chunk, const Extension& extension) {
+  const std::uint64_t name = (std::uint64_t{chunk.group[extension.label]} << 32U) | extension.candidate;
   const auto [place, first] = chunk.leaves.try_emplace(name);
   if (!first) return place->second;
   const StagePlan& plan = plans_[stage];
   const Region region =
-      region_of(*plan.stage, plan.shared, chunk.set.candidates[combination.candidate].rows, plan.region.variables);
-  const Label& label = labels_[stage][chunk.labels[combination.label]];
+      region_of(*plan.stage, plan.shared, chunk.set.candidates[extension.candidate].rows, plan.region.variables);
+  const Label& label = labels_[stage][chunk.labels[extension.label]];
   place->second = solve_leaf({.plan = &plan,
                               .label = &label,
                               .region = &region,
                               .tolerance = 0.0,
                               .relieve = false,
-                              .start = chunk.set.candidates[combination.candidate].variables},
+                              .start = chunk.set.candidates[extension.candidate].variables},
                              control_.desk(0));
   undecided_ = undecided_ || place->second.undecided;
   return place->second;
 }
 
-/// Takes a combination over if it is feasible.
-bool Frontier::arrive(std::size_t stage, Chunk& chunk, const Combination& combination) {
-  const Candidate& candidate = chunk.set.candidates[combination.candidate];
+/// Takes an extension over if it is feasible.
+bool StagewiseSearch::arrive(std::size_t stage, Chunk& chunk, const Extension& extension) {
+  const Candidate& candidate = chunk.set.candidates[extension.candidate];
   std::vector<double> variables = candidate.variables;
   if (!candidate.universal || !candidate.is_least) {
-    const LeafAnswer& answer = leaf(stage, chunk, combination);
+    const LeafAnswer& answer = leaf(stage, chunk, extension);
     if (answer.points.empty()) return false;
     variables = answer.points.front().variables;
   }
   Label label;
-  if (!evaluate(stage, chunk.labels[combination.label], candidate.rows, std::move(variables), label)) return false;
+  if (!evaluate(stage, chunk.labels[extension.label], candidate.rows, std::move(variables), label)) return false;
   if (!bearable(plans_[stage], label.state)) return false;
   labels_[stage + 1].push_back(std::move(label));
   return true;
 }
 
 /// Evaluates a design that was proved feasible; false when it breaks a limit of the problem.
-bool Frontier::evaluate(std::size_t stage,
-                        std::uint32_t parent,
-                        const std::vector<Row>& rows,
-                        std::vector<double> variables,
-                        Label& label) {
+bool StagewiseSearch::evaluate(std::size_t stage,
+                               std::uint32_t parent,
+                               const std::vector<Row>& rows,
+                               std::vector<double> variables,
+                               Label& label) {
   const Label& from = labels_[stage][parent];
   const auto& answer =
       control_.desk(0).evaluate(*plans_[stage].stage, Point{plans_[stage].shared, from.state, rows, variables});
@@ -355,7 +357,7 @@ bool Frontier::evaluate(std::size_t stage,
   return true;
 }
 
-void Frontier::finish(const Label& label) {
+void StagewiseSearch::finish(const Label& label) {
   RankedBuild ranked;
   ranked.score = label.score;
   ranked.build = build_of(label);
@@ -364,7 +366,7 @@ void Frontier::finish(const Label& label) {
 
 /// The choices of a label from the tool on. Variables that only decide feasibility are moved to where the worst
 /// utilisation is small; that changes neither scores nor states.
-Build Frontier::build_of(const Label& last) {
+Build StagewiseSearch::build_of(const Label& last) {
   Build build;
   build.shared.assign(plans_.front().shared.begin(), plans_.front().shared.end());
   build.stages.resize(plans_.size());
@@ -383,12 +385,12 @@ Build Frontier::build_of(const Label& last) {
 
 /// Totals that are no scores may hang on what has been moved. (That only makes the worst utilisation smaller, so what
 /// was feasible is.)
-void Frontier::take_stock(Build& build) const {
+void StagewiseSearch::take_stock(Build& build) const {
   Build moved = build;
   if (Neighbours(problem_).evaluate(moved)) build = std::move(moved);
 }
 
-void Frontier::relieve(std::size_t stage, const Label& before, StageChoice& choice, double& utilisation) {
+void StagewiseSearch::relieve(std::size_t stage, const Label& before, StageChoice& choice, double& utilisation) {
   const StagePlan& plan = plans_[stage];
   const Region region = region_of(*plan.stage, plan.shared, choice.rows, plan.region.variables);
   const LeafQuestion question{&plan, &before, &region, 0.0, true, {}};

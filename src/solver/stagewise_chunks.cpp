@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "solver/candidate_groups.h"
-#include "solver/frontier.h"
+#include "solver/stagewise_search.h"
 
 namespace millwright::solver {
 namespace {
@@ -18,7 +18,8 @@ constexpr double chunk_width = 0.02;  // relative, of its states
 
 /// Labels with alike states together, by the component that differs most among those that decide about feasibility or
 /// move scores.
-std::vector<Frontier::Chunk> Frontier::make_chunks(std::size_t stage, const Comparison& comparison) const {
+std::vector<StagewiseSearch::Chunk> StagewiseSearch::make_chunks(std::size_t stage,
+                                                                 const Comparison& comparison) const {
   const std::vector<Label>& labels = labels_[stage];
   const StateForm& form = forms_[stage];
   std::vector<Chunk> chunks;
@@ -60,7 +61,7 @@ std::vector<Frontier::Chunk> Frontier::make_chunks(std::size_t stage, const Comp
 }
 
 /// What designs of the stage can matter to the labels of a chunk; and which of these are alike in what decides.
-void Frontier::ask(std::size_t stage, const Comparison& comparison, Chunk& chunk) const {
+void StagewiseSearch::ask(std::size_t stage, const Comparison& comparison, Chunk& chunk) const {
   const std::vector<Label>& labels = labels_[stage];
   const StateForm& form = forms_[stage];
   std::vector<Pair> scores;
@@ -102,7 +103,7 @@ void Frontier::ask(std::size_t stage, const Comparison& comparison, Chunk& chunk
 /// What labels of the chunk and all stages after this one come to, as vectors. `priced(weight, label)`: of the state
 /// that a label hands through.
 template <class Priced>
-void Frontier::ask_vectors(std::size_t stage, Chunk& chunk, Priced&& priced) const {
+void StagewiseSearch::ask_vectors(std::size_t stage, Chunk& chunk, Priced&& priced) const {
   constexpr std::size_t most_labels = 200;
   constexpr std::size_t most = 300;
   const RestVectors& rest = plans_[stage].vectors;
@@ -127,7 +128,7 @@ void Frontier::ask_vectors(std::size_t stage, Chunk& chunk, Priced&& priced) con
 }
 
 /// Planes and staircases over what a stage adds to a label of the chunk, at the label where each is least.
-void Frontier::ask_totals(std::size_t stage, Chunk& chunk) const {
+void StagewiseSearch::ask_totals(std::size_t stage, Chunk& chunk) const {
   constexpr double slack = 1e-11;
   const auto priced = [&](const std::vector<double>& weight, const Label& label) {
     const std::vector<double> nothing(label.state.size(), 0.0);

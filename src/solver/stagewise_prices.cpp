@@ -6,13 +6,13 @@
 #include <array>
 #include <cmath>
 
-#include "solver/frontier.h"
-#include "solver/frontier_sums.h"
 #include "solver/neighbours.h"
 #include "solver/rest_curve.h"
+#include "solver/stagewise_search.h"
+#include "solver/stagewise_sums.h"
 
 namespace millwright::solver {
-Frontier::Difficulty Frontier::find_difficulty() {
+StagewiseSearch::Difficulty StagewiseSearch::find_difficulty() {
   if (control_.time_is_up()) return Difficulty::out_of_time;
   find_rest();
   if (pass({.compared = Compared::objectives, .patience = quick_patience()})) return Difficulty::easy;
@@ -20,7 +20,7 @@ Frontier::Difficulty Frontier::find_difficulty() {
 }
 
 /// While there is no build: passes that save more and more for later stages. False when time is up.
-bool Frontier::look_for_any() {
+bool StagewiseSearch::look_for_any() {
   for (const double share : {0.03, 0.1, 0.3, 1.0}) {
     if (!incumbents_.builds().empty() || !control_.options().look_first) return true;
     for (const std::size_t nodes : {few_nodes, many_nodes})
@@ -30,14 +30,14 @@ bool Frontier::look_for_any() {
 }
 
 /// Whether there is a best build to be changed, of these shared choices.
-bool Frontier::has_own_best() const {
+bool StagewiseSearch::has_own_best() const {
   if (criteria_.objectives > 1 || incumbents_.builds().empty() || !control_.options().look_first) return false;
   const std::vector<Row>& shared = incumbents_.builds().front().build.shared;
   return std::equal(shared.begin(), shared.end(), plans_.front().shared.begin());
 }
 
 /// Changes single parts of the best build for better ones, if it has not been changed yet.
-void Frontier::improve() {
+void StagewiseSearch::improve() {
   if (!has_own_best() || !(incumbents_.builds().front().score[0] < improved_)) return;
   RankedBuild ranked = incumbents_.builds().front();
   const auto value = [&](std::span<const double> resources) {
@@ -50,14 +50,14 @@ void Frontier::improve() {
 }
 
 /// The same for what decides between equals.
-void Frontier::improve_equals() {
+void StagewiseSearch::improve_equals() {
   if (!has_own_best()) return;
   RankedBuild ranked = incumbents_.builds().front();
   Neighbours(problem_).improve_equals(criteria_, ranked, [this] { return control_.time_is_up(); });
   offer_relieved(std::move(ranked));
 }
 
-void Frontier::offer_relieved(RankedBuild ranked) {
+void StagewiseSearch::offer_relieved(RankedBuild ranked) {
   ranked.build.worst_utilisation = 0.0;
   for (std::size_t stage = 0; stage < plans_.size(); ++stage) {
     StageChoice& choice = ranked.build.stages[stage];
@@ -72,7 +72,7 @@ void Frontier::offer_relieved(RankedBuild ranked) {
 
 /// Before a long pass: prices for shared allowances, good builds by them, and less to choose from. False: time is up.
 /// `shared_allowances`: prices have been of use with other shared choices.
-bool Frontier::find_better_first(bool shared_allowances) {
+bool StagewiseSearch::find_better_first(bool shared_allowances) {
   improve();
   for (std::size_t score = 0; score < criteria_.objectives; ++score) mixes_.push_back(Mix::only(score));
   bool priced = false;
@@ -102,7 +102,7 @@ bool Frontier::find_better_first(bool shared_allowances) {
 }
 
 /// A pass for each mix of the objectives; between the builds that are found there are further mixes. False: time is up.
-bool Frontier::look_for_builds(const Haste& haste) {
+bool StagewiseSearch::look_for_builds(const Haste& haste) {
   constexpr std::size_t most_mixes = 7;
   if (!control_.options().look_first) return true;
   Haste here = haste;
@@ -119,7 +119,7 @@ bool Frontier::look_for_builds(const Haste& haste) {
 }
 
 /// Across the longest edge of the convex hull of the known front, if no mix is like it.
-std::optional<Mix> Frontier::next_mix() const {
+std::optional<Mix> StagewiseSearch::next_mix() const {
   std::vector<Pair> hull;
   for (const RankedBuild& build : incumbents_.builds()) {
     const Pair point{build.score[0], build.score[1]};
@@ -152,7 +152,7 @@ std::optional<Mix> Frontier::next_mix() const {
 }
 
 /// Of the builds known, or infinity.
-std::vector<double> Frontier::highest_scores() const {
+std::vector<double> StagewiseSearch::highest_scores() const {
   std::vector<double> most(criteria_.objectives, incumbents_.builds().empty() ? infinity : -infinity);
   for (const RankedBuild& build : incumbents_.builds())
     for (std::size_t k = 0; k < most.size(); ++k) most[k] = std::max(most[k], build.score[k]);
@@ -160,12 +160,12 @@ std::vector<double> Frontier::highest_scores() const {
 }
 
 /// Planes over the states. False where nothing has a price.
-bool Frontier::find_planes() {
+bool StagewiseSearch::find_planes() {
   for (const Mix& mix : mixes_) find_plane(mix);
   return std::any_of(plans_.begin(), plans_.end(), [](const StagePlan& plan) { return !plan.planes.empty(); });
 }
 
-void Frontier::find_plane(const Mix& mix) {
+void StagewiseSearch::find_plane(const Mix& mix) {
   double known = infinity;
   for (const RankedBuild& build : incumbents_.builds()) known = std::min(known, mix.of(build.score));
   const double least = planes_->find(mix, known);
@@ -173,7 +173,7 @@ void Frontier::find_plane(const Mix& mix) {
 }
 
 /// Leaves out what cannot reach the known front. False: nothing that is left can.
-bool Frontier::restrict_stages() {
+bool StagewiseSearch::restrict_stages() {
   update_useful();
   if (!planes_->restrict_to(useful_.back())) return false;
   Desk& desk = control_.desk(0);
@@ -189,7 +189,7 @@ bool Frontier::restrict_stages() {
 
 /// What a component handed on weighs against a mix of scores of `unit`: by its price, or where there is none such that
 /// using up all that later stages can bear counts like a share of the score.
-std::vector<double> Frontier::state_weights(std::size_t stage, double unit) const {
+std::vector<double> StagewiseSearch::state_weights(std::size_t stage, double unit) const {
   const StagePlan& plan = plans_[stage];
   std::vector<double> weights(plan.most_after.size(), 0.0);
   const auto priced = std::find_if(
@@ -205,7 +205,7 @@ std::vector<double> Frontier::state_weights(std::size_t stage, double unit) cons
 }
 
 /// Keeps the best of many labels: by what they lead to at least, or by their scores and weighed states.
-void Frontier::keep_best(std::size_t stage) {
+void StagewiseSearch::keep_best(std::size_t stage) {
   std::vector<Label>& labels = labels_[stage + 1];
   if (labels.size() <= haste_->labels) return;
   const RestVectors& rest = plans_[stage].vectors;
@@ -231,7 +231,7 @@ void Frontier::keep_best(std::size_t stage) {
 }
 
 /// Planes for those of many combinations that have the least bounds.
-void Frontier::sharpen_planes(std::size_t stage, const std::vector<Chunk>& chunks) {
+void StagewiseSearch::sharpen_planes(std::size_t stage, const std::vector<Chunk>& chunks) {
   constexpr std::size_t many = 5000, samples = 1000, rounds = 8;
   constexpr double worthwhile = 1e-3;
   std::size_t number = 0;

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Labels before a stage with the designs that can matter to them, as sums; for the parts of frontier.h.
+// Labels before a stage with the designs that can matter to them, as sums; for the parts of stagewise_search.h.
 #pragma once
 
-#include "solver/frontier.h"
+#include "solver/stagewise_search.h"
 
 namespace millwright::solver {
 
 /// A label of a chunk with every candidate, as sums of scores and of the least and the most that is handed on; told of
 /// those that may matter. One in `stride` of all combinations of the chunk, counted label by label.
 template <class Found>
-void Frontier::sums(std::size_t stage, const Chunk& chunk, std::uint32_t i, std::size_t stride, Found&& found) const {
+void StagewiseSearch::sums(
+    std::size_t stage, const Chunk& chunk, std::uint32_t i, std::size_t stride, Found&& found) const {
   const std::vector<Pair>& useful = useful_[stage + 1];
   const StateForm& form = forms_[stage];
   const std::size_t candidates = chunk.set.candidates.size();

@@ -32,7 +32,7 @@
 // stage that chooses nothing (what is owned of a part and what is to be bought) is asked label by label then.
 //
 // Where stages share allowances that bind, prices for those and for mixes of the two objectives come first
-// (rest_plane.h), and what is too much at once is done in sections of the front (frontier_sections.cpp).
+// (rest_plane.h), and what is too much at once is done in sections of the front (stagewise_sections.cpp).
 //
 // What it cannot do is left to branch_and_bound.h: other variables that move scores or states together with slots,
 // states that do not simply add up (state_form.h), designs whose feasibility stays undecided.
@@ -57,13 +57,13 @@
 
 namespace millwright::solver {
 
-class Frontier {
+class StagewiseSearch {
  public:
-  Frontier(const Problem& problem,
-           const Criteria& criteria,
-           std::vector<StagePlan>& plans,
-           Incumbents& incumbents,
-           SearchControl& control);
+  StagewiseSearch(const Problem& problem,
+                  const Criteria& criteria,
+                  std::vector<StagePlan>& plans,
+                  Incumbents& incumbents,
+                  SearchControl& control);
 
   /// Whether the method can do this problem at all.
   [[nodiscard]] bool applicable() const { return applicable_; }
@@ -138,7 +138,7 @@ class Frontier {
     std::unordered_map<std::uint64_t, LeafAnswer> leaves;  ///< [group, candidate]
   };
   /// A label with a candidate; its key is in keys_.
-  struct Combination {
+  struct Extension {
     std::uint32_t chunk = 0, label = 0, candidate = 0;
     std::size_t key = 0;
   };
@@ -158,7 +158,7 @@ class Frontier {
   std::vector<Pair> corners(bool equals = true) const;
   bool advance(std::size_t stage, const Comparison& comparison);
   bool find_candidates_of(std::vector<Chunk>& chunks);
-  bool advance_priced(std::size_t stage, const Comparison& comparison);
+  bool advance_covered(std::size_t stage, const Comparison& comparison);
   bool advance_each(std::size_t stage, const Comparison& comparison);
   void find_rest();
   std::vector<double> highest_scores() const;
@@ -178,21 +178,21 @@ class Frontier {
   void ask_vectors(std::size_t stage, Chunk& chunk, Priced&& priced) const;
   [[nodiscard]] bool may_matter(std::size_t stage, std::span<const double> score, std::span<const double> state) const;
   bool combine(std::size_t stage, std::uint32_t index, const std::vector<Chunk>& chunks, const Comparison& comparison);
-  void sort_combinations(const Comparison& comparison);
+  void sort_extensions(const Comparison& comparison);
   void compact(std::size_t stage, const std::vector<Chunk>& chunks, const Comparison& comparison);
   void worst_key(std::size_t stage,
                  const Chunk& chunk,
-                 const Combination& combination,
+                 const Extension& extension,
                  const Comparison& comparison,
                  double* out) const;
-  bool arrive(std::size_t stage, Chunk& chunk, const Combination& combination);
+  bool arrive(std::size_t stage, Chunk& chunk, const Extension& extension);
   bool evaluate(std::size_t stage,
                 std::uint32_t parent,
                 const std::vector<Row>& rows,
                 std::vector<double> variables,
                 Label& label);
   void keep_undominated(std::vector<Label> labels, std::size_t stage, const Comparison& comparison);
-  const LeafAnswer& leaf(std::size_t stage, Chunk& chunk, const Combination& combination);
+  const LeafAnswer& leaf(std::size_t stage, Chunk& chunk, const Extension& extension);
   void finish(const Label& label);
   Build build_of(const Label& last);
   void take_stock(Build& build) const;
@@ -211,9 +211,9 @@ class Frontier {
   std::vector<std::vector<Pair>> rest_;     ///< [stage]: least added by this and all later stages
   std::vector<std::vector<Pair>> useful_;   ///< [stage]: what a label before it must be below
   std::vector<std::vector<Label>> labels_;  ///< [stage]
-  std::vector<Combination> combinations_;
+  std::vector<Extension> extensions_;
   std::vector<double> keys_;
-  double leaf_tolerance_ = 0.0;  ///< of one stage with priced variables
+  double leaf_tolerance_ = 0.0;  ///< of one stage that is covered
   bool applicable_ = true;
   bool undecided_ = false;
   bool used_prices_ = false;
