@@ -6,6 +6,7 @@
 
 #include "app/program.h"
 #include "catch.h"
+#include "sanitized.h"
 #include "text/utf8.h"
 
 namespace millwright::app::explain_test {
@@ -193,6 +194,7 @@ TEST_CASE("An optimum inside its bounds is explained too") {
 
 // The shipped inserter goes to the board at 500 mm/s along a path; an axis has its share of that.
 TEST_CASE("What a machine's own move asks is told as it is written, with where and how to change it") {
+  if (sanitized) return;  // some twenty searches, of kinds that the tests above make as well
   const Workshop shop;
   const std::string inserter = MILLWRIGHT_SOURCE_DIR "/problems/inserter.toml";
   const Outcome priced = shop.run({"explain", inserter, "--json", "-"});
@@ -218,6 +220,7 @@ TEST_CASE("What a machine's own move asks is told as it is written, with where a
 }
 
 TEST_CASE("Ways out of several conflicts are not said to be enough for all of them") {
+  if (sanitized) return;  // a minute of searches, of kinds that other tests make as well
   const Workshop shop;
   const Outcome outcome = shop.run({"explain",
                                     MILLWRIGHT_SOURCE_DIR "/problems/lifter.toml",

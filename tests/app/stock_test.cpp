@@ -87,13 +87,6 @@ TEST_CASE("No driver is asked for a current it does not give, though drivers are
   CHECK(drivers_of(built_at(shop, "\"2.5 A\"", {})) == right);
   shop.write("stocked/stock.csv", "part_number,owned\nTMC2130,1\n");  // 2 A
   CHECK(drivers_of(built_at(shop, "\"2.5 A\"", {"--catalogue", "stocked"})) == right);
-  // The inertia of every rotor may be off by so much that the best build without this breaks.
-  for (const auto& file : std::filesystem::directory_iterator(MILLWRIGHT_SOURCE_DIR "/catalogues/steppers"))
-    shop.write("off/steppers/" + file.path().filename().string(),
-               with_column(shop.read(file.path().string()), "rotor_inertia_tolerance", "40 %"));
-  const Json robust = built_at(shop, "\"2.5 A\"", {"--catalogue", "off", "--robust"});
-  CHECK(drivers_of(robust) == right);
-  CHECK(robust.at("tolerances").at("robust").at("sets_of_values") > 0);  // the build without them would break
   const Outcome weak = shop.run({"solve",
                                  belt_printer,
                                  "--catalogue",
@@ -104,6 +97,14 @@ TEST_CASE("No driver is asked for a current it does not give, though drivers are
                                  "x.driver=A4988"});
   CHECK(weak.exit_code == 2);
   CHECK(weak.says("'A4988' cannot be the driver of axis 'x'"));
+  if (sanitized) return;  // the robust search is tested with smaller machines
+  // The inertia of every rotor may be off by so much that the best build without this breaks.
+  for (const auto& file : std::filesystem::directory_iterator(MILLWRIGHT_SOURCE_DIR "/catalogues/steppers"))
+    shop.write("off/steppers/" + file.path().filename().string(),
+               with_column(shop.read(file.path().string()), "rotor_inertia_tolerance", "40 %"));
+  const Json robust = built_at(shop, "\"2.5 A\"", {"--catalogue", "off", "--robust"});
+  CHECK(drivers_of(robust) == right);
+  CHECK(robust.at("tolerances").at("robust").at("sets_of_values") > 0);  // the build without them would break
 }
 
 TEST_CASE("What is owned and priced in a currency without a rate is said not to be used") {
