@@ -93,10 +93,8 @@ T fatigue_safety(const StructureMember<T>& d) {
   namespace sec = mechanics::section;
   namespace mat = mechanics::material;
   const Member& m = d.data->member;
-  const T amplitude =
-      named("σ_a",
-            m.notch_factor *
-                sec::bending_stress(d.resultant_moment(), d.section.strong_second_moment, 0.5 * d.section.height));
+  const T amplitude = named(
+      "σ_a", m.notch_factor * sec::bending_stress_of_modulus(d.resultant_moment(), d.section.strong_section_modulus));
   T mean = in_unit<T>(0.0, dimension::pressure);
   if (m.torque > 0.0)
     mean = named("σ_m",

@@ -31,7 +31,7 @@ template <class T>
 struct SectionReading {
   T area{}, strong_second_moment{}, weak_second_moment{};
   T least_second_moment{};  ///< about whichever axis: a column buckles and a beam swings that way
-  T strong_section_modulus{}, weak_section_modulus{};  ///< of the catalogue only
+  T strong_section_modulus{}, weak_section_modulus{};
   T height{}, width{}, mass_per_length{};
   T torsion_width{};     ///< times torque over torsion constant: the largest shear stress, or more
   T torsion_constant{};  ///< NaN where the catalogue has none
@@ -58,11 +58,6 @@ inline constexpr std::size_t section_readings_needed = 10;  ///< the last is for
 /// A plate wider than this times its span does not help a load in its middle any more: its deflection there tends to
 /// 0.01695 F L²/D, that of a strip of 1.229 L [timoshenko_plates, Table 23].
 inline constexpr double plate_effective_width = 1.229;
-
-/// Whether a member of this kind is of a catalogue's section.
-constexpr bool is_of_catalogue(MemberKind kind) {
-  return kind == MemberKind::section_beam || kind == MemberKind::column || kind == MemberKind::portal_frame;
-}
 
 struct MemberData {
   Member member;
@@ -125,8 +120,6 @@ struct StructureMember {
   void take_section();
   T deflection_of(const T& point, const T& distributed, const T& second_moment, const T& bent_height) const;
   T moment_of(const T& point, const T& distributed) const;
-  T strong_stress(const T& bending_moment) const;
-  T weak_stress(const T& bending_moment) const;
   void add_twisting();
   void derive_bending();
   void derive_portal();
@@ -166,26 +159,17 @@ void StructureMember<T>::take_section() {
     section.width = strip;
     section.mass_per_length = density * section.area;
     section.torsion_constant = named("J", sec::rectangle_torsion_constant(strip, thickness));
+  } else {
+    return;  // of a catalogue's section
   }
-  if (data->member.kind == MemberKind::rectangular_bar || data->member.kind == MemberKind::plate)
-    section.least_second_moment = smaller(section.strong_second_moment, section.weak_second_moment);
-}
-
-/// In the outermost fibre, which of channels and angles is not half the height away.
-template <class T>
-T StructureMember<T>::strong_stress(const T& bending_moment) const {
-  namespace sec = mechanics::section;
-  return is_of_catalogue(data->member.kind)
-             ? sec::bending_stress_of_modulus(bending_moment, section.strong_section_modulus)
-             : sec::bending_stress(bending_moment, section.strong_second_moment, 0.5 * section.height);
-}
-
-template <class T>
-T StructureMember<T>::weak_stress(const T& bending_moment) const {
-  namespace sec = mechanics::section;
-  return is_of_catalogue(data->member.kind)
-             ? sec::bending_stress_of_modulus(bending_moment, section.weak_section_modulus)
-             : sec::bending_stress(bending_moment, section.weak_second_moment, 0.5 * section.width);
+  if (data->member.kind == MemberKind::round_shaft) {
+    section.strong_section_modulus = named("W", sec::modulus(section.strong_second_moment, 0.5 * diameter));
+    section.weak_section_modulus = section.strong_section_modulus;
+    return;
+  }
+  section.least_second_moment = smaller(section.strong_second_moment, section.weak_second_moment);
+  section.strong_section_modulus = named("W_y", sec::modulus(section.strong_second_moment, 0.5 * section.height));
+  section.weak_section_modulus = named("W_z", sec::modulus(section.weak_second_moment, 0.5 * section.width));
 }
 
 template <class T>
@@ -246,6 +230,7 @@ void StructureMember<T>::add_twisting() {
 template <class T>
 void StructureMember<T>::derive_bending() {
   using namespace scalar;
+  namespace sec = mechanics::section;
   const T gravity = in_unit<T>(standard_gravity, dimension::acceleration);
   const T own = section.mass_per_length * gravity;
   const T no_load = in_unit<T>(0.0, dimension::force / dimension::length);
@@ -253,7 +238,7 @@ void StructureMember<T>::derive_bending() {
   moment = named("M", moment_of(force, own));
   lateral_moment = named("M_z", moment_of(lateral, no_load));
   const T down = deflection_of(force, own, section.strong_second_moment, section.height);
-  const T stress_down = strong_stress(moment);
+  const T stress_down = sec::bending_stress_of_modulus(moment, section.strong_section_modulus);
   if (data->member.lateral_force == 0.0) {
     deflection = named("δ", down);
     stress = named("σ", stress_down);
@@ -262,7 +247,7 @@ void StructureMember<T>::derive_bending() {
   const T sideways = deflection_of(lateral, no_load, section.weak_second_moment, section.width);
   deflection = named("δ", sqrt(square(down) + square(sideways)));
   // A round section has its two maxima on different fibres; adding them is safe.
-  stress = named("σ", stress_down + weak_stress(lateral_moment));
+  stress = named("σ", stress_down + sec::bending_stress_of_modulus(lateral_moment, section.weak_section_modulus));
   add_twisting();
 }
 
@@ -270,6 +255,7 @@ template <class T>
 void StructureMember<T>::derive_portal() {
   using namespace scalar;
   namespace col = mechanics::column;
+  namespace sec = mechanics::section;
   const T own = section.mass_per_length * in_unit<T>(standard_gravity, dimension::acceleration);
   const T lateral = lateral_force();
   const T rise = column_length();
@@ -285,11 +271,12 @@ void StructureMember<T>::derive_portal() {
   const T swaying = named("M_s", col::portal_corner_moment(lateral, rise, ratio));
   const T corner = named("M_c", hanging + swaying);
   const T foot = named("M_f", 0.5 * hanging + col::portal_foot_moment(lateral, rise, ratio));
-  stress = named("σ", strong_stress(larger(moment, corner)));
+  stress = named("σ", sec::bending_stress_of_modulus(larger(moment, corner), section.strong_section_modulus));
   // The corners' moments make a couple in the columns, which presses on one and pulls the other.
   axial_force = named("N", 0.5 * on_beam + own * rise + 2.0 * swaying / length());
-  column_stress =
-      named("σ_c", mechanics::section::direct_stress(axial_force, section.area) + strong_stress(larger(corner, foot)));
+  column_stress = named("σ_c",
+                        sec::direct_stress(axial_force, section.area) +
+                            sec::bending_stress_of_modulus(larger(corner, foot), section.strong_section_modulus));
   sway = named("δ_s", lateral / col::portal_stiffness(elastic_modulus(), second_moment, rise, second_moment, length()));
   mass = named("m_b", data->member.count * section.mass_per_length * (2.0 * rise + length()));
 }
