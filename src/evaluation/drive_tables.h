@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "catalogue/catalogue.h"
@@ -52,27 +53,33 @@ struct MotorRanges {
   scalar::Interval mass;  ///< kg, of the motor
 };
 
+/// What motors with their drivers have at each supply voltage of the problem: the same for many of them.
+struct AtVoltages {
+  std::vector<double> voltages;  ///< V
+  /// Published, per voltage, null where the model governs; empty where it does at all of them.
+  std::vector<std::shared_ptr<const mechanics::PullOutCurve>> curves = {};
+  std::vector<MotorRanges> ranges = {};  ///< per voltage; empty where every figure is what it is
+};
+
 /// A motor with a driver at each supply voltage of the problem.
 struct MotorPair {
-  int motor = 0;                                        ///< row in the catalogue
-  double mass = 0.0;                                    ///< kg, of the motor: the driver is in its cabinet
-  double shaft = 0.0;                                   ///< m
-  double frame_size = 0.0;                              ///< m
-  machine::MotorFigures<double> figures;                ///< at no voltage
-  std::shared_ptr<const std::vector<double>> voltages;  ///< V, the same for all pairs of a table
-  /// Published, per voltage, null where the model governs; empty where it does at all of them.
-  std::vector<std::shared_ptr<const mechanics::PullOutCurve>> curves;
-  std::vector<MotorRanges> ranges;  ///< per voltage; empty where every figure is what it is
+  int motor = 0;                          ///< row in the catalogue
+  double mass = 0.0;                      ///< kg, of the motor: the driver is in its cabinet
+  double shaft = 0.0;                     ///< m
+  double frame_size = 0.0;                ///< m
+  machine::MotorFigures<double> figures;  ///< at no voltage
+  std::shared_ptr<const AtVoltages> at;
 
   [[nodiscard]] machine::MotorFigures<double> figures_at(std::size_t voltage) const {
     machine::MotorFigures<double> result = figures;
-    result.voltage = (*voltages)[voltage];
+    result.voltage = at->voltages[voltage];
     return result;
   }
   /// Null where the model governs.
   [[nodiscard]] const mechanics::PullOutCurve* curve_at(std::size_t voltage) const {
-    return curves.empty() ? nullptr : curves[voltage].get();
+    return at->curves.empty() ? nullptr : at->curves[voltage].get();
   }
+  [[nodiscard]] std::span<const MotorRanges> ranges() const { return at->ranges; }
 };
 struct MotorTable {
   SlotTable table;               ///< no readings of its own: they depend on the voltage

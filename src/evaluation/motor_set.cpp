@@ -30,7 +30,7 @@ MotorSet::MotorSet(std::vector<MotorPair> pairs,
 }
 
 void MotorSet::read_ranges(std::size_t voltage, const MotorPair& pair, std::vector<Interval>& readings) const {
-  const MotorRanges& ranges = pair.ranges[voltage];
+  const MotorRanges& ranges = pair.ranges()[voltage];
   const double published = require_(Requirement::torque_margin);
   const double estimated = require_(require_.margin_of_model());
   Interval margin = ranges.model_may_govern ? estimated : published;
@@ -45,7 +45,7 @@ void MotorSet::read_ranges(std::size_t voltage, const MotorPair& pair, std::vect
 
 void MotorSet::read(std::size_t voltage, std::span<const solver::Row> rows, std::vector<Interval>& readings) const {
   const MotorPair& only = pairs_[rows.front()];
-  if (rows.size() == 1 && !only.ranges.empty()) {  // its torque is asked for at a speed
+  if (rows.size() == 1 && !only.ranges().empty()) {  // its torque is asked for at a speed
     read_ranges(voltage, only, readings);
     return;
   }

@@ -60,7 +60,7 @@ class MotorSet {
   [[nodiscard]] T torque(const RowsAlive& alive, std::size_t voltage, const T& angular_speed) const {
     if constexpr (std::is_same_v<T, scalar::Interval>) {
       const MotorPair& first = pairs_[alive.front()];
-      if (alive.size() == 1 && !first.ranges.empty()) return available_torque(first.ranges[voltage], angular_speed);
+      if (alive.size() == 1 && !first.ranges().empty()) return available_torque(first.ranges()[voltage], angular_speed);
     }
     if (alive.size() == 1) return available_torque<T>(pairs_[alive.front()], voltage, angular_speed);
     if constexpr (std::is_same_v<T, scalar::Interval>) {

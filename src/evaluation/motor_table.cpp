@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <span>
 #include <tuple>
 
 #include "evaluation/drive_tables.h"
@@ -158,12 +159,22 @@ class MotorPairs {
       : motors_(catalogue.table(Family::steppers)),
         axis_(axis),
         voltages_(voltages),
-        shared_voltages_(std::make_shared<const std::vector<double>>(voltages)),
+        modelled_(std::make_shared<const AtVoltages>(AtVoltages{voltages})),
         driver_table_(catalogue.table(Family::drivers)),
         curve_table_(catalogue.table(Family::stepper_curves)),
         drivers_(driver_table_, axis, voltages, prices),
         curves_(read_curves(curve_table_, [&](int row) { return curve_table_.number(curve_torque, row); })) {
     for (const IncompleteRow& row : drivers_.incomplete()) table.table.note_incomplete(row);
+  }
+
+  /// Pairs are many: a table that moves while it grows touches twice the memory.
+  void reserve(std::span<const Motor> motors) {
+    std::size_t more = 0;
+    for (const Motor& motor : motors)
+      for (const double current : settable_currents(axis_, motor.figures.rated_current))
+        for (const Driver* driver : drivers_.at(current).kept) more += takes(*driver) ? 1 : 0;
+    table.table.reserve(table.table.rows() + more, 2);
+    table.pairs.reserve(table.pairs.size() + more);
   }
 
   void add(const Motor& motor) {
@@ -172,7 +183,7 @@ class MotorPairs {
       const std::size_t first = table.table.rows();
       const DriverChoices::Choice& choice = drivers_.at(current);
       for (const Driver* driver : choice.kept)
-        if (!only_driver || is_part(driver_table_, driver->row, *only_driver)) add(motor, *driver, current);
+        if (takes(*driver)) add(motor, *driver, current);
       for (std::size_t i = 0; i < choice.covered_by.size(); ++i) {
         std::vector<solver::Row> by;
         for (const std::size_t k : choice.covered_by[i]) by.push_back(static_cast<solver::Row>(first + k));
@@ -185,6 +196,9 @@ class MotorPairs {
   std::optional<machine::PartName> only_driver;  ///< where every driver is kept
 
  private:
+  [[nodiscard]] bool takes(const Driver& driver) const {
+    return !only_driver || is_part(driver_table_, driver.row, *only_driver);
+  }
   void add(const Motor& motor, const Driver& driver, double current) {
     MotorPair pair;
     pair.motor = motor.row;
@@ -197,12 +211,7 @@ class MotorPairs {
     f.driver_largest_voltage = driver.largest_voltage;
     f.driver_least_voltage = driver.least_voltage;
     pair.figures = f;
-    pair.voltages = shared_voltages_;
-    if (motor_curves_ != nullptr)
-      for (const double v : voltages_) {
-        const auto* const curve = governing(*motor_curves_, v, std::min(driver.peak_current, current));
-        pair.curves.push_back(curve == nullptr ? nullptr : made_of(curve->second));
-      }
+    pair.at = motor_curves_ == nullptr ? modelled_ : with_curves(std::min(driver.peak_current, current));
     CandidateDraft candidate =
         candidate_of({{"motor", Family::steppers, motor.row, 1.0, 0.0, motor.price, motor.mass},
                       {"driver", Family::drivers, driver.row, 1.0, 0.0, driver.price, driver.mass}},
@@ -230,11 +239,13 @@ class MotorPairs {
     f.driver_peak_current = driver_table_.range(column(Family::drivers, "peak_current"), driver.row);
     f.driver_largest_voltage = driver_table_.range(column(Family::drivers, "maximum_voltage"), driver.row);
     f.driver_least_voltage = driver_table_.range(column(Family::drivers, "minimum_voltage"), driver.row);
+    AtVoltages at = *pair.at;
     for (const double v : voltages_) {
       f.voltage = v;
       take_curves(motor, v, smaller(f.driver_peak_current, f.asked_current), of_pair);
-      pair.ranges.push_back(of_pair);
+      at.ranges.push_back(of_pair);
     }
+    pair.at = std::make_shared<const AtVoltages>(std::move(at));
     candidate.ranges = candidate_ranges(
         {}, candidate.price, {}, of_pair.mass, driver_table_.range(column(Family::drivers, "mass"), driver.row));
   }
@@ -261,6 +272,18 @@ class MotorPairs {
     }
   }
 
+  /// Of the motor that is added, by what it is driven with. Its drivers often have the same curves.
+  std::shared_ptr<const AtVoltages> with_curves(double current) {
+    AtVoltages at{voltages_};
+    for (const double v : voltages_) {
+      const auto* const curve = governing(*motor_curves_, v, current);
+      at.curves.push_back(curve == nullptr ? nullptr : made_of(curve->second));
+    }
+    if (std::ranges::all_of(at.curves, [](const auto& curve) { return curve == nullptr; })) return modelled_;
+    if (curved_ == nullptr || curved_->curves != at.curves) curved_ = std::make_shared<const AtVoltages>(std::move(at));
+    return curved_;
+  }
+
   /// A curve, made once for all pairs that it governs.
   std::shared_ptr<const mechanics::PullOutCurve> made_of(const CurvePoints& points) {
     auto& made = made_[&points];
@@ -271,7 +294,8 @@ class MotorPairs {
   const Table& motors_;
   const machine::Axis& axis_;
   const std::vector<double>& voltages_;
-  std::shared_ptr<const std::vector<double>> shared_voltages_;
+  std::shared_ptr<const AtVoltages> modelled_;  ///< of motors without curves
+  std::shared_ptr<const AtVoltages> curved_;    ///< of the last one with some
   const Table& driver_table_;
   const Table& curve_table_;
   DriverChoices drivers_;
@@ -289,11 +313,14 @@ MotorTable motor_table(const catalogue::Catalogue& catalogue,
   const Table& motors = catalogue.table(Family::steppers);
   MotorPairs pairs(catalogue, axis, voltages, prices);
   const auto add_motors = [&](const std::optional<machine::PartName>& only) {
+    std::vector<Motor> complete;
     for (const int row : motors.rows_in_order()) {
       if (only && !is_part(motors, row, *only)) continue;
       if (!machine::word_columns::motor_frame.takes(axis.motor.frames, motors, row)) continue;
-      if (const auto motor = motor_of(motors, row, prices, pairs.table.table)) pairs.add(*motor);
+      if (const auto motor = motor_of(motors, row, prices, pairs.table.table)) complete.push_back(*motor);
     }
+    pairs.reserve(complete);
+    for (const Motor& motor : complete) pairs.add(motor);
   };
   if (axis.keep_every_candidate) pairs.only_driver = axis.motor.given_driver;
   add_motors(axis.motor.given);
