@@ -127,8 +127,8 @@ solver::Summary solve_with_start(const MachineModel& model, const SearchOptions&
     summary.builds = {solver::best_nearby(
         model.problem(), solver_options(model, options), (found ? summary : start).builds.front(), stop)};
     const double value = value_of(summary.builds.front());
-    // A search that finds nothing where there is a build has proved nothing.
-    summary.lower_bound = refuted ? 0.0 : std::min(summary.lower_bound, value);
+    // A search that finds nothing where there is a build has proved nothing; nor has one that was ended at once.
+    summary.lower_bound = refuted ? 0.0 : std::min(std::max(summary.lower_bound, 0.0), value);
     summary.gap = (value - summary.lower_bound) / std::max(std::abs(value), 1e-300);
     // Where nothing that is better by more than the gap exists, what is there is as good.
     summary.status = summary.gap <= options.gap ? solver::Status::optimal : solver::Status::limit;

@@ -5,12 +5,13 @@
 #include <cmath>
 #include <limits>
 
+#include "solver/criteria.h"
+
 namespace millwright::solver {
 namespace {
 
 /// A design counts as feasible when its utilisation is at most 1 as computed in double; this much may be lost there.
-constexpr double rounding_slack = 1e-11;
-constexpr double utilisation_limit = 1.0 + rounding_slack;
+constexpr double utilisation_limit = 1.0 + bound_slack;
 
 }  // namespace
 
@@ -83,7 +84,7 @@ void BoxSlopes::raise(std::span<const Interval> side, Bounds& bounds) const {
         best = std::max(best, (Interval(bound) - Interval(price) * Interval(utilisation_limit)).lower);
       }
     }
-    return best - rounding_slack * std::fabs(best);
+    return best - bound_slack * std::fabs(best);
   };
   for (std::size_t k = 0; k < bounds.score.size(); ++k)
     bounds.score[k] = std::max(bounds.score[k], least([k](const Answers& all) { return all.score[k]; }));

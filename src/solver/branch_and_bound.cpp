@@ -14,8 +14,6 @@ namespace {
 
 constexpr std::size_t batch_size = 8;
 
-double below(double a, double b) { return scalar::rounding::sum_down(a, b); }
-
 std::vector<OpenBox::Origin> origins_of(const std::vector<OpenBox>& boxes) {
   std::vector<OpenBox::Origin> origins;
   for (const OpenBox& box : boxes) origins.push_back(box.origin);
@@ -59,7 +57,8 @@ BranchAndBound::BranchAndBound(const Problem& problem,
     for (const OpenRegion& part : plan.open_regions) {
       auto& least = tail.emplace_back(criteria_.size());
       for (std::size_t k = 0; k < least.size(); ++k) {
-        least[k] = below(std::max(part.bounds.score[k], plan.least[k]), rest_after(plan, k, part.bounds.handed_on));
+        least[k] =
+            total_down(std::max(part.bounds.score[k], plan.least[k]), rest_after(plan, k, part.bounds.handed_on));
       }
     }
     for (std::size_t i = tail.size(); i-- > 1;) {
@@ -94,7 +93,7 @@ bool BranchAndBound::make_stream(std::uint32_t index, std::size_t region, Node& 
   for (std::size_t k = 0; k < node.score.size(); ++k) {
     double least = tail_[label.stage][region][k];
     if (label.stage > 0) least = std::max(least, rest_after(plans_[label.stage - 1], k, label.enclosure));
-    node.score[k] = below(label.score_lower[k], least);
+    node.score[k] = total_down(label.score_lower[k], least);
   }
   criteria_.raise(node.score);
   return true;
@@ -119,8 +118,8 @@ void BranchAndBound::note_scores(const Bounds& bounds, Node& node) const {
   node.score.resize(criteria_.size());
   node.reached.resize(criteria_.size());
   for (std::size_t k = 0; k < node.score.size(); ++k) {
-    node.reached[k] = below(label.score_lower[k], std::max(bounds.score[k], plan.least[k]));
-    node.score[k] = below(node.reached[k], rest_after(plan, k, node.handed_on));
+    node.reached[k] = total_down(label.score_lower[k], std::max(bounds.score[k], plan.least[k]));
+    node.score[k] = total_down(node.reached[k], rest_after(plan, k, node.handed_on));
   }
   criteria_.raise(node.score);
   node.utilisation = std::max({node.utilisation, label.utilisation, bounds.utilisation});
@@ -148,10 +147,10 @@ std::size_t BranchAndBound::first_to_follow(const Label& label, std::size_t regi
     const Bounds& best = plan.open_regions[region].bounds;
     for (std::size_t k = 0; k < score.size(); ++k) {
       const double own = std::max(best.score[k], plan.least[k]);
-      score[k] = below(below(label.score_lower[k], own), rest_after(plan, k, best.handed_on));
+      score[k] = total_down(total_down(label.score_lower[k], own), rest_after(plan, k, best.handed_on));
     }
     criteria_.raise(score);
-    if (!incumbents_.hopeless(score, std::max(label.utilisation, best.utilisation))) break;
+    if (can_end(score) && !incumbents_.hopeless(score, std::max(label.utilisation, best.utilisation))) break;
   }
   return region;
 }
@@ -234,7 +233,7 @@ void BranchAndBound::merge(Node& node, Outcome& outcome) {
   const Label& label = labels_[node.label];
   std::vector<double> score = outcome.leaf.undecided_score;
   for (std::size_t k = 0; k < score.size(); ++k) {
-    score[k] = below(below(label.score_lower[k], score[k]), plans_[label.stage].rest[k]);
+    score[k] = total_down(total_down(label.score_lower[k], score[k]), plans_[label.stage].rest[k]);
   }
   leave_undecided(
       {std::move(score), node.utilisation, node.label, rows_of(node.region), std::move(outcome.leaf.undecided_boxes)});
@@ -259,7 +258,7 @@ void BranchAndBound::arrive(const Node& node, const StagePoint& point, std::vect
   label.score_lower = label.score;
   if (!label.exact) {
     for (std::size_t k = 0; k < label.score.size(); ++k) {
-      label.score_lower[k] = std::min(label.score[k], below(from.score_lower[k], point.score_lower[k]));
+      label.score_lower[k] = std::min(label.score[k], total_down(from.score_lower[k], point.score_lower[k]));
     }
     // What is no better in the objectives is dominated by this label. It must be no better in their sums, too, or both
     // could be given up: this one by a guide, with its point, where that is not feasible in the end.
@@ -273,7 +272,8 @@ void BranchAndBound::arrive(const Node& node, const StagePoint& point, std::vect
     return;
   }
   const Worth worth{label.score_lower, label.enclosure, label.utilisation};
-  if (label_sets_[label.stage].dominates(worth, with_rest(from.stage, label.score_lower, label.enclosure))) return;
+  const std::vector<double> total = with_rest(from.stage, label.score_lower, label.enclosure);
+  if (!can_end(total) || label_sets_[label.stage].dominates(worth, total)) return;
   keep_boxes(label.boxes);
   labels_.push_back(std::move(label));
   const auto index = static_cast<std::uint32_t>(labels_.size() - 1);

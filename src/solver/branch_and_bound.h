@@ -113,6 +113,8 @@ class BranchAndBound {
   void start();
   void work_on_batch();
   bool push(Node node);
+  /// False: one of these lower bounds of totals is infinity, so that no feasible design follows.
+  [[nodiscard]] bool can_end(std::span<const double> score) const;
   [[nodiscard]] bool useless(const Node& node) const;
   [[nodiscard]] bool useless(const Label& label, std::size_t stage, const Worth& own) const;
   [[nodiscard]] std::vector<double> with_rest(std::size_t stage,

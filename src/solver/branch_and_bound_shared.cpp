@@ -41,10 +41,10 @@ void BranchAndBound::go_down(const Node& from, SharedPart* part, double up_to, O
   const Label& label = labels_[from.label];
   thread_local std::vector<double> score;
   score.resize(part->least.size());
-  for (std::size_t k = 0; k < score.size(); ++k)
-    score[k] = scalar::rounding::sum_down(label.score_lower[k], part->least[k]);
+  for (std::size_t k = 0; k < score.size(); ++k) score[k] = total_down(label.score_lower[k], part->least[k]);
   criteria_.raise(score);
-  if (incumbents_.hopeless(score, std::max(from.utilisation, part->bounds.utilisation))) return;
+  const double utilisation = std::max(from.utilisation, part->bounds.utilisation);
+  if (!can_end(score) || incumbents_.hopeless(score, utilisation)) return;
   Node node;
   if (!make_part(from, *part, node)) return;
   if (!part->divided || node.score[0] > up_to) return outcome.nodes.push_back(std::move(node));

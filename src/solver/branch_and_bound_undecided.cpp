@@ -41,8 +41,7 @@ void BranchAndBound::forget_settled() {
 
 void BranchAndBound::settle_open() {
   const auto settle = [&](const Node& node) {
-    const bool can_end = node.score[0] < std::numeric_limits<double>::infinity();
-    if (labels_[node.label].alive && can_end) incumbents_.widen_to_settle(node.score, node.utilisation);
+    if (labels_[node.label].alive && can_end(node.score)) incumbents_.widen_to_settle(node.score, node.utilisation);
   };
   open_.for_each(settle);
   for (const Undecided& each : undecided_) incumbents_.widen_to_settle(each.score, each.utilisation);

@@ -58,10 +58,15 @@ void BranchAndBound::widen() {
   for (LabelSet& labels : label_sets_) labels.set_slack(slack_);
 }
 
+bool BranchAndBound::can_end(std::span<const double> score) const {
+  const auto is_infinite = [](double least) { return least == infinity; };
+  return std::ranges::none_of(score.first(criteria_.objectives), is_infinite) &&
+         std::ranges::none_of(score.last(criteria_.guides), is_infinite);
+}
+
 bool BranchAndBound::useless(const Node& node) const {
   const Label& label = labels_[node.label];
-  const bool can_end = node.score[0] < std::numeric_limits<double>::infinity();  // else no completion is feasible
-  if (!label.alive || !can_end || incumbents_.hopeless(node.score, node.utilisation)) return true;
+  if (!label.alive || !can_end(node.score) || incumbents_.hopeless(node.score, node.utilisation)) return true;
   if (node.next_region != whole_stage || label.stage + 1 >= plans_.size()) return false;
   return label_sets_[label.stage + 1].dominates({node.reached, node.handed_on, node.utilisation}, node.score);
 }
@@ -69,11 +74,10 @@ bool BranchAndBound::useless(const Node& node) const {
 /// The same for a part of a leaf, by its own share of the scores.
 bool BranchAndBound::useless(const Label& label, std::size_t stage, const Worth& own) const {
   std::vector<double> reached(own.score.begin(), own.score.end());
-  for (std::size_t k = 0; k < reached.size(); ++k)
-    reached[k] = scalar::rounding::sum_down(reached[k], label.score_lower[k]);
+  for (std::size_t k = 0; k < reached.size(); ++k) reached[k] = total_down(reached[k], label.score_lower[k]);
   const double utilisation = std::max(label.utilisation, own.utilisation);
   const std::vector<double> total = with_rest(stage, reached, own.state);
-  if (incumbents_.hopeless(total, utilisation)) return true;
+  if (!can_end(total) || incumbents_.hopeless(total, utilisation)) return true;
   return stage + 1 < plans_.size() && label_sets_[stage + 1].dominates({reached, own.state, utilisation}, total);
 }
 
@@ -83,7 +87,7 @@ std::vector<double> BranchAndBound::with_rest(std::size_t stage,
                                               std::span<const Interval> handed_on) const {
   std::vector<double> total(reached.begin(), reached.end());
   for (std::size_t k = 0; k < total.size(); ++k)
-    total[k] = scalar::rounding::sum_down(total[k], rest_after(plans_[stage], k, handed_on));
+    total[k] = total_down(total[k], rest_after(plans_[stage], k, handed_on));
   criteria_.raise(total);
   return total;
 }

@@ -299,7 +299,7 @@ class CandidateSearch {
       candidate.most[h] = -found.least + to_reference.second;
     else
       candidate.least[h] = found.least + to_reference.first;
-    const double slack = 1e-12 * std::fabs(candidate.most[h]);
+    const double slack = equal_sums * std::fabs(candidate.most[h]);
     candidate.is_least = candidate.universal && candidate.least[h] >= candidate.most[h] - slack;
   }
   [[nodiscard]] std::vector<double> worst_key(const Candidate& candidate) const {

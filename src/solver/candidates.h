@@ -8,8 +8,8 @@
 //     too much for every label (`useful`; `corners`, with what must follow on what it hands on: rest_curve.h);
 //   - a design is *universal* when some fixed values of its variables (or all of them) keep every utilisation <= 1 over
 //     all of H: it is feasible for every label. A region is dropped when a universal design is at least as good in
-//     every coordinate of the comparison. Regions are taken in ascending order of a sum of all coordinates, so what
-//     dominates is always found before what it dominates;
+//     every coordinate of the comparison. Regions are taken in ascending order of a sum of all coordinates, so that
+//     what dominates is found before what it dominates, but for equal sums (and in quick passes, which prove nothing);
 //   - where variables move one component handed on and nothing else, of a design the least of it counts: bounds of that
 //     over all of H, and the values of the variables that are best at its worst (least_state.h);
 //   - a design that is neither infeasible nor universal is kept: whether it is feasible is decided label by label.

@@ -86,7 +86,7 @@ bool Criteria::is_less_by_floors(std::size_t score, std::span<const double> less
 void Criteria::raise(std::span<double> total) const {
   for (const Floor& floor : floors) total[floor.resource] = std::max(total[floor.resource], total[floor.bound]);
   for (std::size_t g = 0; g < limit_worth.size(); ++g)
-    total[0] = std::max(total[0], scalar::rounding::sum_down(total[size() - guides + g], -limit_worth[g]));
+    total[0] = std::max(total[0], total_down(total[size() - guides + g], -limit_worth[g]));
 }
 
 namespace {
@@ -124,10 +124,9 @@ void add_limit_prices(Criteria& criteria, std::size_t score, std::span<const dou
     std::vector<double> mix(score + 1, 0.0);
     mix.front() = 1.0;
     mix.back() = price;
-    // Totals may exceed a limit by rounding (within_limit), and sums in another order differ by less.
-    constexpr double slack = 1e-11;
+    // Totals may exceed a limit by rounding (within_limit).
     const double worth = price * criteria.limit[score];
-    criteria.limit_worth.push_back(worth + slack * std::fabs(worth));
+    criteria.limit_worth.push_back(worth + bound_slack * std::fabs(worth));
     add_guide(criteria, std::move(mix));
   }
 }

@@ -33,9 +33,20 @@ inline double rounded(double x, int digits) {
 inline constexpr int exact_digits = 40;
 inline double rounded(double x) { return rounded(x, exact_digits); }
 
+/// Relative: sums of the same numbers in another order differ by less.
+inline constexpr double equal_sums = 1e-12;
+/// Relative, and wider: what bounds are slackened by, so that none excludes a sum that is equal to it.
+inline constexpr double bound_slack = 1e-11;
+
 /// Whether a total keeps a limit, with the slack of rounding: two totals that count as equal keep it alike. False for
 /// NaN.
-inline bool within_limit(double total, double limit) { return total <= limit + 1e-12 * std::fabs(limit); }
+inline bool within_limit(double total, double limit) { return total <= limit + equal_sums * std::fabs(limit); }
+
+/// Lower bound of a total, from lower bounds of its parts. Infinity, which says that no design is feasible, stays (an
+/// interval's lower end would become the largest number).
+inline double total_down(double a, double b) {
+  return a == infinity || b == infinity ? infinity : scalar::rounding::sum_down(a, b);
+}
 
 struct Criteria {
   std::size_t objectives = 1;                       ///< how many of the scores are objectives; they come first

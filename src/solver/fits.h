@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Which rows of two slots can be in one design together. Of rows with the same fit key one is asked about; the answers
-// are asked once and kept as bits; when a split has
-// made row sets smaller, `filter` removes every row that no longer has a partner in some other slot, until nothing
-// changes (arc consistency). What remains need not fit together; that is what further splits find out.
+// Which rows of two slots can be in one design together. Of rows with the same fit key one is asked about; each
+// question is asked once and its answer kept as a bit; when a split has made row sets smaller, `filter` removes every
+// row that no longer has a partner in some other slot, until nothing changes (arc consistency). What remains need not
+// fit together; that is what further splits find out.
 #pragma once
 
 #include <cstdint>

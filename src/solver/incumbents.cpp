@@ -76,12 +76,11 @@ bool Incumbents::hopeless(std::span<const double> score_lower, double utilisatio
 
 /// Whether no guide says that a design with these lower bounds is above these objectives.
 bool Incumbents::guides_allow(std::span<const double> score_lower, std::span<const double> objectives) const {
-  constexpr double slack = 1e-12;
   for (std::size_t g = 0; g < criteria_->guides; ++g) {
     const double least = score_lower[criteria_->size() - criteria_->guides + g];
     double sum = 0.0;
     for (std::size_t k = 0; k < objectives.size(); ++k) sum += criteria_->guide_mix[g][k] * objectives[k];
-    if (std::isfinite(least) && least > sum + slack * std::fabs(sum)) return false;
+    if (std::isfinite(least) && least > sum + equal_sums * std::fabs(sum)) return false;
   }
   return true;
 }

@@ -57,8 +57,7 @@ class LeastStateSearch {
   [[nodiscard]] Interval moved(const Interval& value) const { return falling_ ? -value : value; }
   /// Room for the rounding of what is equal (criteria.h).
   [[nodiscard]] bool reaches_no_less(double value) const {
-    constexpr double slack = 1e-12;
-    return found_.universal() && value >= least_of_point_ - slack * std::fabs(least_of_point_);
+    return found_.universal() && value >= least_of_point_ - equal_sums * std::fabs(least_of_point_);
   }
 
   void push(const std::vector<Interval>& sides) {
@@ -169,11 +168,10 @@ LeastPoint find_least_point(const StagePlan& plan,
                             std::vector<double>& variables,
                             Desk& desk) {
   constexpr std::size_t most_boxes = 1000;
-  constexpr double slack = 1e-12;
   const std::vector<Interval> states(state.begin(), state.end());
   LeastState found = find_least_state(plan, states, region, first, most_boxes, desk);
   if (found.infeasible()) return LeastPoint::infeasible;
-  if (!found.universal() || found.least < found.most - slack * std::fabs(found.most)) return LeastPoint::undecided;
+  if (!found.universal() || found.least < found.most - equal_sums * std::fabs(found.most)) return LeastPoint::undecided;
   variables = std::move(found.variables);
   return LeastPoint::found;
 }

@@ -2,7 +2,7 @@
 //
 // Is less of a state component (a carried mass, a drawn power) always better further down the chain, or more of it?
 //
-// It is never assumed. `prove_directions` goes through the stages from the last to the first. A component has a
+// It is never assumed. The plans are gone through from the last to the first (stage_plan.cpp). A component has a
 // direction before a stage when, over every design of the stage and the whole range of states that can arrive there,
 // every utilisation, every scored resource and every handed-on component that matters changes the right way with it.
 // The proof is interval arithmetic on the derivatives (`Stage::slopes`) with recursive splitting of row sets, variables

@@ -23,8 +23,8 @@ Build settled(const Problem& problem,
 
 class Multipliers {
  public:
-  /// Of a single objective. `build` must be settled. Nothing where the build is no such
-  /// point, or the constraints that hold it depend on each other, so that what each is worth is not determined.
+  /// Of a single objective. `build` must be settled. Nothing where the build is no such point, or the constraints that
+  /// hold it depend on each other, so that what each is worth is not determined.
   static std::optional<Multipliers> find(const Problem& problem, const Options& options, const Build& build);
 
   /// Whether continuous variables move the objective at all.

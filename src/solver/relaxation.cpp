@@ -3,6 +3,7 @@
 
 #include "solver/best_first.h"
 #include "solver/region_order.h"
+#include "solver/variable_box.h"
 
 namespace millwright::solver {
 namespace {
@@ -130,6 +131,7 @@ bool proves_infeasible(
     const StagePlan& plan, std::span<const Interval> inherited, const Region& region, std::size_t limit, Desk& desk) {
   constexpr std::size_t one_by_one_after = 24;  // boxes
   constexpr std::size_t pieces = 16;
+  constexpr double narrow = 1e-9;
   std::vector<std::vector<Interval>> open{region.variables};
   for (std::size_t boxes = 0; !open.empty(); ++boxes) {
     if (boxes >= limit) return false;
@@ -142,16 +144,7 @@ bool proves_infeasible(
     const auto& answer = desk.bound(*plan.stage, plan.shared, inherited, region, box);
     if (worst_lower(answer.utilisation) > 1.0) continue;
     if (middle_is_feasible(plan, inherited, region, box, desk)) return false;
-    std::size_t widest = box.size();
-    double most = 1e-9;
-    for (std::size_t v = 0; v < box.size(); ++v) {
-      const Variable& variable = plan.stage->variables()[v];
-      const double size = (box[v].upper - box[v].lower) / (variable.upper - variable.lower);
-      if (size > most) {
-        most = size;
-        widest = v;
-      }
-    }
+    const std::size_t widest = widest_side(*plan.stage, box, narrow);
     if (widest == box.size()) return false;
     const double cut = middle(box[widest]);
     open.push_back(box);

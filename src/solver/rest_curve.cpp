@@ -57,7 +57,7 @@ class LeastFrom {
   };
 
   [[nodiscard]] double value_of(const Bounds& bounds) const {
-    return scalar::rounding::sum_down(bounds.score[score_], rest_after(plan_, score_, bounds.handed_on));
+    return total_down(bounds.score[score_], rest_after(plan_, score_, bounds.handed_on));
   }
   std::optional<Reached> offer(Region region, double at_least) {
     Node node;
@@ -197,7 +197,7 @@ void find_rest_curves(std::vector<StagePlan>& plans,
     StagePlan& before = plans[i - 1];
     before.curves.clear();
     for (std::size_t score = 0; score < criteria.objectives; ++score) {
-      const double rest = scalar::rounding::sum_down(plan.least[score], plan.rest[score]);
+      const double rest = total_down(plan.least[score], plan.rest[score]);
       before.rest[score] = std::max(before.rest[score], rest);
       for (std::size_t component = 0; component < plan.before.size(); ++component) {
         if (plan.before[component] != Direction::smaller_is_better) continue;

@@ -20,8 +20,6 @@
 
 namespace millwright::solver {
 
-inline constexpr double rest_slack = 1e-11;  // a state is the same sum in another order in the end
-
 /// What a curve may take: `steps` states, each further from the best by the same factor, and so many nodes for all (for
 /// each state that is asked between them, where a stage has few designs).
 struct CurveEffort {
@@ -47,29 +45,28 @@ double rest_by(const RestPlane& plane, Lower&& lower) {
   double priced = 0.0;
   for (std::size_t c = 0; c < plane.weight.size(); ++c)
     if (plane.weight[c] > 0.0) priced += plane.weight[c] * lower(c);
-  return plane.constant + priced - rest_slack * std::fabs(priced);
+  return plane.constant + priced - bound_slack * std::fabs(priced);
 }
 template <class Lower>
 double rest_by(const RestStairs& stairs, Lower&& lower) {
   double priced = stairs.constant;
-  double left = stairs.limit * (1.0 + rest_slack);
+  double left = stairs.limit * (1.0 + bound_slack);
   for (std::size_t c = 0; c < stairs.weight.size(); ++c) {
     if (stairs.weight[c] > 0.0) priced += stairs.weight[c] * lower(c);
     if (stairs.use[c] > 0.0) left -= stairs.use[c] * lower(c);
   }
-  return priced - rest_slack * std::fabs(priced) + least_within(stairs.least, left);
+  return priced - bound_slack * std::fabs(priced) + least_within(stairs.least, left);
 }
 
 /// What all later stages add at least to a score, given what is handed to them; infinity where none of their designs is
-/// feasible. `lower(component)` is the least that is
-/// handed on.
+/// feasible. `lower(component)` is the least that is handed on.
 template <class Lower>
 double rest_given(const StagePlan& plan, std::size_t score, Lower&& lower) {
   double rest = plan.rest[score];
   for (const RestCurve& curve : plan.curves) {
     if (curve.score != score) continue;
     double state = lower(curve.component);
-    state -= rest_slack * std::fabs(state);
+    state -= bound_slack * std::fabs(state);
     const auto end = std::ranges::upper_bound(curve.from, state);
     if (end != curve.from.begin())
       rest = std::max(rest, curve.least[static_cast<std::size_t>(end - curve.from.begin()) - 1]);
@@ -95,13 +92,12 @@ class LeastTotals {
 
   /// Beyond a certain number nothing is taken in, which makes the bounds no less valid.
   void add(const Mix& mix, double least) {
-    constexpr double slack = 1e-11;
     if (mix == Mix::only(0) || least == std::numeric_limits<double>::infinity()) {
       first_ = std::max(first_, least);
     } else if (mix == Mix::only(1)) {
       second_ = std::max(second_, least);
     } else if (number_ < mixed_.size()) {
-      mixed_[number_++] = {mix, least - slack * std::fabs(least)};
+      mixed_[number_++] = {mix, least - bound_slack * std::fabs(least)};
     }
   }
   /// By what the mixed planes and staircases of a stage say of a total up to it and what is handed on.
@@ -117,7 +113,7 @@ class LeastTotals {
 
   /// Whether some corner of an upper staircase is at least as large in everything.
   [[nodiscard]] bool below(const std::vector<Pair>& corners) const {
-    if (!(first_ < std::numeric_limits<double>::infinity())) return false;  // no completion is feasible
+    if (first_ == infinity || second_ == infinity) return false;  // no completion is feasible
     auto corner = std::lower_bound(
         corners.begin(), corners.end(), first_, [](const Pair& point, double value) { return point.first < value; });
     for (; corner != corners.end() && corner->second >= second_; ++corner)

@@ -41,11 +41,11 @@ class RestPlanes {
   RestPlanes(const Problem& problem, std::vector<StagePlan>& plans, std::span<const StateForm> forms, Desk& desk);
   ~RestPlanes();
 
-  /// Sets StagePlan::planes and StagePlan::stairs of all stages for a mix of the objectives. `known`: a total that the
-  /// bound will not exceed by far, for the length of the steps. Nothing where some stage is not additive.
-  /// The best bound of a total.
+  /// Sets StagePlan::planes and StagePlan::stairs of all stages for a mix of the objectives; nothing where some stage
+  /// is not additive. `known`: a total that the bound will not exceed by far, for the length of the steps. Returns the
+  /// best bound of a total.
   double find(const Mix& mix, double known);
-  /// Adds the best plane before a stage for a label of this state. What that label must still add at least.
+  /// Adds the best plane before a stage for a label of this state. Returns what that label must still add at least.
   double find_from(const Mix& mix, double known, std::size_t stage, std::span<const double> state);
   /// Narrows the stages' regions to what may lead below some corner of an upper staircase of totals. False: nothing
   /// does.

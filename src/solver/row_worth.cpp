@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "solver/shared_choices.h"
 #include "solver/stage_plan.h"
 
 namespace millwright::solver {
@@ -87,7 +88,7 @@ std::vector<RowWorth> row_worths(const Problem& problem,
   TableMemory tables;
   tables.known_directions = known;
   std::vector<Row> shared(problem.shared.size(), 0);
-  for (bool more = true; more;) {
+  do {
     const std::vector<StagePlan> plans = make_plans(problem, shared, criteria, desk, tables);
     if (!plans.empty()) {
       RowWorth worth;
@@ -104,12 +105,7 @@ std::vector<RowWorth> row_worths(const Problem& problem,
       }
       result.push_back(std::move(worth));
     }
-    more = false;
-    for (std::size_t i = shared.size(); i-- > 0 && !more;) {
-      more = ++shared[i] < problem.shared[i].rows;
-      if (!more) shared[i] = 0;
-    }
-  }
+  } while (next_combination(problem, shared));
   evaluations += desk.bounds + desk.evaluations;
   return result;
 } catch (const OutOfTime&) {

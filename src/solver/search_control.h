@@ -25,6 +25,7 @@ class SearchControl {
         reported_(start_) {}
 
   std::uint64_t nodes = 0;
+  std::uint64_t earlier_nodes = 0;  ///< of searches that this one began; they have limits of their own
 
   [[nodiscard]] const Options& options() const { return options_; }
   Crew& crew() { return crew_; }
@@ -77,7 +78,7 @@ class SearchControl {
     reported_ = std::chrono::steady_clock::now();
     // What was proved once stays proved.
     proved_ = std::max(proved_, std::min({std::max(lower_bound(), here_), elsewhere_, incumbent}));
-    options_.progress(Progress{proved_, incumbent, seconds(), nodes});
+    options_.progress(Progress{proved_, incumbent, seconds(), nodes + earlier_nodes});
   }
   /// From a method that knows no bound of its own.
   void report(double incumbent) {

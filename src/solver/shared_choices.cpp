@@ -18,12 +18,14 @@ std::vector<double> quick_bound(
     const auto& answer = desk.bound(*stage, shared, state, tables.whole_region(*stage, shared));
     if (worst_lower(answer.utilisation) > 1.0) return {};
     criteria.least_scores(answer.resources, score);
-    for (std::size_t k = 0; k < total.size(); ++k) total[k] = scalar::rounding::sum_down(total[k], score[k]);
+    for (std::size_t k = 0; k < total.size(); ++k) total[k] = total_down(total[k], score[k]);
     state = answer.handed_on;
   }
   criteria.raise(total);
   return total;
 }
+
+}  // namespace
 
 bool next_combination(const Problem& problem, std::vector<Row>& shared) {
   for (std::size_t i = shared.size(); i-- > 0;) {
@@ -32,8 +34,6 @@ bool next_combination(const Problem& problem, std::vector<Row>& shared) {
   }
   return false;
 }
-
-}  // namespace
 
 std::vector<Combination> combinations_of(const Problem& problem,
                                          const Criteria& criteria,

@@ -24,6 +24,10 @@ std::vector<Combination> combinations_of(const Problem& problem,
                                          Desk& desk,
                                          TableMemory& tables);
 
+/// Counts the rows of the shared choices up from all zeros, the last choice fastest; false after the last combination,
+/// when they are all zeros again.
+bool next_combination(const Problem& problem, std::vector<Row>& shared);
+
 /// How many designs there are, continuous variables aside.
 double search_space(const Problem& problem);
 

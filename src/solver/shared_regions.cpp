@@ -24,7 +24,6 @@ SharedRegions::SharedRegions(const StagePlan& plan, Desk& desk)
 }
 
 SharedRegions::Cell* SharedRegions::cell_of(std::span<const Interval> states) {
-  constexpr double rounding = 1e-12;  // of states that are the same sum in another order
   std::vector<int> place;
   std::vector<Interval> range;
   for (std::size_t c = 0; c < cells_.size(); ++c) {
@@ -39,7 +38,7 @@ SharedRegions::Cell* SharedRegions::cell_of(std::span<const Interval> states) {
     // What is handed on from an endless range tells nothing of that from a state in it.
     if (!std::isfinite(side.upper - side.lower)) return nullptr;
     // What is the same for all labels is so exactly.
-    const double slack = side.lower < side.upper ? rounding * magnitude(plan_->inherited[c]) : 0.0;
+    const double slack = side.lower < side.upper ? equal_sums * magnitude(plan_->inherited[c]) : 0.0;
     range.emplace_back(side.lower - slack, side.upper + slack);
     if (!contains(range.back(), states[c].lower) || !contains(range.back(), states[c].upper)) return nullptr;
   }
@@ -78,8 +77,8 @@ std::unique_ptr<SharedPart> SharedRegions::bounded(const Cell& cell, Region regi
   part->region.kept = ~bounds.telling;
   part->single_design = part->region.one_design_per_slot();
   for (std::size_t k = 0; k < bounds.score.size(); ++k)
-    part->least.push_back(scalar::rounding::sum_down(std::max(bounds.score[k], plan_->least[k]),
-                                                     rest_after(*plan_, k, bounds.handed_on)));
+    part->least.push_back(
+        total_down(std::max(bounds.score[k], plan_->least[k]), rest_after(*plan_, k, bounds.handed_on)));
   ++parts_;
   return part;
 }

@@ -42,7 +42,7 @@ Summary SolveRun::solve_first(Options options, Scope scope) {
   options.settle_ties = false;
   options.progress = nullptr;  // it would tell of other objectives
   Summary found = SolveRun(problem_, options, scope, tables_).run();
-  control_.nodes += found.nodes;
+  control_.earlier_nodes += found.nodes;
   earlier_evaluations_ += found.evaluations;
   for (const Build& build : found.builds) incumbents_.offer({scores_of(build), build});
   return found;
@@ -151,9 +151,10 @@ std::optional<RankedBuild> SolveRun::best_among_equals() {
   options.confirm = false;
   options.progress = nullptr;  // it would tell of another objective
   options.time_limit_seconds -= control_.seconds();
-  options.most_nodes = std::min(4 * control_.nodes + 500, control_.nodes / 2 + 6000);
+  const std::uint64_t nodes = control_.nodes + control_.earlier_nodes;
+  options.most_nodes = std::min(4 * nodes + 500, nodes / 2 + 6000);
   const Summary found = SolveRun(within, options, Scope::unpriced, tables_).run();
-  control_.nodes += found.nodes;
+  control_.earlier_nodes += found.nodes;
   earlier_evaluations_ += found.evaluations;
   if (found.status != Status::optimal) return std::nullopt;
   among_equals_ = AmongEquals::all;
@@ -210,6 +211,12 @@ void SolveRun::widen_to_settle(const std::function<void()>& settle) {
 /// adds builds later, may leave out one for another that falls short of it by the gap.
 double SolveRun::proved_tolerance() {
   if (complete_ && (incumbents_.builds().empty() || !is_widened())) return asked_tolerance();
+  const auto says_nothing = [&](const std::vector<double>& score) {
+    return std::any_of(score.begin(), score.begin() + static_cast<std::ptrdiff_t>(criteria_.objectives), [](double x) {
+      return x == -infinity;
+    });
+  };
+  if (std::ranges::any_of(left_open_, says_nothing)) return infinity;
   widen_to_settle([&] {
     for (const std::vector<double>& score : left_open_) incumbents_.widen_to_settle(score, 0.0);
   });
@@ -220,7 +227,7 @@ double SolveRun::proved_tolerance() {
 Summary SolveRun::summary() {
   Summary out;
   out.combinations = search_space(problem_);
-  out.nodes = control_.nodes;
+  out.nodes = control_.nodes + control_.earlier_nodes;
   out.evaluations = control_.evaluations() + earlier_evaluations_;
   const double best = incumbents_.best();
   // What the tolerance gave up may be better by so much.

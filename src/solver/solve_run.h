@@ -135,7 +135,7 @@ class SolveRun {
   Scope scope_;
   std::span<const Build> known_;
   std::shared_ptr<TableMemory> tables_;
-  std::uint64_t earlier_evaluations_ = 0;
+  std::uint64_t earlier_evaluations_ = 0;       ///< of other runs that this one began
   std::vector<std::vector<double>> left_open_;  ///< lower bounds of scores of what nothing else is known of
   double left_tolerance_ = 0.0;                 ///< at which the builds of a front settle what is left open
   double slack_given_ = 0.0;                    ///< by labels of a front, of the whole

@@ -3,7 +3,12 @@
 // How the combinations of shared choices are settled: each is prepared (stage_plan.h) and looked at briefly, cheapest
 // first; of those left, label by label (branch_and_bound.h) for as long as that is cheap; then stage by stage
 // (stagewise_search.h) where that method applies, and what remains label by label to the end, where that takes long
-// with close curves of what is to come (rest_curve.h). Several objectives go stage by stage at once.
+// with close curves of what is to come (rest_curve.h). Two objectives go stage by stage at once, three label by label,
+// with fronts of two of them before (find_sides).
+//
+// In the order of the calls: `start` prepares a combination; `settle(brief)` searches label by label with coarse
+// curves, `settle(thorough)` with dominated rows left out and close curves; `settle(whole)` is `finish`: stage by
+// stage, then label by label to the end.
 #include "solver/solve_run.h"
 
 #include <algorithm>
@@ -31,7 +36,10 @@ double least(const Parts& parts, std::size_t from) {
 }  // namespace
 
 void SolveRun::search() {
-  std::vector<Combination> combinations = combinations_of(problem_, criteria_, control_.desk(0), *tables_);
+  std::vector<Combination> combinations;
+  const bool known = control_.while_there_is_time(
+      [&] { combinations = combinations_of(problem_, criteria_, control_.desk(0), *tables_); });
+  if (!known) return leave_open(std::vector<double>(criteria_.size(), -infinity));
   std::vector<OpenSearch> open;
   // A single objective looks at every combination briefly first: what is found in one settles much of the others.
   for (std::size_t i = 0; i < combinations.size(); ++i) {
@@ -144,8 +152,6 @@ void SolveRun::go_through(std::vector<OpenSearch>& open, const std::function<boo
   }
 }
 
-/// A point that stands for designs a little better than itself may be too heavy for a later stage where they are not.
-/// What stays undecided for that reason is decided with points that stand for less.
 /// All stages together give up less than what incumbents settle (set_tolerance), or every build would be undecided.
 /// (What a label stands for is bounded by the label's lower bounds, in guides of a front too, and so falls short of a
 /// build known by no more than what incumbents settle, and by what labels give up: slack_of_labels.)
@@ -283,7 +289,9 @@ void SolveRun::finish(OpenSearch& open) {
   }
   set_tolerance();
   SearchResult result = search_whole(open);
-  // (What a front that has widened leaves undecided, its tolerance tells.)
+  // A point that stands for designs a little better than itself may be too heavy for a later stage where they are not.
+  // What stays undecided for that reason is decided with points that stand for less. (What a front that has widened
+  // leaves undecided, its tolerance tells.)
   while (!result.complete && !control_.time_is_up() && !is_widened()) {
     std::optional<LeafPrecision> precision = next_precision(
         open.search->precision(), open.search->undecided_designs(), leaf_tolerance(), criteria_.objectives);
@@ -333,6 +341,7 @@ SolveRun::Settled SolveRun::stage_by_stage(std::vector<StagePlan>& plans, std::s
   stagewise_ = true;
   const bool settled = search.run(allowances_priced_, score[0], [this] { return settle_by_front(); });
   allowances_priced_ = allowances_priced_ || search.used_prices();
+  if (search.nothing_left()) return Settled::yes;
   // Where a later stage refuses the points of a cover it might not refuse what they stand for: builds may be missing.
   const bool covered = std::ranges::any_of(plans, is_covered);
   if (settled && !covered) return search.equals_left() ? Settled::but_for_equals : Settled::yes;

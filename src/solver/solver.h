@@ -45,12 +45,14 @@ struct Options {
   const std::atomic<bool>* stop = nullptr;  ///< set by Ctrl-C: end as for the time limit
   std::function<void(const Progress&)> progress;
   double progress_interval_seconds = 0.1;  ///< not more often
-  /// Where continuous variables move a single objective: the best in `ties` is looked for by a search of its own, as
-  /// long as that takes few nodes more than the first. Else, and without, among neighbours of the answer only.
+  /// Where continuous variables move a single objective: the best in `ties` is looked for by a search of its own, of at
+  /// most half as many nodes as the first took and 6000 more, and no more than four times as many and 500. Else, and
+  /// without, among neighbours of the answer only.
   bool settle_ties = true;
-  /// Nodes at which a search ends as for the time limit; those that a solve begins with and ends with (by single
-  /// objectives, among equals) count for themselves, and each of those that find the price of a limit may take what is
-  /// left.
+  /// Nodes at which a search ends as for the time limit; of the two methods of a front the second gets what the first
+  /// has left. Searches that a solve begins with and ends with (by other
+  /// objectives, among equals) have a count of their own, and each of those that find the price of a limit may take
+  /// what is left.
   std::uint64_t most_nodes = std::numeric_limits<std::uint64_t>::max();
   /// A front is searched more and more coarsely, the more of its time or its nodes is used up (cover_front).
   bool widens = false;

@@ -12,11 +12,14 @@
 //     first state --> [ stage 0 ] --state--> [ stage 1 ] --state--> [ stage 2 ] --> ...
 //                       slots, variables, constraints, resources
 //
-// A stage answers three questions, and nothing else is asked of it:
+// Proofs rest on three questions that a stage answers:
 //   evaluate  one design: exact utilisations, resources and the state handed on;
 //   bound     a set of designs (row sets times intervals): intervals that contain every member's answer;
 //   slopes    a set of designs: intervals that contain every member's derivatives with respect to one continuous input.
 // Nothing about the direction in which anything matters is assumed: monotonicity is proved from `slopes` or not used.
+// `fits` and `offered` say what may be chosen. All else (`read`, `fit_key`, `row_kind`, `graded_readings`, ...) makes
+// the search faster, and what it is where a stage does not say is always right. `gradient` serves local solvers, whose
+// points count only once they have been evaluated.
 #pragma once
 
 #include <cstdint>
@@ -129,6 +132,7 @@ class Stage {
   [[nodiscard]] virtual std::size_t constraints() const = 0;
 
   /// Exact answer for one design. A quantity that cannot be computed makes its utilisation 1e9 or more (never NaN).
+  /// What a design that keeps every constraint hands on and adds to the resources is finite.
   virtual void evaluate(const Point& point, Answer<double>& answer) const = 0;
 
   /// Intervals that contain what this stage reads of every one of these rows (a column's smallest and largest number,

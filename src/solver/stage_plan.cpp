@@ -166,7 +166,7 @@ bool limits(const StagePlan& plan, std::span<const Interval> handed_on) {
 /// States handed on less those that no later stage can bear.
 std::vector<Interval> bearable_part(const StagePlan& plan, std::vector<Interval> state) {
   for (std::size_t c = 0; c < state.size(); ++c) {
-    const double most = plan.most_after[c] + 1e-11 * std::fabs(plan.most_after[c]);
+    const double most = plan.most_after[c] + bound_slack * std::fabs(plan.most_after[c]);
     state[c].upper = std::max(std::min(state[c].upper, most), state[c].lower);
   }
   return state;
@@ -364,7 +364,7 @@ std::vector<StagePlan> make_plans(const Problem& problem,
   std::vector<double> rest(criteria.size(), 0.0);
   for (auto plan = plans.rbegin(); plan != plans.rend(); ++plan) {
     plan->rest = rest;
-    for (std::size_t k = 0; k < rest.size(); ++k) rest[k] += plan->least[k];
+    for (std::size_t k = 0; k < rest.size(); ++k) rest[k] = total_down(rest[k], plan->least[k]);
   }
   return plans;
 }

@@ -128,10 +128,9 @@ inline double least_of(const Interval& value) { return value.lower; }
 /// Whether what is handed on may lead to a feasible design. `State`: numbers or intervals.
 template <class State>
 bool bearable(const StagePlan& plan, const State& handed_on) {
-  constexpr double slack = 1e-11;  // a state is the same sum in another order in the end
   for (std::size_t c = 0; c < plan.most_after.size(); ++c) {
     const double most = plan.most_after[c];
-    if (least_of(handed_on[c]) > most + slack * std::fabs(most)) return false;
+    if (least_of(handed_on[c]) > most + bound_slack * std::fabs(most)) return false;
   }
   return true;
 }

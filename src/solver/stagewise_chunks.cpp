@@ -129,7 +129,6 @@ void StagewiseSearch::ask_vectors(std::size_t stage, Chunk& chunk, Priced&& pric
 
 /// Planes and staircases over what a stage adds to a label of the chunk, at the label where each is least.
 void StagewiseSearch::ask_totals(std::size_t stage, Chunk& chunk) const {
-  constexpr double slack = 1e-11;
   const auto priced = [&](const std::vector<double>& weight, const Label& label) {
     const std::vector<double> nothing(label.state.size(), 0.0);
     double sum = 0.0;
@@ -140,7 +139,7 @@ void StagewiseSearch::ask_totals(std::size_t stage, Chunk& chunk) const {
   const auto least = [&](auto&& value_of) {
     double value = infinity;
     for (const std::uint32_t index : chunk.labels) value = std::min(value, value_of(labels_[stage][index]));
-    return value - slack * std::fabs(value);
+    return value - bound_slack * std::fabs(value);
   };
   const auto add_all = [&](const auto& from, auto& to) {
     for (const auto& each : from) {
@@ -153,7 +152,8 @@ void StagewiseSearch::ask_totals(std::size_t stage, Chunk& chunk) const {
   add_all(plans_[stage].planes, chunk.question.totals);
   add_all(plans_[stage].stairs, chunk.question.total_stairs);
   for (RestStairs& stairs : chunk.question.total_stairs) {
-    stairs.limit = stairs.limit * (1.0 + slack) - least([&](const Label& label) { return priced(stairs.use, label); });
+    stairs.limit =
+        stairs.limit * (1.0 + bound_slack) - least([&](const Label& label) { return priced(stairs.use, label); });
   }
 }
 

@@ -230,7 +230,7 @@ void StagewiseSearch::keep_best(std::size_t stage) {
   labels = std::move(best);
 }
 
-/// Planes for those of many combinations that have the least bounds.
+/// Planes for those of many extensions that have the least bounds.
 void StagewiseSearch::sharpen_planes(std::size_t stage, const std::vector<Chunk>& chunks) {
   constexpr std::size_t many = 5000, samples = 1000, rounds = 8;
   constexpr double worthwhile = 1e-3;

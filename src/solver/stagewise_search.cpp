@@ -5,10 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include "solver/easing.h"
 #include "solver/leaf_point.h"
 #include "solver/least_front.h"
-#include "solver/neighbours.h"
 #include "solver/rest_curve.h"
 #include "solver/stagewise_sums.h"
 
@@ -20,7 +18,7 @@ constexpr std::size_t most_extensions = std::size_t{1} << 22;  // kept at a time
 constexpr double rounding_of_sums = 1e-13;                     // less than makes two totals differ
 
 /// Room for the rounding of sums, so that bounds stay bounds.
-double with_slack(double bound) { return std::isfinite(bound) ? bound + 1e-11 * std::fabs(bound) : bound; }
+double with_slack(double bound) { return std::isfinite(bound) ? bound + bound_slack * std::fabs(bound) : bound; }
 
 /// Whether each label has one design there, or a cover of its own.
 bool is_alone(const StagePlan& plan) {
@@ -28,7 +26,7 @@ bool is_alone(const StagePlan& plan) {
 }
 
 /// The largest value that does not count as equal.
-double less_than(double score) { return std::isfinite(score) ? score - 1e-12 * std::fabs(score) : score; }
+double less_than(double score) { return std::isfinite(score) ? score - equal_sums * std::fabs(score) : score; }
 
 }  // namespace
 
@@ -53,6 +51,7 @@ StagewiseSearch::StagewiseSearch(const Problem& problem,
 bool StagewiseSearch::run(bool shared_allowances, double least_total, const std::function<bool()>& otherwise) {
   least_total_ = least_total;
   find_rest();
+  if (nothing_left_ = rest_.front().empty(); nothing_left_) return true;
   if (!pass({.compared = Compared::objectives, .patience = quick_patience()}) && control_.time_is_up()) return false;
   // Where what is cheap first leaves too little of a shared allowance to what comes later, nothing is found that way.
   const bool nothing_yet = criteria_.objectives == 1 && incumbents_.builds().empty();
@@ -165,7 +164,7 @@ bool StagewiseSearch::advance(std::size_t stage, const Comparison& comparison) {
   if (!control_.while_there_is_time([&] { sharpen_planes(stage, chunks); })) return false;
   for (std::size_t i = 0; i < chunks.size(); ++i) {
     control_.nodes += chunks[i].set.nodes;
-    if (!combine(stage, static_cast<std::uint32_t>(i), chunks, comparison)) return false;
+    if (!extend(stage, static_cast<std::uint32_t>(i), chunks, comparison)) return false;
   }
   sort_extensions(comparison);
   KnownKeys known(comparison);
@@ -204,11 +203,11 @@ bool StagewiseSearch::may_matter(std::size_t stage,
               {score[0], criteria_.second(score)}, [&](std::size_t c) { return state[c]; }, useful_.back()));
 }
 
-/// Adds the combinations of one chunk. False: there are too many, or time is up.
-bool StagewiseSearch::combine(std::size_t stage,
-                              std::uint32_t index,
-                              const std::vector<Chunk>& chunks,
-                              const Comparison& comparison) {
+/// Adds the extensions of one chunk. False: there are too many, or time is up.
+bool StagewiseSearch::extend(std::size_t stage,
+                             std::uint32_t index,
+                             const std::vector<Chunk>& chunks,
+                             const Comparison& comparison) {
   const Chunk& chunk = chunks[index];
   std::uint32_t label = 0;
   const auto keep = [&](std::uint32_t candidate, const auto& score, const auto&... states) {
@@ -260,7 +259,7 @@ void StagewiseSearch::worst_key(std::size_t stage,
   comparison.best_key(score, most, least, out);
 }
 
-/// Drops what feasible combinations dominate, so that memory stays bounded.
+/// Drops what feasible extensions dominate, so that memory stays bounded.
 void StagewiseSearch::compact(std::size_t stage, const std::vector<Chunk>& chunks, const Comparison& comparison) {
   sort_extensions(comparison);
   const std::size_t n = comparison.dimensions();
@@ -351,52 +350,11 @@ bool StagewiseSearch::evaluate(std::size_t stage,
   std::vector<double> total = label.score;
   for (std::size_t k = 0; k < total.size(); ++k)
     total[k] += rest_after(plans_[stage], k, std::span<const double>(label.state));
-  if (!incumbents_.within_limits(total)) return false;
+  const bool can_end = std::ranges::count(total, infinity) == 0;  // else no design of later stages is feasible
+  if (!can_end || !incumbents_.within_limits(total)) return false;
   label.rows = rows;
   label.variables = std::move(variables);
   return true;
-}
-
-void StagewiseSearch::finish(const Label& label) {
-  RankedBuild ranked;
-  ranked.score = label.score;
-  ranked.build = build_of(label);
-  incumbents_.offer(std::move(ranked));
-}
-
-/// The choices of a label from the tool on. Variables that only decide feasibility are moved to where the worst
-/// utilisation is small; that changes neither scores nor states.
-Build StagewiseSearch::build_of(const Label& last) {
-  Build build;
-  build.shared.assign(plans_.front().shared.begin(), plans_.front().shared.end());
-  build.stages.resize(plans_.size());
-  build.resources = last.resources;
-  const Label* label = &last;
-  for (std::size_t stage = plans_.size(); stage-- > 0;) {
-    const Label& before = labels_[stage][label->parent];
-    build.stages[stage] = StageChoice{label->rows, label->variables, before.state};
-    relieve(stage, before, build.stages[stage], build.worst_utilisation);
-    label = &before;
-  }
-  take_stock(build);
-  ease(problem_, criteria_, plans_, build, control_.desk(0));
-  return build;
-}
-
-/// Totals that are no scores may hang on what has been moved. (That only makes the worst utilisation smaller, so what
-/// was feasible is.)
-void StagewiseSearch::take_stock(Build& build) const {
-  Build moved = build;
-  if (Neighbours(problem_).evaluate(moved)) build = std::move(moved);
-}
-
-void StagewiseSearch::relieve(std::size_t stage, const Label& before, StageChoice& choice, double& utilisation) {
-  const StagePlan& plan = plans_[stage];
-  const Region region = region_of(*plan.stage, plan.shared, choice.rows, plan.region.variables);
-  const LeafQuestion question{&plan, &before, &region, 0.0, true, {}};
-  LeafDesign design(question, control_.desk(0));
-  if (!plan.moved_state) design.relieve(choice.variables, region.variables);  // else see easing.h
-  utilisation = std::max(utilisation, design.worst_at(choice.variables));
 }
 
 }  // namespace millwright::solver

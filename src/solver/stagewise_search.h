@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The exact front in two objectives, for one combination of shared choices: forward through the stages with all labels
-// at once. (branch_and_bound.h walks one label at a time, which suits a single objective: few labels are ever opened.
-// A front opens thousands, and they would all walk through the same regions.)
+// The search stage by stage, for one combination of shared choices: the exact front in two objectives, or the best in
+// one. All labels go through a stage at once. (branch_and_bound.h walks one label at a time, which suits a single
+// objective as long as few labels are opened. A front opens thousands, and they would all walk through the same
+// regions.)
 //
 //   labels before a stage (scores so far, state)
 //     -> sorted by the state component that decides most about feasibility, and cut into chunks of alike states
@@ -88,7 +89,9 @@ class StagewiseSearch {
   [[nodiscard]] bool undecided() const { return undecided_; }
   /// What a single objective comes to at least, as far as `run` has proved it: less than that or the best build nothing
   /// does.
-  [[nodiscard]] double least_total() const { return least_total_ - rest_slack * std::fabs(least_total_); }
+  /// Whether it was found at once that some stage has no design that is feasible and may matter.
+  [[nodiscard]] bool nothing_left() const { return nothing_left_; }
+  [[nodiscard]] double least_total() const { return least_total_ - bound_slack * std::fabs(least_total_); }
   /// Whether shared allowances were given prices (rest_plane.h).
   [[nodiscard]] bool used_prices() const { return used_prices_; }
 
@@ -108,7 +111,7 @@ class StagewiseSearch {
   struct Pass {
     Compared compared = Compared::everything;
     std::optional<Haste> haste = std::nullopt;
-    std::size_t patience = endless;  ///< nodes or combinations at a stage from which on it is given up
+    std::size_t patience = endless;  ///< nodes or extensions at a stage from which on it is given up
   };
   std::vector<double> state_weights(std::size_t stage, double unit) const;
   bool look_for_builds(const Haste& haste);
@@ -177,7 +180,7 @@ class StagewiseSearch {
   template <class Priced>
   void ask_vectors(std::size_t stage, Chunk& chunk, Priced&& priced) const;
   [[nodiscard]] bool may_matter(std::size_t stage, std::span<const double> score, std::span<const double> state) const;
-  bool combine(std::size_t stage, std::uint32_t index, const std::vector<Chunk>& chunks, const Comparison& comparison);
+  bool extend(std::size_t stage, std::uint32_t index, const std::vector<Chunk>& chunks, const Comparison& comparison);
   void sort_extensions(const Comparison& comparison);
   void compact(std::size_t stage, const std::vector<Chunk>& chunks, const Comparison& comparison);
   void worst_key(std::size_t stage,
@@ -216,6 +219,7 @@ class StagewiseSearch {
   double leaf_tolerance_ = 0.0;  ///< of one stage that is covered
   bool applicable_ = true;
   bool undecided_ = false;
+  bool nothing_left_ = false;
   bool used_prices_ = false;
   double improved_ = std::numeric_limits<double>::infinity();  ///< the best first score that `improve` has led to
   std::optional<Haste> haste_;                                 ///< of the pass under way

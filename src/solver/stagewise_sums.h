@@ -8,7 +8,7 @@
 namespace millwright::solver {
 
 /// A label of a chunk with every candidate, as sums of scores and of the least and the most that is handed on; told of
-/// those that may matter. One in `stride` of all combinations of the chunk, counted label by label.
+/// those that may matter. One in `stride` of all extensions of the chunk, counted label by label.
 template <class Found>
 void StagewiseSearch::sums(
     std::size_t stage, const Chunk& chunk, std::uint32_t i, std::size_t stride, Found&& found) const {

@@ -78,10 +78,4 @@ double least_within(const std::vector<Pair>& lower, double second) {
   return at == lower.end() ? infinity : at->first;
 }
 
-bool above_staircase(const std::vector<Pair>& lower, double first, double second) {
-  const auto after = std::upper_bound(
-      lower.begin(), lower.end(), first, [](double value, const Pair& point) { return value < point.first; });
-  return after != lower.begin() && std::prev(after)->second <= second;
-}
-
 }  // namespace millwright::solver

@@ -34,7 +34,5 @@ std::vector<Pair> difference_of_staircases(const std::vector<Pair>& upper,
 bool below_staircase(const std::vector<Pair>& upper, double first, double second);
 /// The least first of a lower staircase whose second is at most this; infinity where there is none.
 double least_within(const std::vector<Pair>& lower, double second);
-/// Whether some point of a lower staircase is at most (first, second) in both.
-bool above_staircase(const std::vector<Pair>& lower, double first, double second);
 
 }  // namespace millwright::solver

@@ -47,9 +47,9 @@ class BoxHeap {
   std::vector<VariableBox> boxes_;
 };
 
-/// The side that is widest relative to the variable's range, or nothing below the narrowest width.
-inline std::size_t widest_side(const Stage& stage, std::span<const Interval> box) {
-  double most = narrowest;
+/// The side that is widest relative to the variable's range; box.size() where none is wider than `least`.
+inline std::size_t widest_side(const Stage& stage, std::span<const Interval> box, double least = narrowest) {
+  double most = least;
   std::size_t widest = box.size();
   for (std::size_t v = 0; v < box.size(); ++v) {
     const Variable& variable = stage.variables()[v];

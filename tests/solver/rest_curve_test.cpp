@@ -50,6 +50,16 @@ struct Comparisons {
 
 }  // namespace
 
+TEST_CASE("A lower bound of a total is infinity where that of a part is, and else never above the sum") {
+  const double infinity = std::numeric_limits<double>::infinity();
+  CHECK(total_down(5.0, infinity) == infinity);
+  CHECK(total_down(infinity, -5.0) == infinity);
+  CHECK(total_down(-infinity, 5.0) == -infinity);
+  CHECK(total_down(2.0, 3.0) == 5.0);
+  CHECK(total_down(0.1, 0.2) <= 0.3);  // 0.1 + 0.2 is rounded up
+  CHECK(total_down(0.1, 0.2) == Approx(0.3).epsilon(1e-15));
+}
+
 TEST_CASE("No completion of a design costs less than the rest curves say") {
   Comparisons comparisons;
   std::size_t curves = 0;

@@ -2,12 +2,15 @@
 //
 // Stopped anywhere, after any number of questions, a search says what is true: its bound is one, its builds are
 // feasible, and it claims to be done only if it is. The optimum comes from exhaustive enumeration.
+#include <algorithm>
 #include <atomic>
+#include <limits>
 
 #include "catch.h"
 #include "sanitized.h"
 #include "solver/enumeration.h"
 #include "solver/forwarding_stage.h"
+#include "solver/shared_choices.h"
 
 namespace stop_test {
 
@@ -72,12 +75,12 @@ class CountedStage final : public zoo::ForwardingStage {
   bool charges_;
 };
 
-Summary solve_impatiently(const Stack& stack, Options options, std::int64_t questions) {
+Summary solve_impatiently(const Stack& stack, Options options, std::int64_t questions, Row surcharges = 2) {
   Patience patience;
   patience.left = questions;
   std::vector<std::unique_ptr<Stage>> stages;
   Problem problem = stack.problem;
-  problem.shared.push_back({"surcharge", 2});
+  problem.shared.push_back({"surcharge", surcharges});
   for (const Stage*& stage : problem.stages) {
     stages.push_back(std::make_unique<CountedStage>(*stage, patience, stages.empty()));
     stage = stages.back().get();
@@ -118,6 +121,36 @@ TEST_CASE("Stopped after any number of questions a search has a valid bound and 
   CHECK(stopped > (millwright::sanitized ? 300U : 1500U));
   CHECK(with_build > 10);
   CHECK(before_any > 10);
+}
+
+TEST_CASE("Stopped among very many combinations of shared choices a search claims nothing") {
+  const Stack stack = random_stack(3);
+  for (const std::vector<std::size_t>& objectives :
+       {std::vector<std::size_t>{0}, std::vector<std::size_t>{0, 1}, std::vector<std::size_t>{0, 1, 2}}) {
+    Options options;
+    options.objectives = objectives;
+    CAPTURE(objectives.size());
+    const Summary summary = solve_impatiently(stack, options, 1, 5000);
+    CHECK(summary.status == Status::limit);
+    CHECK(summary.builds.empty());
+    if (objectives.size() == 1)
+      CHECK(summary.lower_bound == -std::numeric_limits<double>::infinity());
+    else
+      CHECK(summary.front_tolerance == std::numeric_limits<double>::infinity());
+  }
+}
+
+TEST_CASE("Combinations of shared choices are gone through once each") {
+  Problem problem;
+  problem.shared = {{"voltage", 2}, {"shops", 3}, {"rate", 1}};
+  std::vector<Row> shared(3, 0);
+  std::vector<std::vector<Row>> seen;
+  do seen.push_back(shared);
+  while (next_combination(problem, shared));
+  CHECK(seen.size() == 6);
+  CHECK(std::is_sorted(seen.begin(), seen.end()));
+  CHECK(std::adjacent_find(seen.begin(), seen.end()) == seen.end());
+  CHECK(shared == std::vector<Row>(3, 0));
 }
 
 }  // namespace stop_test
