@@ -11,7 +11,10 @@
 #include <functional>
 #include <memory>
 #include <numeric>
+#include <set>
 
+#include "evaluation/allowed_time.h"
+#include "evaluation/cheapest_order.h"
 #include "evaluation/held_parts.h"
 #include "evaluation/machine_stages.h"
 #include "evaluation/shops.h"
@@ -215,33 +218,48 @@ std::optional<solver::Build> cheapest_build(const MachineModel& model,
   return build;
 }
 
-/// Where no build complies: the one with the least bad checks, of equal ones the cheapest with its orders.
+/// How bad a design is; of equally bad ones the cheaper is better.
+using Badness = std::pair<std::vector<double>, double>;
+
+Badness badness_of(const Design& design) {
+  std::vector<double> utilisations;
+  for (const Check& c : design.checks)
+    if (c.kind != machine::ConstraintKind::soft)
+      utilisations.push_back(!std::isnan(c.utilisation)       ? c.utilisation
+                             : c.verdict == Verdict::violated ? machine::useless_utilisation
+                                                              : 0.0);
+  return {badness(std::move(utilisations)), design.cost};
+}
+
+/// Where no build complies: the one with the least bad checks, of equal ones the cheapest with its orders. Parts are
+/// taken slot by slot, as these and those suppliers sell them, and then ordered where all of them together cost least.
 Design least_bad(const MachineModel& model,
                  const HeldParts& held,
                  const solver::RestrictedProblem& restricted,
-                 const SearchOptions& options) {
+                 const SearchOptions& options,
+                 const AllowedTime& time) {
+  constexpr double at_least = 2.0;  // seconds for the orders, which are soon found, when a search took all there was
   Design best;
-  std::pair<std::vector<double>, double> least{{std::numeric_limits<double>::infinity()}, 0.0};
+  Badness least{{std::numeric_limits<double>::infinity()}, 0.0};
+  const AlikeRows alike(model);
   const std::vector<solver::Slot>& choices = model.problem().shared;
   const Row supplier_sets = choices.size() > shop_choice ? choices[shop_choice].rows : 1;
-  for (Row voltage = 0; voltage < choices.front().rows; ++voltage)
+  for (Row voltage = 0; voltage < choices.front().rows; ++voltage) {
+    std::set<std::vector<std::size_t>> seen;
     for (Row suppliers = 0; suppliers < supplier_sets; ++suppliers) {
       std::vector<Row> shared{voltage};
       if (choices.size() > shop_choice) shared.push_back(suppliers);
       const auto build = cheapest_build(model, held, restricted, shared);
-      if (!build) continue;
-      Design design = model.design(*build, options.worksheets);
-      std::vector<double> utilisations;
-      for (const Check& c : design.checks)
-        if (c.kind != machine::ConstraintKind::soft)
-          utilisations.push_back(!std::isnan(c.utilisation)       ? c.utilisation
-                                 : c.verdict == Verdict::violated ? machine::useless_utilisation
-                                                                  : 0.0);
-      std::pair<std::vector<double>, double> bad{badness(std::move(utilisations)), design.cost};
+      if (!build || !seen.insert(alike.parts_of(*build)).second) continue;
+      const double seconds = std::max(at_least, time.left());
+      Design design =
+          model.design(ordered_cheapest_though_failing(model, alike, options, *build, seconds), options.worksheets);
+      Badness bad = badness_of(design);
       if (!(bad < least)) continue;
       least = std::move(bad);
       best = std::move(design);
     }
+  }
   return best;
 }
 
@@ -284,6 +302,7 @@ BomCheck check(const machine::Problem& problem,
                bool complete,
                const SearchOptions& options,
                const std::string& only_origin) {
+  const AllowedTime time(options.time_limit_seconds);
   BomCheck result;
   machine::Problem at_voltage = problem;
   take_settings(at_voltage, bom, only_origin);
@@ -315,7 +334,7 @@ BomCheck check(const machine::Problem& problem,
     result.completion = summary.status == solver::Status::optimal ? Completion::best : Completion::compliant;
   } else {
     result.completion = summary.status == solver::Status::infeasible ? Completion::refuted : Completion::open;
-    result.design = least_bad(model, held, restricted, options);
+    result.design = least_bad(model, held, restricted, options, time);
   }
   mark_origins(result.design, bom);
   return result;

@@ -4,7 +4,11 @@
 // good parts in a bad order: two shops' shipping where one sells everything.
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
 #include "evaluation/search_options.h"
+#include "solver/restricted_problem.h"
 
 namespace millwright::evaluation {
 
@@ -17,5 +21,28 @@ void order_cheapest(const MachineModel& model,
                     const SearchOptions& options,
                     std::vector<solver::Build>& builds,
                     double seconds);
+
+/// Which rows of a model differ only in who sells their parts.
+class AlikeRows {
+ public:
+  explicit AlikeRows(const MachineModel& model);
+
+  /// What a build consists of: the same numbers where only the sellers differ.
+  [[nodiscard]] std::vector<std::size_t> parts_of(const solver::Build& build) const;
+  /// Everything of a build is held but who sells its parts.
+  [[nodiscard]] solver::Restriction with_parts_of(const MachineModel& model, const solver::Build& build) const;
+
+ private:
+  std::vector<std::vector<std::vector<std::size_t>>> parts_;  ///< [stage][slot][row]
+};
+
+/// The same of a build that fails checks, whatever they are: within the limit of the cost as builds are compared, if
+/// that can be kept, and else for the least that there is. Of what is in stock no more is taken than there is. The
+/// build itself where nobody sells all of it, or time is up. The model has neither scenarios nor fixed parts.
+solver::Build ordered_cheapest_though_failing(const MachineModel& model,
+                                              const AlikeRows& alike,
+                                              const SearchOptions& options,
+                                              const solver::Build& build,
+                                              double seconds);
 
 }  // namespace millwright::evaluation

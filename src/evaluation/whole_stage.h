@@ -140,6 +140,9 @@ class WholeStage final : public ElementStage<WholeStage> {
   /// What must not be bought while it is owned; after set_suppliers().
   void set_owned_first(std::vector<OwnedFirst> rules);
 
+  /// The constraints on the machine; behind them stand those on orders and on what is owned.
+  [[nodiscard]] std::size_t declared_constraints() const { return declared_constraints_; }
+
   template <class T>
   [[nodiscard]] WholeMachine<T> design(const Selection<T>& selection) const;
   template <class T>

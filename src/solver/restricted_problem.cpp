@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solver/restricted_problem.h"
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace millwright::solver {
@@ -116,19 +118,31 @@ Input RestrictedStage::inner_input(Input input) const {
   return input;
 }
 
+template <class T>
+void RestrictedStage::waive(Answer<T>& answer) const {
+  std::fill_n(answer.utilisation.begin(), restriction_.waived.value_or(0), T(0.0));
+}
+
 void RestrictedStage::evaluate(const Point& point, Answer<double>& answer) const {
   const auto shared = inner_shared(point.shared);
   const auto rows = inner_rows(point.rows);
   const auto variables = inner_variables(point.variables);
   inner_.evaluate({shared, point.inherited, rows, variables}, answer);
+  waive(answer);
+  if (!restriction_.waived) return;
+  // What fails a check may hand on no number; constraints that are not waived read none of that.
+  for (double& component : answer.handed_on)
+    if (!std::isfinite(component)) component = 0.0;
 }
 
 void RestrictedStage::bound(const Box& box, Answer<Interval>& answer) const {
   inner_.bound(InnerBox(*this, box).inner, answer);
+  waive(answer);
 }
 
 void RestrictedStage::slopes(const Box& box, Input input, Answer<Interval>& answer) const {
   inner_.slopes(InnerBox(*this, box).inner, inner_input(input), answer);
+  waive(answer);
 }
 
 void RestrictedStage::gradient(const Point& point, Input input, Answer<double>& answer) const {
@@ -136,6 +150,7 @@ void RestrictedStage::gradient(const Point& point, Input input, Answer<double>& 
   const auto rows = inner_rows(point.rows);
   const auto variables = inner_variables(point.variables);
   inner_.gradient({shared, point.inherited, rows, variables}, inner_input(input), answer);
+  waive(answer);
 }
 
 bool RestrictedStage::offered(std::span<const Row> shared, std::size_t slot, Row row) const {
@@ -144,6 +159,7 @@ bool RestrictedStage::offered(std::span<const Row> shared, std::size_t slot, Row
 
 bool RestrictedStage::fits(
     std::span<const Row> shared, std::size_t slot_a, Row row_a, std::size_t slot_b, Row row_b) const {
+  if (restriction_.waived) return true;
   return inner_.fits(
       inner_shared(shared), slot_a, restriction_.allowed[slot_a][row_a], slot_b, restriction_.allowed[slot_b][row_b]);
 }

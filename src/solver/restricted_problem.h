@@ -16,6 +16,9 @@ namespace millwright::solver {
 struct StageRestriction {
   std::vector<std::vector<Row>> allowed;    ///< per slot the rows that may be chosen, ascending
   std::vector<std::optional<double>> held;  ///< per variable its value, if it is held
+  /// Of a design that is taken as it is, whatever it fails: the first so many constraints count as kept, and all parts
+  /// as fitting.
+  std::optional<std::size_t> waived = {};
 };
 
 /// What is left of a problem.
@@ -57,7 +60,7 @@ class RestrictedStage final : public Stage {
                                Row row,
                                std::size_t other_slot) const override;
   [[nodiscard]] bool may_misfit(std::size_t slot_a, std::size_t slot_b) const override {
-    return inner_.may_misfit(slot_a, slot_b);
+    return !restriction_.waived && inner_.may_misfit(slot_a, slot_b);
   }
   [[nodiscard]] double combinations(std::span<const std::vector<Row>> rows) const override;
 
@@ -70,6 +73,8 @@ class RestrictedStage final : public Stage {
   struct InnerBox;
   [[nodiscard]] std::vector<Row> inner_rows_of(std::size_t slot, std::span<const Row> rows) const;
   [[nodiscard]] Input inner_input(Input input) const;
+  template <class T>
+  void waive(Answer<T>& answer) const;
 
   const Stage& inner_;
   StageRestriction restriction_;

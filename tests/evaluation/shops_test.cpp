@@ -12,6 +12,7 @@
 #include "catch.h"
 #include "evaluation/best_of_all.h"
 #include "evaluation/cheapest_order.h"
+#include "evaluation/design_bill.h"
 #include "evaluation/exhaustive.h"
 #include "evaluation/market.h"
 #include "evaluation/purchase.h"
@@ -70,6 +71,70 @@ TEST_CASE("With several shops the cheapest build and the front equal those of al
   CHECK(used[1] > 0);
   CHECK(used[2] > 0);
   CHECK(topped_up > 0);
+}
+
+// Every build of the front is the cheapest order of its parts (above), so that is what its bill costs, whatever fails.
+TEST_CASE("A bill costs what its parts are ordered for at least, whatever check it fails") {
+  std::size_t bills = 0, ordered = 0;
+  for (unsigned seed = 0; seed < (sanitized ? 2 : 12); ++seed) {
+    std::mt19937 random(seed);
+    const Market market = random_market(random, seed);
+    const TinyCatalogue tiny({}, {"ball_screws"});
+    TemporaryFolder overlay;
+    market.write(overlay);
+    const catalogue::Catalogue offered = catalogue_of({tiny.path(), overlay.path()});
+    const machine::Problem problem = two_axes(4.0 + 8.0 * (seed % 3));
+    for (const Design& design : solved(MachineModel(problem, offered), {"cost", "mass"}).designs) {
+      CAPTURE(seed, design.cost, design.mass);
+      if (!(design.cost > 1.0)) continue;  // all of it is owned
+      machine::Problem dearer = problem, hotter = problem;
+      dearer.cost_limit = 0.7 * design.cost;
+      for (machine::Axis& axis : hotter.axes) axis.require.set(machine::Requirement::inertia_ratio, 1e-3);
+      const auto over = evaluation::check(dearer, offered, evaluation::bill_of(design), false, {});
+      REQUIRE(over.problems.empty());
+      CHECK(over.completion == evaluation::Completion::refuted);
+      CHECK(over.design.cost == Approx(design.cost).epsilon(1e-9));
+      const auto spent = std::ranges::find(over.design.checks, "C-SYS-COST", &evaluation::Check::id);
+      REQUIRE(spent != over.design.checks.end());
+      CHECK(spent->verdict == evaluation::Verdict::violated);
+      CHECK(spent->utilisation == Approx(1.0 / 0.7).epsilon(1e-9));
+      const auto failing = evaluation::check(hotter, offered, evaluation::bill_of(design), false, {});
+      CHECK(failing.completion == evaluation::Completion::refuted);
+      CHECK(failing.design.cost == Approx(design.cost).epsilon(1e-9));
+      ++bills;
+      ordered += shops_used(over.design) > 0;
+    }
+  }
+  CHECK(bills >= 2);
+  CHECK(ordered > 0);
+}
+
+// The cheapest order keeps the budget, whichever of the parts' sellers would rather be taken.
+TEST_CASE("A failing bill with preferred parts keeps a budget that its parts can be had for") {
+  std::size_t bills = 0;
+  for (unsigned seed = 0; seed < (sanitized ? 2 : 12); ++seed) {
+    std::mt19937 random(300 + seed);
+    Market market = random_market(random, seed);
+    for (const char* part : {"M23", "M23L", "D4", "K8", "K12", "F10"})
+      if (random() % 2 == 0) market.preferred[part] = 1.5;
+    const TinyCatalogue tiny({}, {"ball_screws"});
+    TemporaryFolder overlay;
+    market.write(overlay);
+    const catalogue::Catalogue offered = catalogue_of({tiny.path(), overlay.path()});
+    machine::Problem problem = two_axes(4.0 + 8.0 * (seed % 3));
+    const Synthesis cheapest = solved(MachineModel(problem, offered), {"cost"});
+    if (market.preferred.empty() || cheapest.designs.empty() || !(cheapest.designs[0].cost > 1.0)) continue;
+    CAPTURE(seed, cheapest.designs[0].cost);
+    problem.preference = 1.5;
+    problem.cost_limit = cheapest.designs[0].cost * (1.0 + 1e-9);
+    for (machine::Axis& axis : problem.axes) axis.require.set(machine::Requirement::inertia_ratio, 1e-3);
+    const auto failing = evaluation::check(problem, offered, evaluation::bill_of(cheapest.designs[0]), false, {});
+    REQUIRE(failing.problems.empty());
+    CHECK(failing.completion == evaluation::Completion::refuted);
+    CHECK(failing.design.cost == Approx(cheapest.designs[0].cost).epsilon(1e-9));
+    ++bills;
+  }
+  CHECK(bills > 0);
 }
 
 TEST_CASE("With several shops and preferred parts the best build is that of all builds and orders") {
