@@ -118,4 +118,10 @@ void link_axes(const Node& axes, Problem& problem, Diagnostics& diagnostics) {
   Forest(axes, problem, diagnostics).link();
 }
 
+bool is_counterbalanced(const Problem& problem, std::size_t axis) {
+  for (std::optional<std::size_t> each = axis; each; each = problem.axes[*each].carried_by)
+    if (problem.axes[*each].counterbalance_force > 0.0) return true;
+  return false;
+}
+
 }  // namespace millwright::machine

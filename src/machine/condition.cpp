@@ -8,6 +8,7 @@
 #include <set>
 #include <string>
 
+#include "machine/carrying.h"
 #include "machine/condition_holding.h"
 #include "machine/condition_places.h"
 #include "scalar/unit.h"
@@ -62,21 +63,25 @@ class Collector {
     return condition;
   }
 
+  /// Whose reserve counts for the one supply of the machine: the largest.
+  [[nodiscard]] const Axis& axis_of_reserve() const {
+    return *std::ranges::max_element(
+        problem_.axes, {}, [](const Axis& a) { return a.require(Requirement::supply_reserve); });
+  }
+
   void add_requirements(std::size_t index, bool given) {
     const Axis& axis = problem_.axes[index];
     for (const RequirementDeclaration& declared : requirements()) {
-      const Looser side = looser_side(declared.requirement);
-      if (side == Looser::neither || !axis.require.counts(declared.requirement)) continue;
-      if (axis.require.given(declared.requirement) != given) continue;
-      // The largest of all axes' reserves counts, for the one supply of the machine.
-      const bool shared = declared.requirement == Requirement::supply_reserve;
-      if (shared && index > 0) continue;
+      const Requirement which = declared.requirement;
+      const Looser side = looser_side(which);
+      if (side == Looser::neither || !axis.require.counts(which) || axis.require.given(which) != given) continue;
+      const bool shared = which == Requirement::supply_reserve;
+      if (shared && &axis != &axis_of_reserve()) continue;
       // A share of what a part can bear is eased to all of it, a safety to none, and no further.
-      const double present = axis.require(declared.requirement);
-      const Side kind = side_of(declared.requirement);
-      double furthest = Condition{}.furthest;
-      if (kind == Side::share && side == Looser::larger) furthest = 1.0 / present;
-      if (kind == Side::safety && side == Looser::smaller) furthest = present;
+      const double present = axis.require(which);
+      const double furthest = side_of(which) == Side::share && side == Looser::larger     ? 1.0 / present
+                              : side_of(which) == Side::safety && side == Looser::smaller ? present
+                                                                                          : Condition{}.furthest;
       if (!(furthest > 1.0)) continue;
       const Node* own = Places::find(places_.axis(index), {"require", declared.key});
       const Node* found = own != nullptr ? own : Places::find(places_.root(), {"require", declared.key});
@@ -85,17 +90,14 @@ class Collector {
       condition.meaning = declared.meaning;
       condition.given = given;
       condition.source = declared.source;
-      condition.setting =
-          shared ? fmt::format("require.{}", declared.key) : fmt::format("axis.{}.require.{}", axis.name, declared.key);
+      const std::string of_axis = shared && own == nullptr ? "" : "axis." + axis.name + ".";
+      condition.setting = of_axis + "require." + std::string(declared.key);
       if (Places::find(own, {"limit"}) != nullptr) condition.setting += ".limit";
       condition.furthest = furthest;
-      const Requirement which = declared.requirement;
-      double value = axis.require(which);
-      if (shared)
-        for (const Axis& each : problem_.axes) value = std::max(value, each.require(which));
-      add_number(condition, value, std::string(declared.unit), side == Looser::larger, [=](Asked& asked, double to) {
+      add_number(condition, present, std::string(declared.unit), side == Looser::larger, [=](Asked& asked, double to) {
         for (std::size_t i = 0; i < asked.problem.axes.size(); ++i)
-          if (shared || i == index) asked.problem.axes[i].require.change(which, to);
+          if (Requirements& each = asked.problem.axes[i].require; i == index || (shared && each(which) > to))
+            each.change(which, to);
       });
     }
   }
@@ -214,7 +216,7 @@ class Collector {
       double distance = 0.0;  // along the path, of which each axis has its share of a speed
       for (const auto& [a, m] : parts) distance = std::hypot(distance, problem_.axes[a].moves[m].distance);
       const auto scale = [&](const char* name, std::optional<double> Move::*value, const char* unit, bool larger) {
-        if (!(move.*value)) return;
+        if (!(move.*value) || (value == &Move::speed && move.time)) return;  // slower is not looser: it has its time
         Condition& condition =
             add(coordinated ? "machine" : axis.name, fmt::format("{} of {}", name, title), place(name));
         if (!path.empty()) condition.setting = path + name;
@@ -359,11 +361,10 @@ class Collector {
 
   void add_loads(std::size_t i) {
     const Axis& axis = problem_.axes[i];
-    const Node* const table = places_.axis(i);
     const auto load = [&](const char* key, double Axis::*value, const char* unit) {
-      if (!(axis.*value > 0.0)) return;
-      const Node* const node = Places::find(table, {key});
-      Condition& condition = add(axis.name, key, places_.of(node != nullptr ? node : table));
+      if (!(axis.*value > 0.0) || (std::string_view(unit) == "kg" && is_counterbalanced(problem_, i))) return;
+      const Node* const node = Places::find(places_.axis(i), {key});
+      Condition& condition = add(axis.name, key, places_.of(node != nullptr ? node : places_.axis(i)));
       if (node != nullptr) condition.setting = fmt::format("axis.{}.{}", axis.name, key);
       add_number(condition, axis.*value, unit, false, [i, value](Asked& asked, double to) {
         asked.problem.axes[i].*value = to;
@@ -372,7 +373,7 @@ class Collector {
     load("payload_mass", &Axis::payload_mass, "kg");
     load("structure_mass", &Axis::structure_mass, "kg");
     // Of a table and what is clamped on it together, where both are stated.
-    const bool clamped = Places::find(table, {"payload_inertia"}) != nullptr;
+    const bool clamped = Places::find(places_.axis(i), {"payload_inertia"}) != nullptr;
     load(clamped ? "inertia" : "structure_inertia", &Axis::inertia, "kg.m2");
     load("friction_torque", &Axis::friction_torque, "N.m");
   }

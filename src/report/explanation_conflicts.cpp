@@ -119,8 +119,10 @@ std::string conflict_text(const Explanation& explanation,
   }
   out += table.str(2, style);
   if (conflict.ways.empty()) return out + "\n";
-  out += conflict.ways.size() == 1 ? "\n  This is enough, proved by solving (numbers to 1 %):\n"
-                                   : "\n  Any one of these is enough, proved by solving (numbers to 1 %):\n";
+  const auto enough = std::ranges::count_if(conflict.ways, &Relaxation::enough);
+  out += enough == 0   ? "\n  Taken alone, none of these is enough:\n"
+         : enough == 1 ? "\n  This is enough, proved by solving (numbers to 1 %):\n"
+                       : "\n  Any one of these is enough, proved by solving (numbers to 1 %):\n";
   std::string useless;
   for (const Relaxation& way : conflict.ways) {
     if (!way.enough) {
