@@ -37,10 +37,22 @@ std::string number_of(const catalogue::Catalogue& catalogue, const catalogue::Pa
   return std::string(catalogue.table(part.family).part_number(part.row));
 }
 
-bool is_excluded(const std::vector<ExcludedPart>& without, const std::string& part, const std::string& maker) {
-  return std::any_of(without.begin(), without.end(), [&](const ExcludedPart& each) {
+/// What excludes a part; null: nothing does.
+const ExcludedPart* excluding(const std::vector<ExcludedPart>& without,
+                              const std::string& part,
+                              const std::string& maker) {
+  const auto found = std::find_if(without.begin(), without.end(), [&](const ExcludedPart& each) {
     return each.part_number == part && (maker.empty() || each.manufacturer.empty() || each.manufacturer == maker);
   });
+  return found == without.end() ? nullptr : &*found;
+}
+bool is_excluded(const std::vector<ExcludedPart>& without, const std::string& part, const std::string& maker) {
+  return excluding(without, part, maker) != nullptr;
+}
+std::string told_why(const std::string& part, const ExcludedPart& excluded) {
+  return excluded.said_in.empty()
+             ? fmt::format("{} is excluded by --without", text::in_quotes(part))
+             : fmt::format("{} is not available, as {} says", text::in_quotes(part), excluded.said_in);
 }
 
 /// The reduction that an axis states by this name, with or without the maker that bills of material give it.
@@ -153,11 +165,11 @@ class FixedReader {
                          "write the maker before it, with a blank between");
       return false;
     }
-    if (!is_excluded(without_, line.part_number, line.manufacturer)) return true;
-    diagnostics_.error(
-        word.value_span(),
-        fmt::format("{}: {} is excluded by --without or not available", word.name, text::in_quotes(word.value)),
-        "leave one of the two options out");
+    const ExcludedPart* const excluded = excluding(without_, line.part_number, line.manufacturer);
+    if (excluded == nullptr) return true;
+    diagnostics_.error(word.value_span(),
+                       fmt::format("{}: {}", word.name, told_why(word.value, *excluded)),
+                       excluded->said_in.empty() ? "leave one of the two options out" : "fix another part");
     return false;
   }
 
@@ -256,11 +268,15 @@ BillOfMaterials read_fixed(const std::vector<std::string>& words,
 }
 
 void refuse_excluded(const BillOfMaterials& bom, const std::vector<ExcludedPart>& without, Diagnostics& diagnostics) {
-  for (const BomLine& line : bom.lines)
-    if (!line.is_dimension() && is_excluded(without, line.part_number, line.manufacturer))
-      diagnostics.error(line.where,
-                        fmt::format("{} is excluded by --without", text::in_quotes(line.part_number)),
-                        "leave the option out, or name another part");
+  for (const BomLine& line : bom.lines) {
+    if (line.is_dimension()) continue;
+    const ExcludedPart* const excluded = excluding(without, line.part_number, line.manufacturer);
+    if (excluded == nullptr) continue;
+    diagnostics.error(line.where,
+                      told_why(line.part_number, *excluded),
+                      excluded->said_in.empty() ? "leave the option out, or name another part"
+                                                : "name another part, or leave that mark out");
+  }
 }
 
 }  // namespace millwright::machine

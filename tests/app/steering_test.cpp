@@ -205,6 +205,11 @@ TEST_CASE("Parts that cannot be excluded are named with what was meant") {
   const Outcome named = shop.run({"check", "m.toml", "b.csv", "--without", "A4988"});
   CHECK(named.exit_code == 2);
   CHECK(named.says("error: 'A4988' is excluded by --without"));
+  shop.write("mine/stock.csv", "part_number,owned,available\nA4988,,no\n");
+  const Outcome marked = shop.run({"check", "m.toml", "b.csv", "--catalogue", "mine"});
+  CHECK(marked.exit_code == 2);
+  CHECK(marked.says("error: 'A4988' is not available, as mine/stock.csv:2 says"));
+  CHECK_FALSE(marked.says("--without"));
 }
 
 TEST_CASE("A reduction is fixed by its name, as the problem or as a bill of materials writes it") {
