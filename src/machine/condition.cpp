@@ -11,6 +11,7 @@
 #include "machine/carrying.h"
 #include "machine/condition_holding.h"
 #include "machine/condition_places.h"
+#include "machine/usual_currents.h"
 #include "scalar/unit.h"
 
 namespace millwright::machine {
@@ -287,13 +288,12 @@ class Collector {
     list("motor frame", axis.motor.frames, Places::find(motor, {"frame"}), "motor", [i](Asked& asked) {
       asked.problem.axes[i].motor.frames.clear();
     });
-    if (!axis.motor.currents.empty()) {
-      std::vector<std::string> words;
-      for (const double amperes : axis.motor.currents) words.push_back(scalar::format(amperes, scalar::Unit::of("A")));
-      list("motor current", words, Places::find(motor, {"current"}), "motor", [i](Asked& asked) {
-        asked.problem.axes[i].motor.currents.clear();
-      });
-    }
+    std::vector<std::string> amperes;
+    for (const double each : axis.motor.currents) amperes.push_back(scalar::format(each, scalar::Unit::of("A")));
+    const auto set_any = [i, currents = usual_currents(axis, catalogue_)](Asked& asked) {
+      asked.problem.axes[i].motor.currents = currents;
+    };
+    list("motor current", amperes, Places::find(motor, {"current"}), "motor", set_any);
     if (axis.mechanism.kind == MechanismKind::screw && axis.mechanism.ball_screws != axis.mechanism.lead_screws)
       list("kind of screw",
            {axis.mechanism.ball_screws ? "ball_screws" : "lead_screws"},

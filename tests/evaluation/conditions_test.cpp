@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What of a machine with two axes can be eased, and by how much, where one value counts for both.
+#include <algorithm>
+
 #include "catch.h"
 #include "evaluation/tiny_catalogue.h"
 #include "machine/condition.h"
@@ -139,6 +141,22 @@ TEST_CASE("The speed of a move that has a time, too, is no condition: slower it 
   };
   CHECK(speeds("") == 1);
   CHECK(speeds("time = \"1 s\"\n") == 0);
+}
+
+TEST_CASE("A list of motor currents is lifted to one that has its own as well") {
+  std::string text = turntables("", "", "");
+  text.replace(text.find("microsteps = 8"), 14, "microsteps = 8, current = [\"0.55 A\", \"1.1 A\"]");
+  const Stated stated(text);
+  const std::vector<Condition> found = stated.named("motor current");
+  REQUIRE(found.size() == 1);
+  Asked lifted = stated.asked;
+  found[0].lift(lifted);
+  const std::vector<double>& currents = lifted.problem.axes[0].motor.currents;
+  CHECK(std::is_sorted(currents.begin(), currents.end()));
+  CHECK(std::count(currents.begin(), currents.end(), 0.55) == 1);
+  CHECK(std::count(currents.begin(), currents.end(), 1.1) == 1);
+  CHECK(currents.size() > 2);
+  CHECK(lifted.problem.axes[1].motor.currents.empty());
 }
 
 }  // namespace conditions_test
