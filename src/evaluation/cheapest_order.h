@@ -36,9 +36,10 @@ class AlikeRows {
   std::vector<std::vector<std::vector<std::size_t>>> parts_;  ///< [stage][slot][row]
 };
 
-/// The same of a build that fails checks, whatever they are: within the limit of the cost as builds are compared, if
-/// that can be kept, and else for the least that there is. Of what is in stock no more is taken than there is. The
-/// build itself where nobody sells all of it, or time is up. The model has neither scenarios nor fixed parts.
+/// A build that fails checks, whatever they are, with its parts from the suppliers of which the order costs least: as
+/// builds are compared within the limit of the cost, if that can be kept, and else in money. Of what is in stock no
+/// more is taken than there is. The build itself where nobody sells all of it, or time (`seconds`) is up. The model has
+/// neither scenarios nor fixed parts.
 solver::Build ordered_cheapest_though_failing(const MachineModel& model,
                                               const AlikeRows& alike,
                                               const SearchOptions& options,

@@ -2,7 +2,6 @@
 #include "machine/usual_currents.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace millwright::machine {
 

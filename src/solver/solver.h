@@ -50,9 +50,8 @@ struct Options {
   /// without, among neighbours of the answer only.
   bool settle_ties = true;
   /// Nodes at which a search ends as for the time limit; of the two methods of a front the second gets what the first
-  /// has left. Searches that a solve begins with and ends with (by other
-  /// objectives, among equals) have a count of their own, and each of those that find the price of a limit may take
-  /// what is left.
+  /// has left. Searches that a solve begins with and ends with (by other objectives, among equals) have a count of
+  /// their own, and each of those that find the price of a limit may take what is left.
   std::uint64_t most_nodes = std::numeric_limits<std::uint64_t>::max();
   /// A front is searched more and more coarsely, the more of its time or its nodes is used up (cover_front).
   bool widens = false;

@@ -87,10 +87,10 @@ class StagewiseSearch {
   /// score, and so many nodes are looked at for the designs of a chunk. False when time is up.
   bool look(double share, std::size_t nodes) { return pass({.haste = Haste{.share = share, .nodes = nodes}}); }
   [[nodiscard]] bool undecided() const { return undecided_; }
-  /// What a single objective comes to at least, as far as `run` has proved it: less than that or the best build nothing
-  /// does.
   /// Whether it was found at once that some stage has no design that is feasible and may matter.
   [[nodiscard]] bool nothing_left() const { return nothing_left_; }
+  /// What a single objective comes to at least, as far as `run` has proved it: less than that or the best build nothing
+  /// does.
   [[nodiscard]] double least_total() const { return least_total_ - bound_slack * std::fabs(least_total_); }
   /// Whether shared allowances were given prices (rest_plane.h).
   [[nodiscard]] bool used_prices() const { return used_prices_; }
