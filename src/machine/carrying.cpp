@@ -118,10 +118,11 @@ void link_axes(const Node& axes, Problem& problem, Diagnostics& diagnostics) {
   Forest(axes, problem, diagnostics).link();
 }
 
-bool is_counterbalanced(const Problem& problem, std::size_t axis) {
-  for (std::optional<std::size_t> each = axis; each; each = problem.axes[*each].carried_by)
-    if (problem.axes[*each].counterbalance_force > 0.0) return true;
-  return false;
+double stated_mass(const Problem& problem, std::size_t axis) {
+  double mass = problem.axes[axis].structure_mass + problem.axes[axis].payload_mass;
+  for (std::size_t i = 0; i < problem.axes.size(); ++i)
+    if (problem.axes[i].carried_by == axis) mass += stated_mass(problem, i);
+  return mass;
 }
 
 }  // namespace millwright::machine

@@ -12,8 +12,7 @@ namespace millwright::machine {
 /// the entry of `carries`: a name that is no axis, an axis that is carried twice, and each circle once.
 void link_axes(const text::Node& axes, Problem& problem, text::Diagnostics& diagnostics);
 
-/// Whether a counterbalance holds up what weighs on this axis, its own or that of one that carries it. Then less weight
-/// is not easier: it may be pushed up.
-[[nodiscard]] bool is_counterbalanced(const Problem& problem, std::size_t axis);
+/// Mass that is stated of an axis and all that it carries [kg].
+[[nodiscard]] double stated_mass(const Problem& problem, std::size_t axis);
 
 }  // namespace millwright::machine

@@ -8,8 +8,8 @@
 #include <set>
 #include <string>
 
-#include "machine/carrying.h"
 #include "machine/condition_holding.h"
+#include "machine/condition_loads.h"
 #include "machine/condition_places.h"
 #include "machine/usual_currents.h"
 #include "scalar/unit.h"
@@ -36,7 +36,8 @@ class Collector {
       if (auto brake = brake_condition(problem_, i, places_)) result_.push_back(std::move(*brake));
     add_steering();
     for (std::size_t i = 0; i < problem_.axes.size(); ++i) add_requirements(i, false);
-    for (std::size_t i = 0; i < problem_.axes.size(); ++i) add_loads(i);
+    for (std::size_t i = 0; i < problem_.axes.size(); ++i)
+      for (Condition& load : load_conditions(problem_, i, places_)) result_.push_back(std::move(load));
     return std::move(result_);
   }
 
@@ -357,25 +358,6 @@ class Collector {
                });
              });
     }
-  }
-
-  void add_loads(std::size_t i) {
-    const Axis& axis = problem_.axes[i];
-    const auto load = [&](const char* key, double Axis::*value, const char* unit) {
-      if (!(axis.*value > 0.0) || (std::string_view(unit) == "kg" && is_counterbalanced(problem_, i))) return;
-      const Node* const node = Places::find(places_.axis(i), {key});
-      Condition& condition = add(axis.name, key, places_.of(node != nullptr ? node : places_.axis(i)));
-      if (node != nullptr) condition.setting = fmt::format("axis.{}.{}", axis.name, key);
-      add_number(condition, axis.*value, unit, false, [i, value](Asked& asked, double to) {
-        asked.problem.axes[i].*value = to;
-      });
-    };
-    load("payload_mass", &Axis::payload_mass, "kg");
-    load("structure_mass", &Axis::structure_mass, "kg");
-    // Of a table and what is clamped on it together, where both are stated.
-    const bool clamped = Places::find(places_.axis(i), {"payload_inertia"}) != nullptr;
-    load(clamped ? "inertia" : "structure_inertia", &Axis::inertia, "kg.m2");
-    load("friction_torque", &Axis::friction_torque, "N.m");
   }
 
   const Asked& asked_;

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "machine/carrying.h"
 #include "machine/constraint.h"
 
 namespace millwright::machine {
@@ -13,14 +14,6 @@ namespace {
 
 constexpr double smallest_brake = 1e-3;  ///< N.m, below which no brake is worth its name
 constexpr int stops_to_balance = 4;      ///< quarters of the stated weight
-
-/// Mass that is stated of an axis and all that it carries [kg].
-double stated_mass(const Problem& problem, std::size_t axis) {
-  double mass = problem.axes[axis].structure_mass + problem.axes[axis].payload_mass;
-  for (std::size_t i = 0; i < problem.axes.size(); ++i)
-    if (problem.axes[i].carried_by == axis) mass += stated_mass(problem, i);
-  return mass;
-}
 
 Condition stated(
     const Problem& problem, std::size_t axis, const char* path, const text::Node* node, const Places& places) {

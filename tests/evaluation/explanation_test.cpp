@@ -6,6 +6,7 @@
 
 #include "catch.h"
 #include "evaluation/exhaustive.h"
+#include "evaluation/stated_conditions.h"
 #include "evaluation/tiny_catalogue.h"
 #include "sanitized.h"
 
@@ -50,17 +51,9 @@ force = "60 N"
                      require);
 }
 
-struct Case {
-  explicit Case(const std::string& toml, const TinyCatalogue& tiny) : parts(tiny.parts()) {
-    text::Diagnostics diagnostics;
-    const auto document = text::read_toml(text::SourceText::from_string("slide.toml", toml), diagnostics);
-    REQUIRE(document.has_value());
-    const auto problem = machine::problem_of(*document, diagnostics);
-    INFO(text::format(diagnostics));
-    REQUIRE(problem.has_value());
-    asked.problem = *problem;
-    conditions = machine::conditions_of(asked, *document, parts);
-  }
+struct Case : StatedConditions {
+  explicit Case(const std::string& toml, const TinyCatalogue& tiny)
+      : StatedConditions("slide.toml", toml, tiny.parts()), parts(tiny.parts()) {}
   [[nodiscard]] Explanation explain() const { return evaluation::explain(asked, parts, conditions, {}); }
 
   /// All builds with a change of what is asked.
@@ -93,8 +86,6 @@ struct Case {
   }
 
   catalogue::Catalogue parts;
-  Asked asked;
-  std::vector<Condition> conditions;
 };
 
 /// Cannot be met together, and can without any one: by trying all builds, over every subset.

@@ -5,6 +5,7 @@
 
 #include "evaluation/explanation.h"
 #include "evaluation/hand_worked.h"
+#include "evaluation/stated_conditions.h"
 #include "evaluation/synthesis.h"
 #include "sanitized.h"
 
@@ -36,19 +37,12 @@ time = "3 s"
 force = "10 N"
 )";
 
-struct Case {
-  explicit Case(const std::string& member, const std::string& require) {
-    const std::string toml = slow_axis + "[[axis.members]]\nname = \"part\"\n" + member +
-                             "\n[axis.require]\ninertia_ratio = 100\n" + require;
-    text::Diagnostics diagnostics;
-    const auto document = text::read_toml(text::SourceText::from_string("axis.toml", toml), diagnostics);
-    REQUIRE(document.has_value());
-    const auto problem = machine::problem_of(*document, diagnostics);
-    INFO(text::format(diagnostics));
-    REQUIRE(problem.has_value());
-    asked.problem = *problem;
-    conditions = machine::conditions_of(asked, *document, parts());
-  }
+struct Case : StatedConditions {
+  explicit Case(const std::string& member, const std::string& require)
+      : StatedConditions("axis.toml",
+                         slow_axis + "[[axis.members]]\nname = \"part\"\n" + member +
+                             "\n[axis.require]\ninertia_ratio = 100\n" + require,
+                         parts()) {}
   [[nodiscard]] Explanation explain(const std::string& objective = "cost") const {
     evaluation::SearchOptions options;
     options.objectives = {objective};
@@ -63,9 +57,6 @@ struct Case {
     REQUIRE(found.status == solver::Status::optimal);
     return found.designs.front();
   }
-
-  Asked asked;
-  std::vector<Condition> conditions;
 };
 
 const Rate* rate_of(const Explanation& explanation, const std::string& name) {
