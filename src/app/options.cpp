@@ -41,13 +41,13 @@ void add_output_options(CLI::App& verb, Options& options) {
 }
 
 void add_report_options(CLI::App& verb, Options& options) {
-  verb.add_option("--report",
-                  options.report,
-                  "write a page that shows and explains the result: drawings, parts, "
-                  "every calculation; complete in one file, to read or print")
-      ->type_name("FILE.html")
-      ->group(shared_group);
+  CLI::Option* const report = verb.add_option("--report",
+                                              options.report,
+                                              "write a page that shows and explains the result: drawings, parts, every "
+                                              "calculation; complete in one file, to read or print");
+  report->type_name("FILE.html")->group(shared_group);
   common(verb.add_option("--language", options.language, "of the page: en, or id (Indonesian)")
+             ->needs(report)
              ->check(CLI::IsMember(report::language_codes())),
          "CODE");
 }

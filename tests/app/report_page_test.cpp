@@ -330,6 +330,9 @@ TEST_CASE("The page can be had in Indonesian, with the same numbers") {
   Json without_titles = json;  // the numbers are the same
   for (Json& check : without_titles.at("checks")) check["title"] = "";
   expect_checks(page, without_titles);
+  const Outcome of_nothing = shop.run({"solve", "m.toml", "--language", "id"});
+  CHECK(of_nothing.exit_code == 2);
+  CHECK(of_nothing.says("--language requires --report"));
   const Outcome unknown = shop.run({"solve", "m.toml", "--report", "r.html", "--language", "xx"});
   CHECK(unknown.exit_code == 2);
 }
