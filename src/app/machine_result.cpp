@@ -13,7 +13,7 @@ report::MachineResult result_for(const MachineInput& input) {
   result.currency = problem.currency;
   result.title = problem.title;
   result.file = problem.file;
-  result.has_budget = problem.cost_limit.has_value() || problem.mass_limit.has_value();
+  result.has_budget = problem.limits.any();
   for (const machine::Axis& axis : problem.axes) result.axes.push_back(axis.name);
   return result;
 }

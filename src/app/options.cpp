@@ -88,11 +88,13 @@ void add_machine_options(CLI::App& verb, Options& options, bool with_page = true
                   "PATH=VALUE",
                   "change the problem, e.g. axis.x.stroke='800 mm' (repeatable); of 'solve' one may be a range, "
                   "'0.2:0.5:7 s': the best build at each of 7 values");
-  add_list_option(verb,
-                  "--limit",
-                  options.limits,
-                  "NAME=VALUE",
-                  "a budget that the whole machine must keep, cost='400 USD' or mass='12 kg' (repeatable)");
+  add_list_option(
+      verb,
+      "--limit",
+      options.limits,
+      "NAME=VALUE",
+      "what the whole machine may take at most: cost='400 USD', mass='12 kg', cycle_time='8 s', energy='150 J', "
+      "position_error='0.2 mm' (repeatable)");
   add_list_option(verb, "--without", options.without, "PART", "a part that may not be used anywhere (repeatable)");
   common(verb.add_option("--threads", options.threads, "threads to search with; the answer does not depend on it")
              ->check(CLI::Range(1U, 1024U)),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Where the state vector holds what concerns an axis: loads, and what is counted at the tool; and where the resources
-// hold what an objective counts beside cost and mass.
+// hold what an objective or a limit counts beside cost and mass.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ struct ToolStates {
   std::size_t count = 0;
 };
 
-/// Where the resources of a stage hold what is counted beside cost and mass; nothing where no objective asks.
+/// Where the resources of a stage hold what is counted beside cost and mass; nothing where nobody asks.
 struct CountedResources {
   std::optional<std::size_t> cycle_time, energy;
   std::optional<std::size_t> position_error;  ///< of the axes; where the tool's counts, the last stage knows
@@ -73,7 +73,7 @@ void add_to_tool(const AxisPlace& place, const Drive& drive, solver::Answer<T>& 
   sum = sum + machine::whole_steps(budget.total(), place.tool->error_step, scalar::dimension::length);
 }
 
-/// The drive's share of what objectives count beside cost and mass: the time of its axis in the machine's cycle, the
+/// The drive's share of what is counted beside cost and mass: the time of its axis in the machine's cycle, the
 /// energy of `drives` equal drives (each taken to be as loaded as the most loaded), the axis's position error.
 template <class T, class Drive>
 void count_cycle(const AxisPlace& place, const Drive& drive, double drives, solver::Answer<T>& out) {

@@ -50,17 +50,10 @@ std::vector<double> badness(std::vector<double> utilisations) {
   return utilisations;
 }
 
-/// Variables that make a stage least bad: coordinate search on a shrinking grid, exact enough to judge by.
-std::vector<double> least_bad_variables(const solver::Stage& stage, const solver::Point& at) {
-  const auto variables = stage.variables();
-  std::vector<double> best;
-  for (const solver::Variable& v : variables) best.push_back(0.5 * (v.lower + v.upper));
-  solver::Answer<double> answer;
-  const auto value = [&](const std::vector<double>& x) {
-    stage.evaluate({at.shared, at.inherited, at.rows, x}, answer);
-    return badness(answer.utilisation);
-  };
-  if (variables.empty()) return best;
+/// Variables at which `value` is least, from `best` on: coordinate search on a shrinking grid, exact enough to judge
+/// by.
+template <class Value>
+std::vector<double> least_over(std::span<const solver::Variable> variables, std::vector<double> best, Value&& value) {
   std::vector<double> least = value(best);
   double reach = 0.5;
   for (int round = 0; round < 40; ++round) {
@@ -79,6 +72,67 @@ std::vector<double> least_bad_variables(const solver::Stage& stage, const solver
     reach *= 0.6;
   }
   return best;
+}
+
+/// Variables that make a stage least bad.
+std::vector<double> least_bad_variables(const solver::Stage& stage, const solver::Point& at) {
+  const auto variables = stage.variables();
+  std::vector<double> middle;
+  for (const solver::Variable& v : variables) middle.push_back(0.5 * (v.lower + v.upper));
+  if (variables.empty()) return middle;
+  solver::Answer<double> answer;
+  return least_over(variables, std::move(middle), [&](const std::vector<double>& x) {
+    stage.evaluate({at.shared, at.inherited, at.rows, x}, answer);
+    return badness(answer.utilisation);
+  });
+}
+
+/// Whether, but for the cost, everything is within its limit; `used` gets what it takes of these, and all utilisations.
+bool keeps_limits(const solver::Problem& problem, const solver::Build& build, std::vector<double>& used) {
+  used.clear();
+  std::vector<double> state = problem.first_state, totals(problem.resources.size(), 0.0);
+  solver::Answer<double> answer;
+  for (std::size_t i = 0; i < build.stages.size(); ++i) {
+    problem.stages[i]->evaluate({build.shared, state, build.stages[i].rows, build.stages[i].variables}, answer);
+    used.insert(used.end(), answer.utilisation.begin(), answer.utilisation.end());
+    for (std::size_t r = 0; r < totals.size(); ++r) totals[r] += answer.resources[r];
+    state = answer.handed_on;
+  }
+  bool keeps = true;
+  for (std::size_t r = 0; r < totals.size(); ++r) {
+    if (r == cost_resource || !std::isfinite(problem.resources[r].limit)) continue;
+    used.push_back(std::min(machine::useless_utilisation, totals[r] / problem.resources[r].limit));  // no number too
+    keeps = keeps && !(used.back() > 1.0);
+  }
+  return keeps;
+}
+
+/// Parts that were taken one by one, with what the bill leaves free of the variables of each stage.
+struct TakenBuild {
+  solver::Build build;
+  std::vector<std::vector<double>> free;
+};
+
+/// What suits each stage may take too much in all: then what suits the machine, twice over, while there is time.
+void settle_for_limits(const MachineModel& model,
+                       const solver::RestrictedProblem& restricted,
+                       const AllowedTime& time,
+                       TakenBuild& taken) {
+  std::vector<double> used;
+  for (int round = 0; round < 2 && !keeps_limits(model.problem(), taken.build, used); ++round)
+    for (std::size_t i = 0; i < taken.free.size(); ++i) {
+      const solver::RestrictedStage& stage = restricted.stage(i);
+      if (taken.free[i].empty() || !(time.left() > 0.0)) continue;
+      const auto take = [&](const std::vector<double>& free) {
+        taken.build.stages[i].variables = stage.inner_variables(free);
+      };
+      taken.free[i] = least_over(stage.variables(), taken.free[i], [&](const std::vector<double>& free) {
+        take(free);
+        (void)keeps_limits(model.problem(), taken.build, used);
+        return badness(used);
+      });
+      take(taken.free[i]);
+    }
 }
 
 /// Rows that stand for owned pieces alone come last: there may not be enough of them.
@@ -180,11 +234,12 @@ std::optional<Row> least_bad_row(const MachineModel& model,
 
 /// The cheapest parts that fit and that these suppliers sell, slot by slot: named slots first; the supply for what the
 /// drives take. Nothing if they do not sell everything.
-std::optional<solver::Build> cheapest_build(const MachineModel& model,
-                                            const HeldParts& held,
-                                            const solver::RestrictedProblem& restricted,
-                                            std::vector<Row> shared) {
-  solver::Build build;
+std::optional<TakenBuild> cheapest_build(const MachineModel& model,
+                                         const HeldParts& held,
+                                         const solver::RestrictedProblem& restricted,
+                                         std::vector<Row> shared) {
+  TakenBuild taken;
+  solver::Build& build = taken.build;
   build.shared = std::move(shared);
   std::vector<double> state = model.problem().first_state;
   for (std::size_t i = 0; i < model.entries().size(); ++i) {
@@ -208,14 +263,15 @@ std::optional<solver::Build> cheapest_build(const MachineModel& model,
       chosen.front() = least_bad_row(model, model.entries()[i], stage, held.stages[i], build.shared, state);
     std::vector<Row> rows;
     for (const auto& row : chosen) rows.push_back(*row);
-    const std::vector<double> free = least_bad_variables(stage, {build.shared, state, rows, {}});
+    taken.free.push_back(least_bad_variables(stage, {build.shared, state, rows, {}}));
+    const std::vector<double>& free = taken.free.back();
     solver::Answer<double> answer;
     stage.evaluate({build.shared, state, rows, free}, answer);
     build.stages.push_back({stage.inner_rows(rows), stage.inner_variables(free), state});
     state = answer.handed_on;
   }
   model.set_suppliers(build);
-  return build;
+  return taken;
 }
 
 /// How bad a design is; of equally bad ones the cheaper is better.
@@ -249,11 +305,12 @@ Design least_bad(const MachineModel& model,
     for (Row suppliers = 0; suppliers < supplier_sets; ++suppliers) {
       std::vector<Row> shared{voltage};
       if (choices.size() > shop_choice) shared.push_back(suppliers);
-      const auto build = cheapest_build(model, held, restricted, shared);
-      if (!build || !seen.insert(alike.parts_of(*build)).second) continue;
+      auto taken = cheapest_build(model, held, restricted, shared);
+      if (!taken || !seen.insert(alike.parts_of(taken->build)).second) continue;
+      settle_for_limits(model, restricted, time, *taken);
       const double seconds = std::max(at_least, time.left());
-      Design design =
-          model.design(ordered_cheapest_though_failing(model, alike, options, *build, seconds), options.worksheets);
+      Design design = model.design(ordered_cheapest_though_failing(model, alike, options, taken->build, seconds),
+                                   options.worksheets);
       Badness bad = badness_of(design);
       if (!(bad < least)) continue;
       least = std::move(bad);

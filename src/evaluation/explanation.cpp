@@ -112,13 +112,13 @@ class Contradictions {
       return;
     }
     if (condition.kind == ConditionKind::budget) {  // exact: the least that any build takes
-      const bool mass = condition.unit == "kg";
-      way.design = trials_.best_by(mass ? "mass" : "cost", what, [&](Asked& asked) {
+      const machine::Quantity quantity = condition.quantity;
+      way.design = trials_.best_by(std::string(declaration(quantity).name), what, [&](Asked& asked) {
         trials_.lift_others(without(imposed, {way.condition}), asked);
         asked.problem.preference.reset();  // the least cost itself is asked for
       });
-      if (way.design) way.to = rounded_looser(condition, mass ? way.design->mass : way.design->cost);
-      if (way.design && mass)  // of the builds as light as that, as shown, the cheapest
+      if (way.design) way.to = rounded_looser(condition, way.design->total(quantity));
+      if (way.design && quantity != machine::Quantity::cost)  // of the builds within that, as shown, the cheapest
         way.design = trials_.best_by("cost", what, [&](Asked& asked) { eased(asked, *way.to); });
       return;
     }
@@ -129,6 +129,7 @@ class Contradictions {
       way.design = trials_.best_by("cost", what, [&](Asked& asked) { eased(asked, to); });
       if (way.design) return;
     }
+    way.to.reset();  // lifted it is enough, and no number that was tried
   }
 
   /// Of what is no part here, more costs nothing here: the least with which the build is as cheap as with any.
@@ -149,8 +150,9 @@ class Contradictions {
     const double factor = least_factor(condition, [&](double to) {
       return trials_.possible(what, [&](Asked& asked) {
         eased(asked, to);
-        const double limit = lifted->cost * (1.0 + 1e-6);
-        asked.problem.cost_limit = std::min(asked.problem.cost_limit.value_or(limit), limit);
+        std::optional<double>& limit = asked.problem.limits[machine::Quantity::cost];
+        const double as_cheap = lifted->cost * (1.0 + 1e-6);
+        limit = std::min(limit.value_or(as_cheap), as_cheap);
       });
     });
     const double to = rounded_looser(condition, condition.eased(factor));

@@ -312,6 +312,9 @@ Design MachineModel::design(const solver::Build& found, bool with_worksheet) con
     for (const solver::Row& row : choice.rows) rows.emplace_back(std::span(&row, 1));
     const Selection<double> selection{
         .shared = build.shared, .rows = rows, .inherited = state, .variables = choice.variables};
+    solver::Answer<double> answer;
+    entry.as_stage().evaluate({build.shared, state, choice.rows, choice.variables}, answer);
+    for (CountedTotal& each : design.counted) each.value += answer.resources[resource(each.quantity)];
     std::visit(
         [&](const auto& stage) {
           using Kind = std::remove_cvref_t<decltype(*stage)>;
@@ -320,8 +323,8 @@ Design MachineModel::design(const solver::Build& found, bool with_worksheet) con
           if constexpr (std::is_same_v<Kind, SupplyStage>) inputs.give(element);
           if constexpr (std::is_same_v<Kind, WholeStage>) {
             bill.charge_orders();
-            element.cost = design.cost;
-            element.mass = design.mass;
+            for (const auto& each : machine::quantities())
+              element.totals[static_cast<std::size_t>(each.quantity)] = design.total(each.quantity);
           }
           CheckVisitor visitor(element, entry, design.checks, outside);
           constraints_of<Kind>()(visitor);
@@ -342,9 +345,6 @@ Design MachineModel::design(const solver::Build& found, bool with_worksheet) con
         },
         entry.stage);
     add_dimensions(entry, choice, design);
-    solver::Answer<double> answer;
-    entry.as_stage().evaluate({build.shared, state, choice.rows, choice.variables}, answer);
-    for (CountedTotal& each : design.counted) each.value += answer.resources[resource(each.quantity)];
     std::visit(
         [&](const auto& stage) {
           if constexpr (requires { stage->tell_flange(selection, answer.handed_on); })

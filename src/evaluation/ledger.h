@@ -96,7 +96,7 @@ struct OutsideValidity {
   std::vector<Value> values;   ///< its arguments there
 };
 
-/// What an objective counts beside cost and mass, of the whole machine.
+/// What an objective or a limit counts beside cost and mass, of the whole machine.
 struct CountedTotal {
   machine::Quantity quantity = machine::Quantity::cycle_time;
   double value = 0.0;  ///< SI

@@ -16,6 +16,7 @@
 #include "evaluation/price_book.h"
 #include "evaluation/same_parts.h"
 #include "evaluation/short_bars.h"
+#include "evaluation/what_counts.h"
 
 namespace millwright::evaluation {
 
@@ -68,24 +69,6 @@ bool is_fixed(const machine::BillOfMaterials& fixed, const std::string& axis, co
   return std::any_of(fixed.lines.begin(), fixed.lines.end(), [&](const machine::BomLine& line) {
     return line.axis == axis && line.slot == slot;
   });
-}
-
-/// Whether comparing builds by these objectives reads the cost, and the mass. What does not count tells equals apart
-/// where it is first asked for (ties in search_options.cpp); points of a front that are equal in all its objectives are
-/// told apart by neither, so where it has no cost and no mass both count.
-void note_what_counts(const std::vector<std::string>& objectives, machine::Problem& problem) {
-  bool by_cost = false, by_mass = false, by_more = false;
-  for (const std::string& name : objectives)
-    for (const machine::ObjectiveTerm& term : machine::objective_named(name).terms) {
-      by_cost = by_cost || term.quantity == machine::Quantity::cost;
-      by_mass = by_mass || term.quantity == machine::Quantity::mass;
-      by_more = by_more || (term.quantity != machine::Quantity::cost && term.quantity != machine::Quantity::mass);
-    }
-  const bool any = objectives.empty() || (objectives.size() > 1 && !by_cost && !by_mass);
-  for (machine::Axis& axis : problem.axes) {
-    axis.cost_counts = any || by_cost || by_more || problem.cost_limit;
-    axis.mass_counts = any || by_mass || problem.mass_limit;
-  }
 }
 
 /// Which drivers of an axis have to stay.
@@ -157,8 +140,7 @@ MachineModel::MachineModel(const machine::Problem& given,
   std::copy_if(bars_->stocks().begin(), bars_->stocks().end(), std::back_inserter(charges), [](const BarStock& stock) {
     return stock.is_shared();
   });
-  if (problem.tool || problem.cost_limit || problem.mass_limit || !counted_parts_.empty() || !bars_->stocks().empty() ||
-      !shops_.empty()) {
+  if (problem.tool || problem.limits.any() || !counted_parts_.empty() || !bars_->stocks().empty() || !shops_.empty()) {
     auto whole = std::make_unique<WholeStage>(problem, tool_error);
     whole->set_charges(std::move(charges));
     whole->set_suppliers(shops_.shops());
@@ -181,13 +163,14 @@ MachineModel::MachineModel(const machine::Problem& given,
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const bool some_out_of_reach = std::ranges::any_of(counted_parts_, &CountedPart::only_owned);
   // The bill adds its lines up in another order than the search: what costs just so much is allowed.
-  const auto limit = [](std::optional<double> given_limit, double otherwise) {
-    return given_limit ? *given_limit * (1.0 + rounding_of_totals) : otherwise;
+  const auto add_resource = [&](machine::Quantity quantity, double otherwise) {
+    const std::optional<double> limit = problem.limits[quantity];
+    solver_problem_.resources.push_back(
+        {std::string(declaration(quantity).name), limit ? *limit * (1.0 + rounding_of_totals) : otherwise});
   };
-  solver_problem_.resources = {{"cost", limit(problem.cost_limit, some_out_of_reach ? 0.5 * beyond_reach : infinity)},
-                               {"mass", limit(problem.mass_limit, infinity)}};
-  for (const machine::Quantity quantity : problem.counted)
-    solver_problem_.resources.push_back({std::string(machine::declaration(quantity).name)});
+  add_resource(machine::Quantity::cost, some_out_of_reach ? 0.5 * beyond_reach : infinity);
+  add_resource(machine::Quantity::mass, infinity);
+  for (const machine::Quantity quantity : problem.counted) add_resource(quantity, infinity);
   if (prefers()) solver_problem_.resources.push_back({"compared cost"});
   solver_problem_.resources.resize(resources, {"cost with minimum orders"});
   if (!options_.scenarios.empty()) add_scenarios(given, given_slots);

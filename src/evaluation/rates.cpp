@@ -161,7 +161,7 @@ class Rates {
         const bool of_stage = holding.stage < base_->entries().size()
                                   ? check.axis == base_->entries()[holding.stage].axis &&
                                         check.element == base_->entries()[holding.stage].element
-                                  : check.id == "C-SYS-COST" || check.id == "C-SYS-MASS";
+                                  : machine::is_limit_of_machine(check.id);
         const bool known = std::any_of(result_.holding.begin(), result_.holding.end(), [&](const Check& each) {
           return each.axis == check.axis && each.element == check.element && each.id == check.id;
         });

@@ -178,7 +178,7 @@ TolerancedMachine::Bounds TolerancedMachine::bounds(std::span<const Interval> va
   const MachineModel model(problem_, parts);
   const solver::Build build = build_in(model);
   Bounds result;
-  result.totals.resize(model.problem().resources.size(), Interval(0.0));
+  std::vector<Interval> totals(model.problem().resources.size(), Interval(0.0));
   std::vector<Interval> state(model.problem().first_state.begin(), model.problem().first_state.end());
   for (std::size_t i = 0; i < build.stages.size(); ++i) {
     const solver::Stage& stage = *model.problem().stages[i];
@@ -194,9 +194,12 @@ TolerancedMachine::Bounds TolerancedMachine::bounds(std::span<const Interval> va
     solver::Answer<Interval> answer;
     stage.bound({build.shared, state, rows, variables}, answer);
     result.utilisation.insert(result.utilisation.end(), answer.utilisation.begin(), answer.utilisation.end());
-    for (std::size_t r = 0; r < result.totals.size(); ++r) result.totals[r] = result.totals[r] + answer.resources[r];
+    for (std::size_t r = 0; r < totals.size(); ++r) totals[r] = totals[r] + answer.resources[r];
     state = answer.handed_on;
   }
+  for (const machine::QuantityDeclaration& each : machine::quantities())
+    if (const auto limit = problem_.limits[each.quantity]; limit && each.quantity != machine::Quantity::cost)
+      result.limited.push_back({totals[model.resource(each.quantity)], *limit});
   return result;
 }
 
@@ -214,7 +217,8 @@ std::vector<double> TolerancedMachine::excesses(std::span<const Interval> values
     result.push_back(is_kept ? 0.0 : excess < machine::useless_utilisation ? excess : machine::useless_utilisation);
   };
   for (std::size_t i = 0; i < here.utilisation.size(); ++i) take(here.utilisation[i], as_stated_.utilisation[i], 1.0);
-  if (problem_.mass_limit) take(here.totals[1], as_stated_.totals[1], *problem_.mass_limit);
+  for (std::size_t i = 0; i < here.limited.size(); ++i)
+    take(here.limited[i].total, as_stated_.limited[i].total, here.limited[i].limit);
   return result;
 }
 

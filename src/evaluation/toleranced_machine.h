@@ -30,8 +30,12 @@ class TolerancedMachine {
 
  private:
   struct Bounds {
+    struct Limited {
+      scalar::Interval total;
+      double limit = 0.0;
+    };
     std::vector<scalar::Interval> utilisation;
-    std::vector<scalar::Interval> totals;  ///< of the resources
+    std::vector<Limited> limited;  ///< totals that have a limit, but for the cost
   };
   void take_parts(const MachineModel& model, const solver::Build& build);
   void take_figures(const catalogue::Catalogue& catalogue);

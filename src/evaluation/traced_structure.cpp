@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "evaluation/traced_elements.h"
 
+#include <cmath>
+
 namespace millwright::evaluation {
 
 using scalar::Traced;
@@ -147,8 +149,13 @@ void write_calculation(const WholeMachine<double>& element, ElementWorksheet& sh
     d.compliance[i] = given.take(compliances[i], element.compliance[i]);
     d.error[i] = given.take(errors[i], element.error[i]);
   }
-  d.cost = given.take({"K", "sum of all prices", "1"}, element.cost);
-  d.mass = given.take({"m", "sum of all masses", "kg"}, element.mass);
+  constexpr FigureName totals[] = {{"K", "sum of all prices", "1"},
+                                   {"m", "sum of all masses", "kg"},
+                                   {"t", "sum of the times of all moves", "s"},
+                                   {"E", "sum of the energies of all drives", "J"},
+                                   {"e", "sum of all position errors", "um"}};
+  for (std::size_t i = 0; i < machine::quantity_count; ++i)
+    if (!std::isnan(element.totals[i])) d.totals[i] = given.take(totals[i], element.totals[i]);
   whole_constraints(CalculationVisitor(d, sheet));
 }
 

@@ -21,10 +21,7 @@ ToolStates tool_states(const machine::Problem& problem) {
 }
 
 WholeStage::WholeStage(const machine::Problem& problem, std::optional<std::size_t> error_resource)
-    : data_{.require = problem.require,
-            .tool = problem.tool,
-            .cost_limit = problem.cost_limit.value_or(0.0),
-            .mass_limit = problem.mass_limit.value_or(0.0)},
+    : data_{.require = problem.require, .tool = problem.tool, .limits = problem.limits},
       states_(tool_states(problem)),
       error_resource_(error_resource) {
   name_ = "machine.whole";

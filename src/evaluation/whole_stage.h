@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is asked of the machine as a whole: how far the tool gives way, limits of cost and mass, and what is to be paid
+// What is asked of the machine as a whole: how far the tool gives way, its limits, and what is to be paid
 // for parts whose price depends on how many are taken, and for orders beside what is ordered. The last stage, without
 // slots; the limits are the solver's own, here they are only reported.
 #pragma once
@@ -18,8 +18,8 @@ namespace millwright::evaluation {
 struct WholeData {
   machine::Requirements require;
   std::optional<machine::Tool> tool;
-  double cost_limit = 0.0, mass_limit = 0.0;  ///< 0 = none
-  std::array<bool, 3> error_counts{};         ///< along x, y and z
+  machine::QuantityLimits limits;
+  std::array<bool, 3> error_counts{};  ///< along x, y and z
 };
 
 template <class T>
@@ -27,7 +27,8 @@ struct WholeMachine {
   const WholeData* data = nullptr;
   std::array<T, 3> compliance{};  ///< m/N, of axes and structure along x, y and z
   std::array<T, 3> error{};       ///< m, of the axes along x, y and z
-  T cost{}, mass{};               ///< of a finished design; the search does not fill them in
+  /// By quantity, of a finished design; the search does not fill them in.
+  std::array<T, machine::quantity_count> totals{};
 };
 
 ToolStates tool_states(const machine::Problem& problem);
@@ -48,6 +49,58 @@ T tool_error(const WholeMachine<T>& d, std::size_t direction) {
   return d.error[direction] + tool_deflection(d, direction);
 }
 
+/// Limits of the whole machine. The solver holds them itself.
+template <class Visit>
+void limits_of_machine(Visit& visit) {
+  using machine::Applies;
+  using machine::Declaration;
+  using machine::Quantity;
+  const auto limit = [&visit]<Quantity quantity>(
+                         Declaration declaration, std::integral_constant<Quantity, quantity>, auto dimension) {
+    declaration.id = machine::declaration(quantity).limit_id;
+    declaration.held_by_limit = true;
+    visit(
+        declaration,
+        [](const auto& d) { return d.data->limits[quantity] ? Applies::yes : Applies::no; },
+        [](const auto& d) { return d.totals[static_cast<std::size_t>(quantity)]; },
+        [dimension](const auto& d) {
+          using T = std::remove_cvref_t<decltype(d.totals.front())>;
+          return scalar::in_unit<T>(*d.data->limits[quantity], dimension);
+        });
+  };
+  using std::integral_constant;
+  limit(Declaration{.title = "Cost of everything chosen",
+                    .symbol = "K",
+                    .unit = "1",
+                    .source = "millwright_derivations, sum of prices"},
+        integral_constant<Quantity, Quantity::cost>{},
+        scalar::dimension::none);
+  limit(Declaration{.title = "Mass of everything chosen",
+                    .symbol = "m",
+                    .unit = "kg",
+                    .source = "millwright_derivations, sum of masses"},
+        integral_constant<Quantity, Quantity::mass>{},
+        scalar::dimension::mass);
+  limit(Declaration{.title = "Time of the machine's cycle",
+                    .symbol = "t",
+                    .unit = "s",
+                    .source = "millwright_derivations, sum of the times of all moves"},
+        integral_constant<Quantity, Quantity::cycle_time>{},
+        scalar::dimension::time);
+  limit(Declaration{.title = "Energy of the machine's cycle, estimated",
+                    .symbol = "E",
+                    .unit = "J",
+                    .source = "millwright_derivations, losses and work of all drives"},
+        integral_constant<Quantity, Quantity::energy>{},
+        scalar::dimension::energy);
+  limit(Declaration{.title = "Position errors of the machine together",
+                    .symbol = "e",
+                    .unit = "um",
+                    .source = "millwright_derivations, sum of position errors"},
+        integral_constant<Quantity, Quantity::position_error>{},
+        scalar::dimension::length);
+}
+
 template <class Visit>
 void whole_constraints(Visit&& visit) {
   using machine::Applies;
@@ -58,7 +111,7 @@ void whole_constraints(Visit&& visit) {
         declaration.source = "slocum1992, chapter 2";
         declaration.place = machine::WorstPlace::travel_ends;
         visit(declaration, applies, demand, [limit](const auto& d) {
-          using T = std::remove_cvref_t<decltype(d.cost)>;
+          using T = std::remove_cvref_t<decltype(d.totals.front())>;
           return scalar::in_unit<T>((*d.data->tool.*limit).value(), scalar::dimension::length);
         });
       };
@@ -96,29 +149,7 @@ void whole_constraints(Visit&& visit) {
         integral_constant<std::size_t, 1>{});
   error(Declaration{.id = "C-TOOL-ERROR-Z", .title = "Position error at the tool along z"},
         integral_constant<std::size_t, 2>{});
-  visit(
-      Declaration{.id = "C-SYS-COST",
-                  .title = "Cost of everything chosen",
-                  .symbol = "K",
-                  .unit = "1",
-                  .source = "millwright_derivations, sum of prices",
-                  .held_by_limit = true},
-      [](const auto& d) { return d.data->cost_limit > 0.0 ? Applies::yes : Applies::no; },
-      [](const auto& d) { return d.cost; },
-      [](const auto& d) { return std::remove_cvref_t<decltype(d.cost)>(d.data->cost_limit); });
-  visit(
-      Declaration{.id = "C-SYS-MASS",
-                  .title = "Mass of everything chosen",
-                  .symbol = "m",
-                  .unit = "kg",
-                  .source = "millwright_derivations, sum of masses",
-                  .held_by_limit = true},
-      [](const auto& d) { return d.data->mass_limit > 0.0 ? Applies::yes : Applies::no; },
-      [](const auto& d) { return d.mass; },
-      [](const auto& d) {
-        using T = std::remove_cvref_t<decltype(d.mass)>;
-        return scalar::in_unit<T>(d.data->mass_limit, scalar::dimension::mass);
-      });
+  limits_of_machine(visit);
 }
 
 class WholeStage final : public ElementStage<WholeStage> {

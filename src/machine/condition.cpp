@@ -36,7 +36,8 @@ class Collector {
       if (auto brake = brake_condition(problem_, i, places_)) result_.push_back(std::move(*brake));
     add_steering();
     for (std::size_t i = 0; i < problem_.axes.size(); ++i) add_requirements(i, false);
-    for (std::size_t i = 0; i < problem_.axes.size(); ++i)
+    // (What is lighter gives back less energy where it goes down, and so may not take less.)
+    for (std::size_t i = 0; i < problem_.axes.size() && !problem_.limits[Quantity::energy]; ++i)
       for (Condition& load : load_conditions(problem_, i, places_)) result_.push_back(std::move(load));
     return std::move(result_);
   }
@@ -105,22 +106,24 @@ class Collector {
   }
 
   void add_machine() {
-    const auto budget = [&](const char* name, std::optional<double> Problem::*limit, const char* unit) {
-      if (!(problem_.*limit)) return;
-      const Node* found = Places::find(places_.root(), {"limits", name});
-      const bool from_option = found == nullptr || by_option(name, *(problem_.*limit));
+    for (const QuantityDeclaration& each : quantities()) {
+      const std::optional<double> limit = problem_.limits[each.quantity];
+      if (!limit) continue;
+      const Node* found = Places::find(places_.root(), {"limits", each.name});
+      const bool from_option = found == nullptr || by_option(each.name, *limit);
       Condition& condition = add("machine",
-                                 from_option ? fmt::format("--limit {}", name) : fmt::format("limit of {}", name),
+                                 fmt::format("{} {}", from_option ? "--limit" : "limit of", each.name),
                                  from_option ? SourceSpan{} : found->span());
-      add_number(
-          condition, *(problem_.*limit), unit, true, [limit](Asked& asked, double to) { asked.problem.*limit = to; });
+      const Quantity quantity = each.quantity;
+      add_number(condition, *limit, std::string(each.unit), true, [quantity](Asked& asked, double to) {
+        asked.problem.limits[quantity] = to;
+      });
       condition.kind = ConditionKind::budget;
-      condition.lift = [limit](Asked& asked) { (asked.problem.*limit).reset(); };
-      if (!from_option) condition.setting = fmt::format("limits.{}", name);
-    };
-    budget("cost", &Problem::cost_limit, "");
-    budget("mass", &Problem::mass_limit, "kg");
-    const auto tool = [&](const char* name, std::optional<double> Tool::*limit) {
+      condition.quantity = quantity;
+      condition.lift = [quantity](Asked& asked) { asked.problem.limits[quantity].reset(); };
+      if (!from_option) condition.setting = fmt::format("limits.{}", each.name);
+    }
+    const auto tool = [&](const char* name, std::optional<double> Tool::*limit, std::optional<double> Tool::*scale) {
       if (!problem_.tool || !((*problem_.tool).*limit)) return;
       Condition& condition =
           add("machine", fmt::format("{} of the tool", name), places_.of(Places::find(places_.root(), {"tool", name})));
@@ -129,9 +132,15 @@ class Collector {
       add_number(condition, *((*problem_.tool).*limit), "m", true, [limit](Asked& asked, double to) {
         (*asked.problem.tool).*limit = to;
       });
+      // Counted in steps of a larger limit, errors and what gives way would be more: lifted it leaves them as they are.
+      condition.lift = [limit, scale, far = condition.eased(condition.furthest)](Asked& asked) {
+        Tool& of = *asked.problem.tool;
+        if (!(of.*scale)) of.*scale = of.*limit;
+        of.*limit = far;
+      };
     };
-    tool("deflection", &Tool::deflection);
-    tool("position_error", &Tool::position_error);
+    tool("deflection", &Tool::deflection, &Tool::deflection_scale);
+    tool("position_error", &Tool::position_error, &Tool::position_error_scale);
     add_voltage();
   }
 
@@ -219,6 +228,8 @@ class Collector {
       for (const auto& [a, m] : parts) distance = std::hypot(distance, problem_.axes[a].moves[m].distance);
       const auto scale = [&](const char* name, std::optional<double> Move::*value, const char* unit, bool larger) {
         if (!(move.*value) || (value == &Move::speed && move.time)) return;  // slower is not looser: it has its time
+        // Nor is another time or speed where the time or the energy of the cycle is limited.
+        if (problem_.limits[Quantity::cycle_time] || problem_.limits[Quantity::energy]) return;
         Condition& condition =
             add(coordinated ? "machine" : axis.name, fmt::format("{} of {}", name, title), place(name));
         if (!path.empty()) condition.setting = path + name;
@@ -236,7 +247,7 @@ class Collector {
       scale("time", &Move::time, "s", true);
       scale("speed", &Move::speed, is_rotary(axis) ? "rad/s" : "m/s", false);
     }
-    if (move.force > 0.0) {
+    if (move.force > 0.0 && !problem_.limits[Quantity::energy]) {
       const Node* shared = of_machine ? Places::find(node, {"forces", axis.name}) : nullptr;
       const SourceSpan where = shared != nullptr ? shared->span() : place(move.cutting ? "cutting" : "force");
       Condition& condition =

@@ -25,7 +25,7 @@ struct Asked {
   std::vector<LimitOption> limits;  ///< those of the command line, which are in the problem too
 };
 
-/// number: a value with a looser side. budget: a limit of cost or mass. choice: a list of what is permitted.
+/// number: a value with a looser side. budget: a limit of the whole machine. choice: a list of what is permitted.
 enum class ConditionKind { number, budget, choice };
 
 struct Condition {
@@ -40,10 +40,11 @@ struct Condition {
   double value = std::numeric_limits<double>::quiet_NaN();  ///< SI, or in the problem's currency
   std::string unit;                                         ///< SI; empty for money
   bool larger_is_looser = true;
-  double from_zero = 0.0;  ///< SI, of a value that is 0: eased by a factor, it is this times what exceeds 1
-  double furthest = 1e6;   ///< by this factor eased it is as good as lifted, or as far as makes sense
-  std::string present;     ///< of a choice, in words: "NEMA17, NEMA23"
-  std::string slot;        ///< of a choice: the slot or setting in which a build shows what it took instead
+  Quantity quantity = Quantity::cost;  ///< of a budget
+  double from_zero = 0.0;              ///< SI, of a value that is 0: eased by a factor, it is this times what exceeds 1
+  double furthest = 1e6;               ///< by this factor eased it is as good as lifted, or as far as makes sense
+  std::string present;                 ///< of a choice, in words: "NEMA17, NEMA23"
+  std::string slot;                    ///< of a choice: the slot or setting in which a build shows what it took instead
   bool no_part = false;  ///< what gives more of it is bought, but is none of the parts that are chosen and priced here
   std::vector<double> stops;       ///< of what may be had instead: values to try, ascending, as more of it is no looser
   std::vector<Condition> instead;  ///< numbers of which some serves as well as less of this condition

@@ -44,7 +44,7 @@ struct Declaration {
   WorstPlace place = WorstPlace::none;
   /// Another hard constraint that never holds where this one does not: the search holds that one only.
   std::string_view implied_by = {};
-  /// A limit of cost or mass, which the solver holds itself: the search need not evaluate it.
+  /// A limit of the whole machine, which the solver holds itself: the search need not evaluate it.
   bool held_by_limit = false;
   std::string_view file = __builtin_FILE();
   int line = __builtin_LINE();

@@ -75,18 +75,21 @@ void read_limits(const Node& node, Problem& problem, Diagnostics& diagnostics) {
   TableReader table(node, "[limits]", diagnostics);
   QuantityReader q(table, diagnostics);
   if (node.size() == 0)
-    diagnostics.error(node.span(), "limits: the table is empty", "write cost = \"400 USD\" or mass = \"12 kg\"");
-  problem.mass_limit = q.quantity({"mass", "of everything that is chosen"}, "kg", Sign::positive);
+    diagnostics.error(
+        node.span(), "limits: the table is empty", "write cost = \"400 USD\", mass = \"12 kg\" or another of its keys");
+  for (const QuantityDeclaration& each : quantities())
+    if (each.quantity != Quantity::cost)
+      problem.limits[each.quantity] = q.quantity({each.name, each.meaning}, each.unit, Sign::positive);
   text::Question amount;
   amount.expected = text::Expected::amount;
   amount.key = "cost";
-  amount.meaning = "of everything that is chosen, in a currency of the problem";
+  amount.meaning = declaration(Quantity::cost).meaning;
   amount.example = "\"400 USD\"";
   table.describe(amount);
   if (const Node* cost = table.find("cost"); cost != nullptr) {
     QuantityFault fault;
-    problem.cost_limit = read_amount(cost->as_string().value_or(""), problem, false, fault);
-    if (!problem.cost_limit)
+    problem.limits[Quantity::cost] = read_amount(cost->as_string().value_or(""), problem, false, fault);
+    if (!problem.limits[Quantity::cost])
       diagnostics.error(cost->span(),
                         "cost: needs an amount above zero in a currency of the problem",
                         fmt::format("write cost = \"400 {}\"", problem.currency));
@@ -95,17 +98,19 @@ void read_limits(const Node& node, Problem& problem, Diagnostics& diagnostics) {
 }
 
 std::vector<LimitOption> add_limits(const std::vector<std::string>& words, Problem& problem, Diagnostics& diagnostics) {
-  const std::vector<std::string> names{"cost", "mass"};
+  std::vector<std::string_view> names;
+  for (const QuantityDeclaration& each : quantities()) names.push_back(each.name);
   const std::string example = fmt::format("--limit cost='400 {}' or --limit mass='12 kg'", problem.currency);
   std::vector<OptionWord> given;
   std::vector<LimitOption> limits;
   for (const std::string& text : words) {
     const auto word = read_option_word("--limit", text, example, diagnostics);
     if (!word) continue;
-    if (std::find(names.begin(), names.end(), word->name) == names.end()) {
+    const auto quantity = quantity_named(word->name);
+    if (!quantity) {
       diagnostics.error(word->name_span(),
                         fmt::format("there is no limit of {}", text::in_quotes(word->name)),
-                        text::did_you_mean(word->name, names, "limits: cost, mass"));
+                        text::did_you_mean(word->name, names, fmt::format("limits: {}", fmt::join(names, ", "))));
       continue;
     }
     const auto same =
@@ -122,17 +127,24 @@ std::vector<LimitOption> add_limits(const std::vector<std::string>& words, Probl
     }
     given.push_back(*word);
     QuantityFault fault;
-    const bool cost = word->name == "cost";
-    const auto value =
-        cost ? read_amount(word->value, problem, true, fault) : read_quantity(word->value, "kg", Sign::positive, fault);
+    if (const auto reason = uncountable(problem, *quantity)) {
+      diagnostics.error(word->name_span(), reason->message, reason->hint);
+      continue;
+    }
+    const QuantityDeclaration& declared = declaration(*quantity);
+    const bool cost = *quantity == Quantity::cost;
+    const auto value = cost ? read_amount(word->value, problem, true, fault)
+                            : read_quantity(word->value, declared.unit, Sign::positive, fault);
     if (value) {
-      tighten(cost ? problem.cost_limit : problem.mass_limit, *value);
+      tighten(problem.limits[*quantity], *value);
       limits.push_back({word->name, *value});
       continue;
     }
     if (fault.hint.starts_with("write for example"))
-      fault.hint = "write for example --limit " +
-                   (cost ? fmt::format("cost='400 {}'", problem.currency) : std::string("mass='12 kg'"));
+      fault.hint = fmt::format("write for example --limit {}='{}{}'",
+                               declared.name,
+                               declared.limit_example,
+                               cost ? " " + problem.currency : std::string());
     diagnostics.error(
         word->value_span(fault.offset, fault.length), fmt::format("{}: {}", word->name, fault.message), fault.hint);
   }

@@ -17,12 +17,40 @@ namespace millwright::machine {
 
 namespace {
 
-constexpr std::array<QuantityDeclaration, 5> declarations{
-    {{Quantity::cost, "cost", "", "Cheapest", "is cheaper"},
-     {Quantity::mass, "mass", "kg", "Lightest", "is lighter"},
-     {Quantity::cycle_time, "cycle_time", "s", "Fastest", "is faster"},
-     {Quantity::energy, "energy", "J", "Most frugal", "takes less energy, as it is estimated"},
-     {Quantity::position_error, "position_error", "m", "Most exact", "is more exact"}}};
+constexpr std::array<QuantityDeclaration, quantity_count> declarations{
+    {{Quantity::cost,
+      "cost",
+      "",
+      "Cheapest",
+      "is cheaper",
+      "of everything that is chosen, in a currency of the problem",
+      "C-SYS-COST",
+      "400"},
+     {Quantity::mass, "mass", "kg", "Lightest", "is lighter", "of everything that is chosen", "C-SYS-MASS", "12 kg"},
+     {Quantity::cycle_time,
+      "cycle_time",
+      "s",
+      "Fastest",
+      "is faster",
+      "of all moves of all axes, with their dwells, one after the other",
+      "C-SYS-CYCLE",
+      "8 s"},
+     {Quantity::energy,
+      "energy",
+      "J",
+      "Most frugal",
+      "takes less energy, as it is estimated",
+      "that the drives take for their own moves in a cycle, as it is estimated",
+      "C-SYS-ENERGY",
+      "150 J"},
+     {Quantity::position_error,
+      "position_error",
+      "m",
+      "Most exact",
+      "is more exact",
+      "the error budgets of all axes together, or those of the tool",
+      "C-SYS-ERROR",
+      "0.2 mm"}}};
 
 std::vector<std::string_view> quantity_names() {
   std::vector<std::string_view> names;
@@ -146,6 +174,20 @@ const QuantityDeclaration& declaration(Quantity quantity) {
   return declarations.at(static_cast<std::size_t>(quantity));
 }
 
+std::optional<Quantity> quantity_named(std::string_view name) {
+  const auto* const found = std::ranges::find(declarations, name, &QuantityDeclaration::name);
+  if (found == declarations.end()) return std::nullopt;
+  return found->quantity;
+}
+
+bool is_limit_of_machine(std::string_view check_id) {
+  return std::ranges::find(declarations, check_id, &QuantityDeclaration::limit_id) != declarations.end();
+}
+
+bool QuantityLimits::any() const {
+  return std::ranges::any_of(values_, [](const auto& limit) { return limit.has_value(); });
+}
+
 std::string Objective::name() const {
   std::string text;
   for (const ObjectiveTerm& term : terms) {
@@ -198,7 +240,7 @@ std::optional<Uncountable> uncountable(const Problem& problem, Quantity quantity
       return Uncountable{fmt::format("position_error: axis '{}' has no error budget", axis.name),
                          fmt::format("add {} to its [axis.require], with a limit that is not to be exceeded", example)};
   }
-  if (!travels) return Uncountable{"position_error: no axis goes along a length", "minimise something else"};
+  if (!travels) return Uncountable{"position_error: no axis goes along a length", "ask for another quantity"};
   return std::nullopt;
 }
 

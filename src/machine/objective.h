@@ -14,6 +14,7 @@
 // states a position error, that of the tool (C-TOOL-ERROR) along x, y and z together.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -24,18 +25,43 @@
 namespace millwright::machine {
 
 enum class Quantity { cost, mass, cycle_time, energy, position_error };
+inline constexpr std::size_t quantity_count = 5;
 
 struct QuantityDeclaration {
   Quantity quantity;
   std::string_view name;
-  std::string_view unit;    ///< SI; empty for the currency of the problem
-  std::string_view best;    ///< "Cheapest"
-  std::string_view better;  ///< "is cheaper"
+  std::string_view unit;           ///< SI; empty for the currency of the problem
+  std::string_view best;           ///< "Cheapest"
+  std::string_view better;         ///< "is cheaper"
+  std::string_view meaning;        ///< of a limit
+  std::string_view limit_id;       ///< of the check of a limit
+  std::string_view limit_example;  ///< with its unit; without the currency of the problem
 };
 
 /// All of them, in the order of the enumeration.
 std::span<const QuantityDeclaration> quantities();
 const QuantityDeclaration& declaration(Quantity quantity);
+
+/// The quantity of this name, if there is one.
+std::optional<Quantity> quantity_named(std::string_view name);
+
+/// Whether a check of this id is that of a limit of the whole machine.
+bool is_limit_of_machine(std::string_view check_id);
+
+/// What the whole machine may take at most of each quantity: SI, of the cost in the currency of the problem; nothing
+/// where there is no limit.
+class QuantityLimits {
+ public:
+  std::optional<double>& operator[](Quantity quantity) { return values_[static_cast<std::size_t>(quantity)]; }
+  const std::optional<double>& operator[](Quantity quantity) const {
+    return values_[static_cast<std::size_t>(quantity)];
+  }
+  /// Whether any is there.
+  [[nodiscard]] bool any() const;
+
+ private:
+  std::array<std::optional<double>, quantity_count> values_;
+};
 
 struct ObjectiveTerm {
   double weight = 1.0;  ///< per unit of the quantity, above 0

@@ -136,6 +136,8 @@ struct Tool {
   std::optional<double> deflection;                            ///< m, in any of them
   double stiffness = std::numeric_limits<double>::infinity();  ///< N/m, of the tool in its holder
   std::optional<double> position_error;                        ///< m, in any direction, with the tool pressed
+  /// m, in whose hundredths what gives way and errors are counted: the limits themselves, unless another is stated.
+  std::optional<double> deflection_scale, position_error_scale;
   SourceSpan where;
 };
 
@@ -303,7 +305,7 @@ struct Problem {
   std::string source;
   std::string file;
   std::string objective = "cost";  ///< by its name, see objective.h
-  std::vector<Quantity> counted;   ///< beside cost and mass: what an objective asks for
+  std::vector<Quantity> counted;   ///< beside cost and mass: what an objective or limit asks for
   std::string currency = "USD";
   std::map<std::string, CurrencyRate, std::less<>> currencies;
   SourceSpan currencies_where;          ///< their table; the beginning of the file if it has none
@@ -317,8 +319,7 @@ struct Problem {
   /// By how much of its price a preferred part may be dearer than what would be chosen otherwise; without it nothing is
   /// preferred.
   std::optional<double> preference = usual_preference;
-  std::optional<double> cost_limit;  ///< in `currency`
-  std::optional<double> mass_limit;  ///< kg, of everything chosen
+  QuantityLimits limits;  ///< of the whole machine
 };
 
 /// Of the part that is chosen for a slot; both where a slot is named alone and with its axis.

@@ -98,12 +98,17 @@ void read_objective(const Node& node, Problem& problem, Diagnostics& diagnostics
   reader.finish();
 }
 
-/// What the objective sums up, once the axes are known.
-void count_quantities(const Node* objective, Problem& problem, Diagnostics& diagnostics) {
+/// What the objective and the limits sum up, once the axes are known.
+void count_quantities(const Node& root, Problem& problem, Diagnostics& diagnostics) {
   problem.counted = counted_quantities({problem.objective});
-  for (const Quantity quantity : problem.counted)
-    if (const auto reason = uncountable(problem, quantity))
-      diagnostics.error(objective->find("minimise")->span(), "minimise: " + reason->message, reason->hint);
+  for (const QuantityDeclaration& each : quantities()) {
+    const auto reason = uncountable(problem, each.quantity);
+    if (!reason) continue;
+    if (objective_named(problem.objective).counts(each.quantity))
+      diagnostics.error(root.find("objective")->find("minimise")->span(), "minimise: " + reason->message, reason->hint);
+    if (problem.limits[each.quantity])
+      diagnostics.error(root.find("limits")->find(each.name)->span(), "limits: " + reason->message, reason->hint);
+  }
 }
 
 /// A stated price must be in a currency whose rate is known.
@@ -136,12 +141,12 @@ std::vector<std::string> catalogues_of(TableReader& table, QuantityReader& q) {
   return catalogues != nullptr && catalogues->size() > 0 ? q.words(key) : table.strings(key);
 }
 
-/// What is bought beside the machine, and what all may cost and weigh.
+/// What is bought beside the machine, and the limits of the whole.
 void read_purchase(TableReader& table, Problem& problem, Diagnostics& diagnostics) {
   if (const Node* spares = table.table({"spares", "what is bought in addition, to lie in the drawer"});
       spares != nullptr)
     read_spares(*spares, problem, diagnostics);
-  if (const Node* limits = table.table({"limits", "budgets of the whole machine"}); limits != nullptr)
+  if (const Node* limits = table.table({"limits", "what the whole machine may take at most"}); limits != nullptr)
     read_limits(*limits, problem, diagnostics);
 }
 
@@ -193,7 +198,7 @@ std::optional<Problem> problem_of(const text::Document& document, Diagnostics& d
       tool != nullptr)
     read_tool(*tool, table.find("axis"), problem, diagnostics);
   read_purchase(table, problem, diagnostics);
-  if (diagnostics.error_count() == errors) count_quantities(table.find("objective"), problem, diagnostics);
+  if (diagnostics.error_count() == errors) count_quantities(document.root(), problem, diagnostics);
   table.finish();
   if (diagnostics.error_count() > errors) return std::nullopt;
   return problem;

@@ -25,11 +25,14 @@ ToolPlace tool_place(const Problem& problem, std::size_t index) {
   place.travel = axis.along.value_or(0);
   place.normal = axis.normal.value_or(upright);
   place.across = 3 - place.travel - place.normal;
+  const Tool& tool = *problem.tool;
+  const double deflection = tool.deflection_scale.value_or(tool.deflection.value_or(0.0));
+  const double error = tool.position_error_scale.value_or(tool.position_error.value_or(0.0));
+  // What gives way counts in both.
+  const double finer = deflection > 0.0 && error > 0.0 ? std::min(deflection, error) : std::max(deflection, error);
   for (std::size_t i = 0; i < place.step.size(); ++i)
-    if (problem.tool->force[i] > 0.0)
-      place.step[i] = compliance_step * problem.tool->deflection.value_or(problem.tool->position_error.value_or(0.0)) /
-                      problem.tool->force[i];
-  place.error_step = compliance_step * problem.tool->position_error.value_or(0.0);
+    if (tool.force[i] > 0.0) place.step[i] = compliance_step * finer / tool.force[i];
+  place.error_step = compliance_step * error;
   place.tool_force = problem.tool->force;
   place.force = axis.mechanism.load_share * problem.tool->force[place.travel];
   place.drives = axis.mechanism.drives;

@@ -46,7 +46,7 @@ const Check* tightest_check(const Design& design) {
   const Check* tightest = nullptr;
   for (const Check& check : design.checks) {
     const bool counts = check.kind == machine::ConstraintKind::hard && std::isfinite(check.utilisation) &&
-                        check.utilisation < 1.0 && check.id != "C-SYS-COST" && check.id != "C-SYS-MASS";
+                        check.utilisation < 1.0 && !machine::is_limit_of_machine(check.id);
     if (counts && (tightest == nullptr || check.utilisation > tightest->utilisation)) tightest = &check;
   }
   return tightest == nullptr || tightest->utilisation < near_limit ? nullptr : tightest;

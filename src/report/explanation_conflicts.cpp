@@ -163,16 +163,31 @@ std::string empty_text(const Explanation& explanation) {
 
 }  // namespace
 
+std::string withheld_text(const Explanation& explanation) {
+  const auto limits = [&](machine::Quantity quantity) {
+    return std::ranges::any_of(explanation.conditions, [&](const Condition& condition) {
+      return condition.kind == machine::ConditionKind::budget && condition.quantity == quantity;
+    });
+  };
+  const bool energy = limits(machine::Quantity::energy);
+  if (!energy && !limits(machine::Quantity::cycle_time)) return {};
+  const std::string words =
+      energy ? "Moves (times, speeds, forces) and loads are taken as they are asked: with others a cycle may take "
+               "more energy, which is limited. 'solve --set' tries them."
+             : "Times and speeds of moves are taken as they are asked: with others the cycle may take longer, and its "
+               "time is limited. 'solve --set' tries them.";
+  return "  " + wrapped(words, paragraph_width - 2, 2) + "\n\n";
+}
+
 std::string conflicts_text(const MachineResult& result, const Explanation& explanation, const Style& style) {
   std::string out = style.bad("No compliant build exists in these catalogues.") + "\n";
   if (explanation.catalogue_lacks) {
-    out +=
-        wrapped(
-            "Not even with all that is asked and could be eased (limits, times, loads, kinds of parts) lifted: parts "
-            "are missing in the catalogues, or what they are to do is beyond all of them.",
-            paragraph_width,
-            0) +
-        "\n\n";
+    out += wrapped(fmt::format("Not even with all that is asked and could be eased (limits, {}kinds of parts) lifted: "
+                               "parts are missing in the catalogues, or what they are to do is beyond all of them.",
+                               withheld_text(explanation).empty() ? "times, loads, " : ""),
+                   paragraph_width,
+                   0) +
+           "\n\n";
     return out + empty_text(explanation) + unmet_text(explanation, style);
   }
   const std::size_t count = explanation.conflicts.size();

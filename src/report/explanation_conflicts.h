@@ -10,6 +10,9 @@
 
 namespace millwright::report {
 
+/// What was left out of what could be eased, as it is not surely looser; empty where nothing was.
+std::string withheld_text(const evaluation::Explanation& explanation);
+
 /// Of an explanation without a design.
 std::string conflicts_text(const MachineResult& result, const evaluation::Explanation& explanation, const Style& style);
 

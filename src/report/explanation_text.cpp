@@ -242,7 +242,8 @@ std::string explanation_text(const MachineResult& result, const Explanation& exp
              !explanation.empty_slots.empty()) {
     out += conflicts_text(result, explanation, style);
   }
-  out += named_checks_text(explanation, style) + incomplete_text(result.certificate.incomplete, style);
+  out += withheld_text(explanation) + named_checks_text(explanation, style) +
+         incomplete_text(result.certificate.incomplete, style);
   return out + fmt::format("time: {:.2f} s, solved {} times\n", explanation.seconds, explanation.solves);
 }
 

@@ -232,8 +232,9 @@ std::string nothing_text(const MachineResult& result, const Style& style) {
   return style.bad("No compliant build exists") +
          fmt::format(" in these catalogues{}: every combination of parts fails at least one check.\n",
                      as_asked(result)) +
-         (result.has_budget ? "  The limit of cost or mass counts too: without it, 'solve' says what a build takes.\n"
-                            : "") +
+         (result.has_budget
+              ? "  A limit of the whole machine counts too: without it, 'solve' says what a build takes.\n"
+              : "") +
          (result.unmet.empty()
               ? "  'explain' finds which of the things asked contradict each other.\n"
                 "  'check' with a bill of materials (and --complete) shows by how much.\n"

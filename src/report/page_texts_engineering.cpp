@@ -198,6 +198,9 @@ const std::vector<Saying>& sayings() {
       {"Position error at the tool along z", "Galat posisi pada perkakas sepanjang z"},
       {"Cost of everything chosen", "Biaya semua yang dipilih"},
       {"Mass of everything chosen", "Massa semua yang dipilih"},
+      {"Time of the machine's cycle", "Waktu siklus mesin"},
+      {"Energy of the machine's cycle, estimated", "Energi siklus mesin, perkiraan"},
+      {"Position errors of the machine together", "Jumlah galat posisi mesin"},
       {"best-first branch and bound with outward-rounded interval bounds over row sets and boxes, labels between "
        "stages with dominance in proved directions only, every shared choice tried",
        "cabang-dan-batas terbaik-dahulu dengan batas selang yang dibulatkan ke luar atas himpunan baris dan kotak, "

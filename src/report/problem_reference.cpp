@@ -35,6 +35,7 @@ constexpr std::pair<std::string_view, std::string_view> dimensions[] = {
     {"rad/s^3", "angular jerk"},
     {"V", "voltage"},
     {"A", "current"},
+    {"J", "energy"},
     {"deg", "angle"},
     {"rad", "angle"},
     {"rpm", "rotational speed"},

@@ -71,7 +71,7 @@ struct MachineResult {
   machine::Steering steering;               ///< what was asked for beside the problem file
   std::vector<std::string> axes;            ///< in the order of the problem file
   std::vector<std::string> objectives;      ///< by name, see machine/objective.h
-  bool has_budget = false;                  ///< cost or mass is limited
+  bool has_budget = false;                  ///< something of the whole machine is limited
   Status status = Status::infeasible;       ///< of solve and pareto
   std::vector<evaluation::Design> designs;  ///< none, one, the best first, or a front ascending in the first objective
   std::size_t builds_asked = 1;             ///< of solve

@@ -11,7 +11,16 @@ namespace millwright::report {
 namespace {
 
 std::string limit_unit(const MachineResult& result, const machine::LimitOption& limit) {
-  return limit.name == "mass" ? "kg" : result.currency;
+  const auto quantity = machine::quantity_named(limit.name);
+  return !quantity || *quantity == machine::Quantity::cost ? result.currency
+                                                           : std::string(machine::declaration(*quantity).unit);
+}
+
+std::string limit_text(const MachineResult& result, const machine::LimitOption& limit) {
+  const std::string unit = limit_unit(result, limit);
+  constexpr int digits = 6;
+  return unit == result.currency ? fmt::format("{:.{}g} {}", limit.value, digits, unit)
+                                 : scalar::format(limit.value, scalar::Unit::of(unit == "m" ? "um" : unit), digits);
 }
 
 std::string fixed_text(const machine::BomLine& line) {
@@ -25,7 +34,7 @@ std::string steering_text(const MachineResult& result, const Style& style) {
   if (result.steering.empty()) return {};
   TextTable table({{""}, {""}, {"", Align::left, 60}});
   for (const machine::LimitOption& limit : result.steering.limits)
-    table.add({"--limit", limit.name, fmt::format("{:.6g} {}", limit.value, limit_unit(result, limit))});
+    table.add({"--limit", limit.name, limit_text(result, limit)});
   for (const machine::ExcludedPart& part : result.steering.without)
     table.add({part.said_in.empty() ? "--without" : "not available",
                part.said_in,

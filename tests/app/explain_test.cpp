@@ -239,4 +239,36 @@ TEST_CASE("Ways out of several conflicts are not said to be enough for all of th
   CHECK(json.at("all_resolved").is_null());
 }
 
+// A move that takes longer is no looser where the time of all moves is limited: eased, it would break the limit.
+TEST_CASE("Where the time of the cycle is limited the moves stand as they are") {
+  const Workshop shop;
+  shop.write("m.toml", one_slide);  // its only move takes 20 s
+  const Outcome late = shop.run({"explain", "m.toml", "--limit", "cycle_time=19 s", "--json", "-"});
+  REQUIRE(late.exit_code == 1);
+  const Json conflicts = Json::parse(late.out).at("conflicts");
+  REQUIRE(conflicts.size() == 1);
+  REQUIRE(conflicts[0].at("conditions").size() == 1);
+  CHECK(conflicts[0].at("conditions")[0].at("name") == "--limit cycle_time");
+  REQUIRE(conflicts[0].at("ways_out").size() == 1);
+  CHECK(conflicts[0].at("ways_out")[0].at("enough") == true);
+  CHECK(conflicts[0].at("ways_out")[0].at("to").get<double>() == Approx(20.0));
+
+  // Too fast for any screw; the limit alone could be kept.
+  shop.write("m.toml", one_slide_with("time = \"20 s\"", "speed = \"1 m/s\""));
+  const Outcome free = shop.run({"explain", "m.toml", "--json", "-"});
+  CHECK(free.exit_code == 1);
+  const auto says = [](const std::string& text, const std::string& name) {
+    const Json explained = Json::parse(text);
+    for (const Json& conflict : explained.at("conflicts"))
+      for (const Json& member : conflict.at("conditions"))
+        if (member.at("name").get<std::string>().starts_with(name)) return true;
+    return false;
+  };
+  CHECK(says(free.out, "speed of"));
+  const Outcome fast = shop.run({"explain", "m.toml", "--limit", "cycle_time=2 s", "--json", "-"});
+  CHECK(fast.exit_code == 1);
+  CHECK_FALSE(says(fast.out, "speed of"));
+  CHECK_FALSE(says(fast.out, "--limit"));
+}
+
 }  // namespace millwright::app::explain_test

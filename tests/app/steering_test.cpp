@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // --limit, --without and --fix: what they do to the answer, that the answer says so, and what is said of bad ones.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "app/program.h"
 #include "catch.h"
@@ -74,7 +77,86 @@ TEST_CASE("A budget on the command line is a check, and the tighter of it and th
   // Nothing for a euro: the budget is named as one of the reasons.
   const Outcome poor = shop.run({"solve", "m.toml", "--limit", "cost=1 EUR"});
   CHECK(poor.exit_code == 1);
-  CHECK(poor.prints("The limit of cost or mass counts too"));
+  CHECK(poor.prints("A limit of the whole machine counts too"));
+}
+
+TEST_CASE("Time, energy and error of the whole machine are limited like its cost") {
+  const Workshop shop;
+  const std::string slide =
+      std::string(one_slide) + "[axis.require]\nposition_error = { limit = \"1 mm\", over = \"300 mm\" }\n";
+  shop.write("m.toml", slide);
+  const struct {
+    const char *name, *id, *unit;
+    double in_si;
+  } quantities[] = {{"cycle_time", "C-SYS-CYCLE", "s", 1.0},
+                    {"energy", "C-SYS-ENERGY", "J", 1.0},
+                    {"position_error", "C-SYS-ERROR", "um", 1e-6}};
+  for (const auto& each : quantities) {
+    CAPTURE(each.name);
+    const double least = total(solved(shop, {"--minimise", each.name}), each.name);
+    const auto limit = [&](double value) {
+      return fmt::format("{}={:.9f} {}", each.name, value / each.in_si, each.unit);
+    };
+    const Json held = solved(shop, {"--limit", limit(1.0001 * least)});
+    CHECK(total(held, each.name) <= 1.0001 * least * (1.0 + 1e-9));
+    CHECK(check(held, each.id).at("limit").get<double>() == Approx(1.0001 * least / each.in_si).epsilon(1e-6));
+    CHECK(check(held, each.id).at("verdict") == "satisfied");
+    CHECK(held.at("steering").at("limits")[0].at("value").get<double>() == Approx(1.0001 * least).epsilon(1e-6));
+    CHECK(held.at("steering").at("limits")[0].at("unit") == (each.in_si == 1.0 ? each.unit : "m"));
+    CHECK(solved(shop, {"--limit", limit(0.999 * least)}, 1).at("status") == "infeasible");
+
+    // In the file the same; and a bill is held to it.
+    const std::string limits =
+        fmt::format("[limits]\n{} = \"{:.9f} {}\"\n[objective]", each.name, 1.0001 * least / each.in_si, each.unit);
+    std::string text = slide;
+    shop.write("limited.toml", text.replace(text.find("[objective]"), 11, limits));
+    const Outcome from_file = shop.run({"solve", "limited.toml", "--bom", "b.csv", "--force", "--json", "-"});
+    REQUIRE(from_file.exit_code == 0);
+    CHECK(total(Json::parse(from_file.out), "cost") == total(held, "cost"));
+    CHECK(shop.run({"check", "limited.toml", "b.csv"}).exit_code == 0);
+    const Outcome less = shop.run({"check", "m.toml", "b.csv", "--limit", limit(0.999 * least)});
+    CHECK(less.exit_code == 1);
+    CHECK(less.prints(each.id));
+  }
+  CHECK(shop.run({"solve", "m.toml", "--limit", "position_error=0.9 mm"}).prints("--limit  position_error  900 um"));
+
+  // Only where every axis has its budget there is a sum of them.
+  shop.write("m.toml", one_slide);
+  const Outcome outcome = shop.run({"solve", "m.toml", "--limit", "position_error=0.9 mm"});
+  CHECK(outcome.exit_code == 2);
+  CHECK(outcome.says("1:9: error: position_error: axis 'x' has no error budget"));
+  std::string text = one_slide;
+  shop.write("m.toml", text.replace(text.find("[objective]"), 11, "[limits]\nposition_error = \"1 mm\"\n[objective]"));
+  CHECK(shop.run({"solve", "m.toml"}).says("error: limits: position_error: axis 'x' has no error budget"));
+}
+
+// A bill that fails something is shown with ramps with which it fails no more than it must.
+TEST_CASE("A limit of the cycle that a ramp keeps is kept where a bill fails another limit") {
+  const Workshop shop;
+  shop.write("m.toml", one_slide_with("time = \"20 s\"", "speed = \"20 mm/s\""));
+  REQUIRE(shop.run({"solve", "m.toml", "--bom", "b.csv"}).exit_code == 0);
+  const double least = total(solved(shop, {"--minimise", "cycle_time"}), "cycle_time");
+  const std::string cycle = fmt::format("cycle_time={:.9f} s", least + 0.01);
+  std::string bill;  // without the ramp, which is found
+  std::istringstream lines(shop.read("b.csv"));
+  for (std::string line; std::getline(lines, line);)
+    if (line.find("acceleration_time") == std::string::npos) bill += line + "\n";
+  shop.write("b.csv", bill);
+  CHECK(shop.run({"check", "m.toml", "b.csv", "--limit", cycle}).exit_code == 0);
+  const Outcome heavy =
+      shop.run({"check", "m.toml", "b.csv", "--limit", cycle, "--limit", "mass=0.1 kg", "--json", "-"});
+  CHECK(heavy.exit_code == 1);
+  const Json result = Json::parse(heavy.out);
+  CHECK(check(result, "C-SYS-MASS").at("verdict") == "violated");
+  CHECK(check(result, "C-SYS-CYCLE").at("verdict") == "satisfied");
+
+  // A ramp that the bill states is not touched.
+  shop.write("b.csv", bill + "x,acceleration_time,,,,,0.3 s,\n");
+  const Outcome held = shop.run({"check", "m.toml", "b.csv", "--limit", cycle, "--json", "-"});
+  CHECK(held.exit_code == 1);
+  const Json late = Json::parse(held.out);
+  CHECK(check(late, "C-SYS-CYCLE").at("verdict") == "violated");
+  CHECK(total(late, "cycle_time") == Approx(least + 0.2));
 }
 
 TEST_CASE("A bill of materials is held to a budget too") {

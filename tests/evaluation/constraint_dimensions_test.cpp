@@ -457,16 +457,18 @@ TEST_CASE("Demand and capacity of every constraint have the dimension of its uni
   whole.tool->deflection = 5e-5;
   whole.tool->position_error = 1e-4;
   whole.error_counts = {true, true, true};
-  whole.cost_limit = 400.0;
-  whole.mass_limit = 12.0;
+  for (const auto& each : machine::quantities()) whole.limits[each.quantity] = 1e3;
   const Dimensioned compliance{1e-7, dimension::none / dimension::stiffness};
   const Dimensioned error{2e-5, dimension::length};
   evaluation::whole_constraints(
       DimensionVisitor(evaluation::WholeMachine<Dimensioned>{&whole,
                                                              {compliance, compliance, compliance},
                                                              {error, error, error},
-                                                             {300.0, dimension::none},
-                                                             {7.0, dimension::mass}},
+                                                             {Dimensioned{300.0, dimension::none},
+                                                              {7.0, dimension::mass},
+                                                              {5.0, dimension::time},
+                                                              {90.0, dimension::energy},
+                                                              {1e-4, dimension::length}}},
                        seen[8]));
   // Nothing was left out.
   const auto elements = declaring_elements();

@@ -339,7 +339,7 @@ TEST_CASE("With preferred parts the best build and the front equal those of all 
     // Every third machine may cost but little more than the least.
     if (seed % 3 == 1) {
       wanted.budget = 1.02 * cheapest.designs[0].cost;
-      problem.cost_limit = wanted.budget;
+      problem.limits[machine::Quantity::cost] = wanted.budget;
     }
     const MachineModel model(problem, stocked);
     REQUIRE(model.prefers());

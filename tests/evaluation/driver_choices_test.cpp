@@ -195,7 +195,7 @@ TEST_CASE("A model made for some objectives refuses others, and gives the answer
   CHECK_THROWS_AS(evaluation::solver_options(all, options), std::invalid_argument);
   // A limit is read whatever the objective.
   machine::Problem limited = problem();
-  limited.mass_limit = 100.0;
+  limited.limits[machine::Quantity::mass] = 100.0;
   const evaluation::MachineModel both(limited, tiny.parts(), {}, {.objectives = {"cost"}});
   CHECK_NOTHROW(evaluation::solver_options(both, options));
   // A front by neither tells equals apart by neither.

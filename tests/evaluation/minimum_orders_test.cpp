@@ -116,15 +116,16 @@ TEST_CASE("With minimum orders the lightest build within a budget, and a weighte
     if (all.builds.empty()) continue;
     ++compared;
     machine::Problem limited = machine.problem;
-    limited.cost_limit = 1.02 * all.least(&BuildValue::cost);
+    limited.limits[machine::Quantity::cost] = 1.02 * all.least(&BuildValue::cost);
     const Synthesis lightest = solved(MachineModel(limited, machine.parts), {"mass"});
     REQUIRE(lightest.designs.size() == 1);
     CHECK(lightest.status == solver::Status::optimal);
-    CHECK(lightest.designs[0].mass == Approx(machine.lightest_that_costs(*limited.cost_limit)).epsilon(2e-6));
+    CHECK(lightest.designs[0].mass ==
+          Approx(machine.lightest_that_costs(*limited.limits[machine::Quantity::cost])).epsilon(2e-6));
     require_sound(lightest.designs[0], machine.market);
     filled += topped_up(lightest.designs[0]) > 0.0;
 
-    limited.cost_limit = 0.98 * all.least(&BuildValue::cost);
+    limited.limits[machine::Quantity::cost] = 0.98 * all.least(&BuildValue::cost);
     const Synthesis none = solved(MachineModel(limited, machine.parts), {"mass"});
     CHECK(none.designs.empty());
     CHECK(none.status == solver::Status::infeasible);

@@ -354,6 +354,40 @@ TEST_CASE("The position error of a machine is the sum of the checks of its axes,
   }
 }
 
+TEST_CASE("The cheapest build within a limit of time, energy or error is that of all builds") {
+  for (const char* name : {"cycle_time", "position_error", "energy"}) {
+    if (sanitized && name[0] != 'c') continue;
+    const Quantity quantity = *machine::quantity_named(name);
+    const TinyCatalogue tiny(random_prices(3));
+    machine::Problem problem = table(9.0, 30.0, false);
+    machine::Problem everything = problem;
+    for (machine::Axis& axis : everything.axes) axis.keep_every_candidate = true;
+    const MachineModel whole(everything, tiny.parts());
+    const auto expected = PricedExhaustive(whole, weights_of(whole, name)).front();
+    REQUIRE(expected.size() > 1);
+    problem.counted.clear();  // what is limited is counted without being asked for
+    const auto best_within = [&](double limit) {
+      problem.limits[quantity] = limit;
+      return solved(MachineModel(problem, tiny.parts(), {}, {.objectives = {"cost"}}), {"cost"});
+    };
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      const double limit = expected[i].weighted * (1.0 + 1e-5);
+      const Synthesis found = best_within(limit);
+      INFO(name << " at most " << limit << ", build " << i << " of " << expected.size());
+      REQUIRE(found.designs.size() == 1);
+      const evaluation::Design& design = found.designs[0];
+      CHECK(found.status == solver::Status::optimal);
+      CHECK(design.cost == Approx(expected[i].cost).epsilon(1e-9));
+      CHECK(design.satisfied());
+      const auto check = std::ranges::find(design.checks, declaration(quantity).limit_id, &evaluation::Check::id);
+      REQUIRE(check != design.checks.end());
+      CHECK(check->utilisation == Approx(design.total(quantity) / limit).epsilon(1e-12));
+      CHECK(check->utilisation <= 1.0 + 2e-9);
+    }
+    CHECK(best_within(expected.back().weighted * 0.999).status == solver::Status::infeasible);
+  }
+}
+
 TEST_CASE("What the model does not count cannot be an objective, and no front is of weighted sums") {
   const TinyCatalogue tiny;
   machine::Problem problem = table(5.0, 20.0, false);

@@ -196,13 +196,14 @@ class Trial {
     const double share = draw_.between(-0.1, 1.1);
     machine::Problem limited = *problem_;
     const auto within = [&](double least, double most) { return least + share * (most - least) + 1e-7 * most; };
-    limited.mass_limit = within(front.back().mass, front.front().mass);
-    if (draw_.chance(0.5)) limited.cost_limit = within(front.front().cost, front.back().cost);
+    std::optional<double>& most_mass = limited.limits[machine::Quantity::mass];
+    std::optional<double>& most_cost = limited.limits[machine::Quantity::cost];
+    most_mass = within(front.back().mass, front.front().mass);
+    if (draw_.chance(0.5)) most_cost = within(front.front().cost, front.back().cost);
     std::vector<Value> left;
     for (const Value& value : front)
-      if (value.mass <= *limited.mass_limit && (!limited.cost_limit || value.cost <= *limited.cost_limit))
-        left.push_back(value);
-    INFO("limits: " << *limited.mass_limit << " kg, " << limited.cost_limit.value_or(-1.0));
+      if (value.mass <= *most_mass && (!most_cost || value.cost <= *most_cost)) left.push_back(value);
+    INFO("limits: " << *most_mass << " kg, " << most_cost.value_or(-1.0));
     const MachineModel model(limited, parts_.parts());
     compare(made_for("cost", limited), "cost", 1.0, 0.0, left);
     compare(made_for("mass", limited), "mass", 0.0, 1.0, left);

@@ -88,7 +88,7 @@ TEST_CASE("A bill costs what its parts are ordered for at least, whatever check 
       CAPTURE(seed, design.cost, design.mass);
       if (!(design.cost > 1.0)) continue;  // all of it is owned
       machine::Problem dearer = problem, hotter = problem;
-      dearer.cost_limit = 0.7 * design.cost;
+      dearer.limits[machine::Quantity::cost] = 0.7 * design.cost;
       for (machine::Axis& axis : hotter.axes) axis.require.set(machine::Requirement::inertia_ratio, 1e-3);
       const auto over = evaluation::check(dearer, offered, evaluation::bill_of(design), false, {});
       REQUIRE(over.problems.empty());
@@ -126,7 +126,7 @@ TEST_CASE("A failing bill with preferred parts keeps a budget that its parts can
     if (market.preferred.empty() || cheapest.designs.empty() || !(cheapest.designs[0].cost > 1.0)) continue;
     CAPTURE(seed, cheapest.designs[0].cost);
     problem.preference = 1.5;
-    problem.cost_limit = cheapest.designs[0].cost * (1.0 + 1e-9);
+    problem.limits[machine::Quantity::cost] = cheapest.designs[0].cost * (1.0 + 1e-9);
     for (machine::Axis& axis : problem.axes) axis.require.set(machine::Requirement::inertia_ratio, 1e-3);
     const auto failing = evaluation::check(problem, offered, evaluation::bill_of(cheapest.designs[0]), false, {});
     REQUIRE(failing.problems.empty());

@@ -57,8 +57,8 @@ TEST_CASE("Tool, limits and enforced constraints are read into SI") {
   CHECK(tool.force[2] == Approx(100.0));
   CHECK(tool.deflection.value() == Approx(5e-5));
   CHECK(tool.stiffness == Approx(4e6));
-  CHECK(*outcome.problem->cost_limit == Approx(540.0));
-  CHECK(*outcome.problem->mass_limit == Approx(12.0));
+  CHECK(*outcome.problem->limits[machine::Quantity::cost] == Approx(540.0));
+  CHECK(*outcome.problem->limits[machine::Quantity::mass] == Approx(12.0));
   CHECK(outcome.problem->axes[0].require.enforces("C-ST-RMS"));
   CHECK_FALSE(outcome.problem->axes[0].require.enforces("C-ST-TEMP"));
   CHECK(outcome.problem->axes[0].along == std::size_t{2});
