@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is asked of the machine as a whole: how far the tool gives way, its limits, and what is to be paid
-// for parts whose price depends on how many are taken, and for orders beside what is ordered. The last stage, without
-// slots; the limits are the solver's own, here they are only reported.
+// What is asked of the machine as a whole: how far the tool gives way, its limits, and what is to be paid for parts
+// whose price depends on how many are taken, and for orders beside what is ordered. The last stage, without slots; the
+// limits are the solver's own, here they are only reported.
 #pragma once
 
 #include <array>

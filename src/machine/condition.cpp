@@ -36,7 +36,7 @@ class Collector {
       if (auto brake = brake_condition(problem_, i, places_)) result_.push_back(std::move(*brake));
     add_steering();
     for (std::size_t i = 0; i < problem_.axes.size(); ++i) add_requirements(i, false);
-    // (What is lighter gives back less energy where it goes down, and so may not take less.)
+    // (What is lighter helps its drive less where it goes down, and so may not take less energy.)
     for (std::size_t i = 0; i < problem_.axes.size() && !problem_.limits[Quantity::energy]; ++i)
       for (Condition& load : load_conditions(problem_, i, places_)) result_.push_back(std::move(load));
     return std::move(result_);

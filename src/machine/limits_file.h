@@ -23,9 +23,9 @@ struct LimitOption {
 };
 
 /// Reads words such as "cost=400", "cost=380 EUR", "mass=12 kg" and sets the problem's limits; where it has one
-/// already, the tighter of both. Reported, at the word: unknown names, amounts that are none or
-/// not above zero, units that do not fit, currencies without a rate, a limit given twice, what this problem cannot
-/// count. What could be read is returned.
+/// already, the tighter of both. Reported, at the word: unknown names, amounts that are none or not above zero, units
+/// that do not fit, currencies without a rate, a limit given twice, what this problem cannot count. What could be read
+/// is returned.
 std::vector<LimitOption> add_limits(const std::vector<std::string>& words,
                                     Problem& problem,
                                     text::Diagnostics& diagnostics);
