@@ -86,6 +86,10 @@ class Sweeper {
     report::Sweep sweep;
     sweep.path = range_.path;
     sweep.unit = range_.unit;
+    const machine::Problem& problem = inputs.front().problem;
+    const machine::Objective objective = machine::objective_named(objectives_of(options_, inputs.front()).front());
+    for (const machine::QuantityDeclaration& each : machine::quantities())
+      if (problem.limits[each.quantity] || objective.counts(each.quantity)) sweep.counted.push_back(each.quantity);
     ProgressLine line(options_.quiet, objective_unit_of(options_, inputs.front()));
     for (const MachineInput& input : inputs) {
       const std::size_t i = sweep.points.size();

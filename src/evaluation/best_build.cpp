@@ -109,7 +109,9 @@ solver::Summary solve_with_start(const MachineModel& model, const SearchOptions&
     return value;
   };
   SearchOptions rest = options;
-  rest.time_limit_seconds = start.builds.empty() ? time.left() : 0.9 * time.left();
+  constexpr double share_for_nearby = 0.1, most_for_nearby = 5.0;
+  rest.time_limit_seconds =
+      time.left() - (start.builds.empty() ? 0.0 : std::min(share_for_nearby * time.left(), most_for_nearby));
   solver::Problem problem = model.problem();
   if (const auto single = objective.single(); single && !start.builds.empty()) {
     const std::size_t resource = model.resource(*single);

@@ -38,8 +38,12 @@ double gap_of(const MachineModel& model,
 Synthesis synthesise(const MachineModel& model, const SearchOptions& asked_for) {
   const AllowedTime time(asked_for.time_limit_seconds);
   SearchOptions options = asked_for;
-  // What is left is for the tolerances: a front whose builds are not asked would be worth little.
-  if (options.tolerances) options.time_limit_seconds *= options.objectives.size() > 1 ? 0.9 : 0.95;
+  // What is left is for the tolerances: a front whose builds are not asked would be worth little. One build is asked
+  // in a few seconds.
+  if (options.tolerances && options.objectives.size() > 1)
+    options.time_limit_seconds *= 0.9;
+  else if (options.tolerances)
+    options.time_limit_seconds -= std::min(0.05 * options.time_limit_seconds, 10.0);
   const double to_order = model.shops().empty() ? 0.0 : std::min(1.0, 0.05 * options.time_limit_seconds);
   options.time_limit_seconds -= to_order;
   Synthesis synthesis;

@@ -21,13 +21,15 @@ using evaluation::Design;
 
 namespace {
 
-/// Cost, mass and cycle time have their columns; whatever else is minimised gets one.
-bool has_own_column(const std::string& objective) {
-  return objective != "cost" && objective != "mass" && objective != "cycle_time";
-}
-
 double objective_value(const SweepPoint& point, const std::string& objective) {
   return point.design()->total(machine::objective_named(objective));
+}
+
+const evaluation::CountedTotal* counted_of(const SweepPoint& point, machine::Quantity quantity) {
+  if (point.design() == nullptr) return nullptr;
+  const std::vector<evaluation::CountedTotal>& counted = point.design()->counted;
+  const auto found = std::ranges::find(counted, quantity, &evaluation::CountedTotal::quantity);
+  return found == counted.end() ? nullptr : &*found;
 }
 
 std::string proof_text(const SweepPoint& point) {
@@ -42,6 +44,25 @@ std::string last_key(const std::string& path) { return path.substr(path.find_las
 const char* status_word(const SweepPoint& point) { return point.solved ? to_string(point.result.status) : "not tried"; }
 
 }  // namespace
+
+bool has_own_column(const std::string& objective) {
+  return objective != "cost" && objective != "mass" && objective != "cycle_time";
+}
+
+std::vector<machine::Quantity> further_columns(const Sweep& sweep) {
+  std::vector<machine::Quantity> columns;
+  for (const machine::Quantity quantity : sweep.counted) {
+    const std::string name(machine::declaration(quantity).name);
+    if (has_own_column(name) && name != sweep.first().objectives.front()) columns.push_back(quantity);
+  }
+  return columns;
+}
+
+std::string counted_text(const SweepPoint& point, machine::Quantity quantity) {
+  const evaluation::CountedTotal* total = counted_of(point, quantity);
+  const std::string name(machine::declaration(quantity).name);
+  return total == nullptr ? std::string() : objective_text(name, total->value, point.result.currency);
+}
 
 std::string no_build_reason(const SweepPoint& point) {
   if (!point.solved) return "the search was ended before this value";
@@ -108,6 +129,9 @@ std::string sweep_text(const Sweep& sweep, const Style& style) {
          "\n" + preference_note(sweep);
   std::vector<TableColumn> columns{{last_key(sweep.path), Align::right}};
   if (has_own_column(objective)) columns.push_back({objective, Align::right});
+  const std::vector<machine::Quantity> further = further_columns(sweep);
+  for (const machine::Quantity quantity : further)
+    columns.push_back({std::string(machine::declaration(quantity).name), Align::right});
   for (const std::string& title : {first.currency, std::string("kg"), std::string("cycle")})
     columns.push_back({title, Align::right});
   columns.push_back({"proof"});
@@ -122,6 +146,7 @@ std::string sweep_text(const Sweep& sweep, const Style& style) {
     if (has_own_column(objective))
       cells.push_back(design == nullptr ? ""
                                         : objective_text(objective, objective_value(point, objective), first.currency));
+    for (const machine::Quantity quantity : further) cells.push_back(counted_text(point, quantity));
     if (design == nullptr) {
       cells.insert(cells.end(), {point.proved() ? style.bad("none") : "-", "", ""});
     } else {
@@ -150,6 +175,11 @@ std::string sweep_csv(const Sweep& sweep) {
   std::string out = csv_cell(sweep.unit.empty() ? sweep.path : fmt::format("{} [{}]", sweep.path, sweep.unit)) +
                     ",status,proved,cost,currency,mass [kg],cycle_time [s],";
   if (has_own_column(objective)) out += csv_cell(objective) + ",";
+  const std::vector<machine::Quantity> further = further_columns(sweep);
+  for (const machine::Quantity quantity : further) {
+    const std::string name(machine::declaration(quantity).name);
+    out += csv_cell(fmt::format("{} [{}]", name, objective_unit(name, sweep.first().currency))) + ",";
+  }
   // What bound and proof are of, where parts are preferred.
   const bool preferred = std::any_of(sweep.points.begin(), sweep.points.end(), [](const SweepPoint& point) {
     return preference_counts(point.result);
@@ -165,6 +195,10 @@ std::string sweep_csv(const Sweep& sweep) {
       out += ",,,,";
     if (has_own_column(objective))
       out += point.design() == nullptr ? "," : fmt::format("{:.12g},", objective_value(point, objective));
+    for (const machine::Quantity quantity : further) {
+      const evaluation::CountedTotal* total = counted_of(point, quantity);
+      out += total == nullptr ? "," : fmt::format("{:.12g},", total->value);
+    }
     if (preferred && point.design() != nullptr)
       out += fmt::format("{:.12g}", point.design()->compared(machine::objective_named(objective)));
     if (preferred) out += ",";

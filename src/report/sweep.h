@@ -29,6 +29,8 @@ struct Sweep {
   std::string path, unit;
   std::vector<SweepPoint> points;
   Timing timing;
+  /// What is limited of the whole machine, or part of what is minimised.
+  std::vector<machine::Quantity> counted = {};
   /// Title, file, currency, objective and what was asked for are those of every point.
   const MachineResult& first() const { return points.front().result; }
 };
@@ -36,6 +38,15 @@ struct Sweep {
 /// Why there is no build, in one line: slots without candidates, checks that fail whatever is chosen. Empty if there is
 /// a build.
 std::string no_build_reason(const SweepPoint& point);
+
+/// Whether an objective has no column that every sweep has: cost, mass and cycle time have theirs.
+bool has_own_column(const std::string& objective);
+
+/// What else is counted (Sweep::counted) and has no column yet.
+std::vector<machine::Quantity> further_columns(const Sweep& sweep);
+
+/// "585.64 J": of the build at a value; empty without one.
+std::string counted_text(const SweepPoint& point, machine::Quantity quantity);
 
 /// What could not be looked at for some of the values: a setting may decide what is asked.
 std::vector<evaluation::IncompleteParts> incomplete_in(const Sweep& sweep);

@@ -202,16 +202,20 @@ std::string proof_mark(const SweepPoint& point, const Texts& t) {
 std::string table(const Sweep& sweep, const Texts& t) {
   const MachineResult& first = sweep.first();
   const std::string& objective = first.objectives.front();
-  const bool own_column = objective != "cost" && objective != "mass" && objective != "cycle_time";
+  const bool own_column = has_own_column(objective);
+  const std::vector<machine::Quantity> further = further_columns(sweep);
   std::vector<std::string> headings{escaped(sweep.path)};
   if (own_column) headings.push_back(escaped(objective_name(objective, t)));
+  for (const machine::Quantity quantity : further)
+    headings.push_back(escaped(objective_name(std::string(machine::declaration(quantity).name), t)));
   for (const std::string& each : {escaped(t("quantity.cost")) + " <small>" + escaped(first.currency) + "</small>",
                                   escaped(t("quantity.mass")) + " <small>kg</small>",
                                   escaped(t("quantity.cycle_time")) + " <small>s</small>",
                                   escaped(t("sweep.proof")),
                                   escaped(t("front.changes"))})
     headings.push_back(each);
-  HtmlTable table(own_column ? ">>>>><<" : ">>>><<", headings, "sweep stacked");
+  const std::string sides = std::string((own_column ? 5 : 4) + further.size(), '>') + "<<";
+  HtmlTable table(sides, headings, "sweep stacked");
   const std::vector<std::string> changes = sweep_changes(sweep);
   for (std::size_t i = 0; i < sweep.points.size(); ++i) {
     const SweepPoint& point = sweep.points[i];
@@ -222,6 +226,8 @@ std::string table(const Sweep& sweep, const Texts& t) {
           design == nullptr
               ? "–"
               : escaped(objective_text(objective, design->total(machine::objective_named(objective)), first.currency)));
+    for (const machine::Quantity quantity : further)
+      cells.push_back(design == nullptr ? "–" : escaped(counted_text(point, quantity)));
     cells.push_back(design == nullptr ? "–" : fmt::format("{:.2f}", design->cost));
     cells.push_back(design == nullptr ? "–" : fmt::format("{:.3f}", design->mass));
     cells.push_back(design == nullptr ? "–" : fmt::format("{:.4g}", point.cycle_time));

@@ -67,6 +67,8 @@ constexpr Name names[] = {
     {"Nm", 1, 1, "N*m", true},
     {"Ncm", 1, 100, "N*m", false},
     {"Nmm", 1, 1000, "N*m", false},
+    {"Wh", 3600, 1, "J", true},
+    {"Ws", 1, 1, "J", true},
     {"hp", 550, 1, "ft*lbf/s", false},
     {"PS", 75, 1, "kgf*m/s", false},
     {"ohm", 1, 1, "V/A", true},
@@ -111,10 +113,10 @@ constexpr std::pair<const char*, double> prefixes[] = {{"da", 1e1},
 
 /// Candidates for "did you mean" besides the names above.
 constexpr const char* common_names[] = {
-    "m",   "mm",  "cm",   "km",   "um",   "nm",   "s",   "ms",  "us",   "min",         "h",  "kg", "mg",  "N",
-    "kN",  "mN",  "MN",   "Pa",   "kPa",  "MPa",  "GPa", "J",   "kJ",   "W",           "kW", "mW", "MW",  "V",
-    "mV",  "kV",  "A",    "mA",   "H",    "mH",   "uH",  "K",   "C",    "F",           "uF", "T",  "rad", "mrad",
-    "kHz", "MHz", "degC", "degF", "krpm", "kpps", "mNm", "kNm", "mbar", "ounce_force", "t",  "%"};
+    "m",   "mm",   "cm",  "km",  "um",   "nm",   "s",    "ms",   "us",  "min", "h",    "kg",          "mg", "N",
+    "kN",  "mN",   "MN",  "Pa",  "kPa",  "MPa",  "GPa",  "J",    "kJ",  "Wh",  "kWh",  "W",           "kW", "mW",
+    "MW",  "V",    "mV",  "kV",  "A",    "mA",   "H",    "mH",   "uH",  "K",   "C",    "F",           "uF", "T",
+    "rad", "mrad", "kHz", "MHz", "degC", "degF", "krpm", "kpps", "mNm", "kNm", "mbar", "ounce_force", "t",  "%"};
 
 UnitDefinition scaled(UnitDefinition unit, double numerator, double denominator) {
   unit.numerator *= numerator;

@@ -194,6 +194,53 @@ TEST_CASE("A range with points that have no build: the others are shown, and tho
   CHECK_FALSE(none.prints("cycle:"));
 }
 
+TEST_CASE("What is limited has a column in a range, as what is minimised has") {
+  const Workshop shop;
+  shop.write("m.toml", one_slide);
+  const std::vector<std::string> swept{"solve", "m.toml", "--set", "axis.x.moves[0].time=10:20:2 s"};
+  const auto run = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words = swept;
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome outcome = shop.run(words);
+    INFO(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    return outcome;
+  };
+  const Json json = Json::parse(run({"--limit", "energy=1 Wh", "--json", "-"}).out);
+  const Outcome said = run({"--limit", "energy=1 Wh", "--csv", "s.csv"});
+  std::istringstream lines(shop.read("s.csv"));
+  std::string line;
+  std::getline(lines, line);
+  CHECK(line.find(",cycle_time [s],energy [J],lower_bound,") != std::string::npos);
+  CHECK(said.prints(" energy "));
+  for (const Json& point : json["points"]) {
+    REQUIRE(std::getline(lines, line));
+    const double energy = point["totals"]["energy"]["value"];
+    CHECK(energy <= 3600.0);
+    std::istringstream cells(line);
+    std::string cell;
+    for (int i = 0; i < 8; ++i) std::getline(cells, cell, ',');
+    CHECK(std::stod(cell) == Approx(energy).epsilon(1e-11));
+    CHECK(said.prints(fmt::format("{:.5g} J", energy)));
+  }
+  CHECK_FALSE(run({}).prints(" energy "));
+  // The page has the column too, and a table has it whatever is found.
+  run({"--limit", "energy=1 Wh", "--report", "s.html"});
+  const std::string page = shop.read("s.html");
+  for (const Json& point : json["points"])
+    CHECK(page.find(fmt::format(">{:.5g} J</td>", point["totals"]["energy"]["value"].get<double>())) !=
+          std::string::npos);
+  std::vector<std::string> none = swept;
+  none.insert(none.end(), {"--limit", "energy=1 uJ", "--csv", "none.csv"});
+  CHECK(shop.run(none).exit_code == 1);
+  CHECK(shop.read("none.csv").find(",energy [J],lower_bound,") != std::string::npos);
+  // What is minimised has one column, not two.
+  const std::string least = run({"--minimise", "energy"}).out;
+  const std::size_t header = least.find("cycle  proof");
+  REQUIRE(header != std::string::npos);
+  CHECK(count_of(least.substr(least.rfind('\n', header), header - least.rfind('\n', header)), " energy ") == 1);
+}
+
 TEST_CASE("A range under a time limit says which points are not proved") {
   const Workshop shop;
   shop.write("m.toml", one_slide);

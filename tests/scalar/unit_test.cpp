@@ -88,6 +88,9 @@ TEST_CASE("factors of units") {
       {"oz.in.s^2", 0.00706155181422604, dimension::inertia},
       {"W", 1, dimension::power_output},
       {"hp", 745.69987158227022, dimension::power_output},
+      {"Wh", 3600, dimension::power_output * dimension::time},  // NIST SP 811: 3.6 E+03
+      {"kWh", 3.6e6, dimension::power_output * dimension::time},
+      {"Ws", 1, dimension::power_output * dimension::time},
       {"PS", 735.49875, dimension::power_output},
       {"V", 1, dimension::voltage},
       {"mH", 1e-3, dimension::inductance},
