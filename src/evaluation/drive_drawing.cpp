@@ -151,7 +151,7 @@ DriveDrawing drawing_of(const machine::ScrewDrive<double>& d, const std::string&
   const double held = 1.0 / machine::held_stiffness(d);
   add_compliance(result, "screw and thrust bearings", held);
   if (d.ball() == machine::Applies::yes)
-    add_compliance(result, "nut", 1.0 / machine::least_axial_stiffness(d, std::max(1.0, d.cycle.process_force)) - held);
+    add_compliance(result, "nut", 1.0 / machine::least_axial_stiffness(d, machine::working_force(d)) - held);
   const double twist = 1.0 / machine::torsional_stiffness(d) - (d.reduction.present ? d.reduction.compliance : 0.0);
   add_compliance(result, "twist of screw and coupling", travel * travel * twist);
   add_turning(result, d, travel);

@@ -13,6 +13,7 @@
 #include "evaluation/rates.h"
 #include "evaluation/slot_choices.h"
 #include "evaluation/tolerance_choices.h"
+#include "machine/condition_loads.h"
 
 namespace millwright::evaluation {
 
@@ -257,6 +258,8 @@ Explanation explain(const Asked& asked,
   Explanation result;
   result.conditions = std::move(conditions);
   result.objective = options.objectives.front();
+  for (const machine::Axis& axis : asked.problem.axes)
+    if (machine::softens_under_less(axis)) result.softening_axes.push_back(axis.name);
   ConditionTrials trials(asked, catalogue, result.conditions, options, progress, patience);
   try {
     result.design = trials.best("the machine as it is asked for", {}, true);

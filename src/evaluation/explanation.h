@@ -102,6 +102,7 @@ struct Explanation {
   std::size_t ends_not_tried = 0;
   std::size_t solves = 0;
   double seconds = 0.0;
+  std::vector<std::string> softening_axes = {};  ///< whose forces and loads are not eased (softens_under_less)
 };
 
 /// s, for each question about a choice or a price: some are far harder than the machine itself, and the rest shall not

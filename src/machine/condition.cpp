@@ -96,6 +96,10 @@ class Collector {
       const std::string of_axis = shared && own == nullptr ? "" : "axis." + axis.name + ".";
       condition.setting = of_axis + "require." + std::string(declared.key);
       if (Places::find(own, {"limit"}) != nullptr) condition.setting += ".limit";
+      if (which == Requirement::torque_margin && !given && !axis.require.given(Requirement::torque_margin_estimate))
+        condition.beside = fmt::format("axis.{}.require.torque_margin_estimate={:.12g}",
+                                       axis.name,
+                                       axis.require(Requirement::torque_margin_estimate));
       condition.furthest = furthest;
       add_number(condition, present, std::string(declared.unit), side == Looser::larger, [=](Asked& asked, double to) {
         for (std::size_t i = 0; i < asked.problem.axes.size(); ++i)
@@ -247,7 +251,7 @@ class Collector {
       scale("time", &Move::time, "s", true);
       scale("speed", &Move::speed, is_rotary(axis) ? "rad/s" : "m/s", false);
     }
-    if (move.force > 0.0 && !problem_.limits[Quantity::energy]) {
+    if (move.force > 0.0 && !problem_.limits[Quantity::energy] && !softens_under_less(axis)) {
       const Node* shared = of_machine ? Places::find(node, {"forces", axis.name}) : nullptr;
       const SourceSpan where = shared != nullptr ? shared->span() : place(move.cutting ? "cutting" : "force");
       Condition& condition =

@@ -50,6 +50,9 @@ struct Condition {
   std::vector<Condition> instead;  ///< numbers of which some serves as well as less of this condition
   std::function<void(Asked&, double)> set;  ///< to another value; none of a choice
   std::function<void(Asked&)> lift;         ///< not asked any more
+  /// What has to be written beside `setting`, which alone changes that too:
+  /// "axis.z.require.torque_margin_estimate=0.5".
+  std::string beside = {};
 
   /// The value eased by a factor above 1.
   [[nodiscard]] double eased(double factor) const {

@@ -12,8 +12,7 @@ namespace millwright::machine {
 
 namespace {
 
-constexpr double smallest_brake = 1e-3;  ///< N.m, below which no brake is worth its name
-constexpr int stops_to_balance = 4;      ///< quarters of the stated weight
+constexpr int stops_to_balance = 4;  ///< quarters of the stated weight
 
 Condition stated(
     const Problem& problem, std::size_t axis, const char* path, const text::Node* node, const Places& places) {

@@ -28,9 +28,17 @@ double furthest_of_masses(const Problem& problem, std::size_t axis) {
 
 }  // namespace
 
+bool softens_under_less(const Axis& axis) {
+  const Mechanism& drive = axis.mechanism;
+  return drive.kind == MechanismKind::screw && drive.ball_screws && !(drive.preload_fraction > 0.0) &&
+         axis.require.known(Requirement::axial_stiffness);
+}
+
 std::vector<Condition> load_conditions(const Problem& problem, std::size_t axis, const Places& places) {
   const Axis& own = problem.axes[axis];
   std::vector<Condition> result;
+  for (std::optional<std::size_t> each = axis; each; each = problem.axes[*each].carried_by)
+    if (softens_under_less(problem.axes[*each])) return result;
   const auto load = [&](const char* key, double Axis::*value, const char* unit, double furthest) {
     if (!(own.*value > 0.0) || !(furthest > 1.0)) return;
     const text::Node* const node = Places::find(places.axis(axis), {key});

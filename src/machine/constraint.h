@@ -66,6 +66,8 @@ enum class Applies { no, yes, some };
 /// Acceleration of free fall [m/s^2], ISO 80000-3.
 inline constexpr double standard_gravity = 9.80665;
 
+inline constexpr double smallest_brake = 1e-3;  ///< N.m, below which no brake is worth its name
+
 /// The capacity is limited from below, so that a useless capacity gives a large finite utilisation and not infinity.
 inline constexpr double useless_utilisation = 1e9;
 

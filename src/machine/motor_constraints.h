@@ -37,6 +37,8 @@ auto brake_capacity(const Drive& d) {
 /// magnets of the motor do, whichever is stronger.
 template <class Drive>
 std::string_view limiting_requirement(const Drive& d, const Declaration& declaration) {
+  if constexpr (requires { lock_requirement(d); })
+    if (declaration.requirement == "self_locking_factor") return lock_requirement(d);
   if (declaration.requirement != "detent_factor") return declaration.requirement;
   return brake_capacity(d) > d.require(Requirement::detent_factor) * d.motor.detent_torque ? "brake_factor"
                                                                                            : declaration.requirement;

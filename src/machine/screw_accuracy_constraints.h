@@ -36,7 +36,7 @@ void screw_accuracy_constraints(Visit&& visit) {
                   .place = WorstPlace::nut_softest},
       [](const auto& d) { return d.data->require.known(axial_stiffness) ? Applies::yes : Applies::no; },
       [](const auto& d) { return d.require(axial_stiffness, dimension::stiffness); },
-      [](const auto& d) { return least_axial_stiffness(d, d.largest_force); });
+      [](const auto& d) { return least_axial_stiffness(d, working_force(d)); });
   visit(
       Declaration{.id = "C-CP-WINDUP",
                   .title = "Wind-up of coupling and screw",

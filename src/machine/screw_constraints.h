@@ -256,14 +256,14 @@ void sliding_screw_constraints(Visit&& visit) {
       [](const auto& d) { return d.require(critical_speed_factor) * d.screw.critical_speed; });
   visit(
       Declaration{.id = "C-SCR-LOCK",
-                  .title = "Self-locking with power off",
-                  .symbol = "tan λ/μ_e",
+                  .title = "Self-locking or braked",
+                  .symbol = "u",
                   .unit = "1",
                   .source = "khurmi_gupta2005, section 17.9",
                   .requirement = "self_locking_factor",
                   .worst = WorstPhase::standstill},
-      [](const auto& d) { return d.data->vertical && d.data->brake_torque <= 0.0 ? d.sliding() : Applies::no; },
-      [](const auto& d) { return d.screw.self_locking_ratio; },
+      [](const auto& d) { return d.data->vertical ? d.sliding() : Applies::no; },
+      [](const auto& d) { return unlocked_ratio(d); },
       [](const auto& d) { return 1.0 / d.require(self_locking_factor); });
 }
 

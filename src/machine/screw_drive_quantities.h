@@ -3,7 +3,10 @@
 // Quantities that one or two constraints of a screw drive need and that are more than one formula.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <span>
 
 #include "machine/error_budget.h"
@@ -105,6 +108,46 @@ T power_off_torque(const ScrewDrive<T>& d) {
       d.cycle.weight, d.screw.lead, d.screw.reverse_efficiency, d.cycle.friction_force, T(1.0)));
 }
 
+/// What comes through the thread of a sliding screw with power off [N.m], where its friction is less by the factor that
+/// self-locking asks for.
+template <class T>
+T slippery_torque(const ScrewDrive<T>& d) {
+  using namespace scalar;
+  const T slope = d.screw.lead / (pi<T>() * d.screw.mean_diameter);
+  const T friction = slope / (d.screw.self_locking_ratio * d.require(Requirement::self_locking_factor));
+  const T efficiency = (slope - friction) / ((1.0 + friction * slope) * slope);
+  return d.reduction.driven(mechanics::actuation::backdriving_torque(
+      d.cycle.weight, d.screw.lead, efficiency, d.cycle.friction_force, T(1.0)));
+}
+
+/// What a brake on the motor of a sliding screw must hold with power off [N.m]: the back-driving torque with its
+/// factor, or what comes through a more slippery thread; and at least what makes a brake one, so that a word of one
+/// does not stand for a lock where friction or a counterbalance happen to hold.
+template <class T>
+T torque_on_brake(const ScrewDrive<T>& d) {
+  using namespace scalar;
+  const T with_factor = d.require(Requirement::brake_factor) * power_off_torque(d);
+  return named("T_B", larger(larger(with_factor, slippery_torque(d)), in_unit<T>(smallest_brake, dimension::torque)));
+}
+
+/// How far the thread is from locking itself: tan of the lead angle over friction. Where a brake does it, and is loaded
+/// less than that, what it must hold over what it can, as a part of the ratio that is permitted.
+template <class T>
+T unlocked_ratio(const ScrewDrive<T>& d) {
+  using namespace scalar;
+  if (!(d.data->brake_torque > 0.0)) return d.screw.self_locking_ratio;
+  const T load = torque_on_brake(d) / in_unit<T>(d.data->brake_torque, dimension::torque);
+  return smaller(d.screw.self_locking_ratio, named("u_B", load / d.require(Requirement::self_locking_factor)));
+}
+
+/// The key of the factor that decides whether the drive is locked (limiting_requirement).
+template <class T>
+std::string_view lock_requirement(const ScrewDrive<T>& d) {
+  const bool by_brake = d.data->brake_torque > 0.0 && unlocked_ratio(d) < d.screw.self_locking_ratio;
+  const bool by_factor = d.require(Requirement::brake_factor) * power_off_torque(d) > slippery_torque(d);
+  return by_brake && by_factor ? "brake_factor" : "self_locking_factor";
+}
+
 /// Smallest of all speed limits of the drive, as a speed of the axis [m/s].
 template <class T>
 T speed_limit(const ScrewDrive<T>& d) {
@@ -148,6 +191,21 @@ T held_stiffness(const ScrewDrive<T>& d) {
   return named("k_SB",
                d.data->both_ends_fixed ? 4.0 * bs::chain_stiffness(std::span<const T>(row))
                                        : bs::chain_stiffness(std::span<const T>(row).first(2)));
+}
+
+/// The force under which a drive has to be stiff [N]: the least with which a move presses, so that a move which presses
+/// more, or a harder ramp, does not stiffen a nut without preload; what moves the load at steady speed, if that is
+/// more, as it is always there. At least one newton.
+template <class T>
+T working_force(const ScrewDrive<T>& d) {
+  using namespace scalar;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Move& move : d.data->motion.moves) {
+    const double force = move.profile ? move.profile->largest_force : std::fabs(move.force);
+    if (force > 0.0) least = std::min(least, force);
+  }
+  const T pressing = in_unit<T>(std::isfinite(least) ? std::max(least, 1.0) : 1.0, dimension::force);
+  return named("F_w", larger(T(d.cycle.weight + d.cycle.friction_force), pressing));
 }
 
 /// Axial stiffness between motor and table at the worst place of the nut [N/m]. The ball nut at its preload, else at

@@ -95,6 +95,8 @@ std::string way_details(const Relaxation& way, const Condition& changed, const s
                                   currency,
                                   way.design->mass,
                                   tightest_text(*way.design)));
+  if (!changed.beside.empty())
+    details.push_back(fmt::format("write {} as well: torque_margin alone would replace that too", changed.beside));
   if (changed.no_part) details.push_back("what it takes is none of the parts: not in this price and mass");
   if (std::string refused = refused_text(way, changed, currency); !refused.empty())
     details.push_back(std::move(refused));
@@ -163,20 +165,41 @@ std::string empty_text(const Explanation& explanation) {
 
 }  // namespace
 
+namespace {
+
+bool limits(const Explanation& explanation, machine::Quantity quantity) {
+  return std::ranges::any_of(explanation.conditions, [&](const Condition& condition) {
+    return condition.kind == machine::ConditionKind::budget && condition.quantity == quantity;
+  });
+}
+
+}  // namespace
+
+std::vector<std::string> withheld_kinds(const Explanation& explanation) {
+  const bool energy = limits(explanation, machine::Quantity::energy);
+  std::vector<std::string> kinds;
+  if (energy || limits(explanation, machine::Quantity::cycle_time)) kinds = {"times", "speeds"};
+  if (energy || !explanation.softening_axes.empty()) kinds.insert(kinds.end(), {"forces", "loads"});
+  return kinds;
+}
+
 std::string withheld_text(const Explanation& explanation) {
-  const auto limits = [&](machine::Quantity quantity) {
-    return std::ranges::any_of(explanation.conditions, [&](const Condition& condition) {
-      return condition.kind == machine::ConditionKind::budget && condition.quantity == quantity;
-    });
-  };
-  const bool energy = limits(machine::Quantity::energy);
-  if (!energy && !limits(machine::Quantity::cycle_time)) return {};
-  const std::string words =
-      energy ? "Moves (times, speeds, forces) and loads are taken as they are asked: with others a cycle may take "
-               "more energy, which is limited. 'solve --set' tries them."
-             : "Times and speeds of moves are taken as they are asked: with others the cycle may take longer, and its "
-               "time is limited. 'solve --set' tries them.";
-  return "  " + wrapped(words, paragraph_width - 2, 2) + "\n\n";
+  std::string out;
+  const auto say = [&](const std::string& words) { out += "  " + wrapped(words, paragraph_width - 2, 2) + "\n\n"; };
+  const bool energy = limits(explanation, machine::Quantity::energy);
+  if (energy)
+    say("Moves (times, speeds, forces) and loads are taken as they are asked: with others a cycle may take more "
+        "energy, "
+        "which is limited. 'solve --set' tries them.");
+  else if (limits(explanation, machine::Quantity::cycle_time))
+    say("Times and speeds of moves are taken as they are asked: with others the cycle may take longer, and its time is "
+        "limited. 'solve --set' tries them.");
+  if (!energy && !explanation.softening_axes.empty())
+    say(
+        fmt::format("Forces and loads of {} are taken as they are asked: under less a ball nut without preload is "
+                    "softer, and axial_stiffness is asked for. 'solve --set' tries them.",
+                    fmt::join(explanation.softening_axes, ", ")));
+  return out;
 }
 
 std::string conflicts_text(const MachineResult& result, const Explanation& explanation, const Style& style) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "evaluation/explanation.h"
 #include "report/result.h"
@@ -10,7 +11,11 @@
 
 namespace millwright::report {
 
-/// What was left out of what could be eased, as it is not surely looser; empty where nothing was.
+/// What was left out of what could be eased, as it is not surely looser (times, speeds, forces, loads); empty where
+/// nothing was.
+std::vector<std::string> withheld_kinds(const evaluation::Explanation& explanation);
+
+/// The same in a sentence.
 std::string withheld_text(const evaluation::Explanation& explanation);
 
 /// Of an explanation without a design.

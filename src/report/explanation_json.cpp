@@ -23,6 +23,7 @@ Json condition_of(const Condition& condition, const std::string& currency) {
             {"default", !condition.given},
             {"place", place_text(condition)}};
   if (!condition.setting.empty()) json["setting"] = condition.setting;
+  if (!condition.beside.empty()) json["setting_beside"] = condition.beside;
   if (!condition.meaning.empty()) json["meaning"] = condition.meaning;
   if (condition.kind == ConditionKind::choice) {
     json["value"] = condition.present;
@@ -48,6 +49,7 @@ Json conflicts_of(const Explanation& explanation, const std::string& currency) {
         for (const double value : way.refused) json["not_enough"].push_back(number(value));
       }
       if (!condition.setting.empty()) json["setting"] = condition.setting;
+      if (!condition.beside.empty()) json["setting_beside"] = condition.beside;
       json["breaks"] = Json::array();
       for (const evaluation::Check& check : way.broken)
         json["breaks"].push_back({{"axis", check.axis},
@@ -140,6 +142,7 @@ std::string explanation_json(const MachineResult& result, const Explanation& exp
     add_feasible(result, explanation, json);
   else
     add_infeasible(result, explanation, json);
+  json["not_eased"] = withheld_kinds(explanation);
   json["checks"] = Json::array();
   for (const NamedCheck& check : named_checks(explanation))
     json["checks"].push_back(

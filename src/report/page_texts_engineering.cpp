@@ -161,7 +161,7 @@ const std::vector<Saying>& sayings() {
       {"Travel until the nut is worn, order of magnitude", "Jarak tempuh sampai mur aus, orde besaran"},
       {"Screw buckling", "Tekuk batang ulir"},
       {"Screw critical speed", "Putaran kritis batang ulir"},
-      {"Self-locking with power off", "Mengunci sendiri saat daya mati"},
+      {"Self-locking or braked", "Mengunci sendiri atau direm"},
       {"Coupling torque", "Torsi kopling"},
       {"Torsional frequency of the drive line", "Frekuensi torsi jalur penggerak"},
       {"Parallel misalignment of the coupling", "Ketidaksejajaran paralel kopling"},

@@ -120,6 +120,23 @@ TEST_CASE("Parts left out and slots fixed are conditions too") {
   CHECK(broken > 0);
 }
 
+TEST_CASE("The file of an explanation names what is not eased, as something that it raises is limited") {
+  const Workshop shop;
+  shop.write("m.toml", one_slide);
+  const auto not_eased = [&](const std::string& limit, const std::string& said) {
+    const Outcome outcome = shop.run({"explain", "m.toml", "--limit", limit, "--json", "e.json", "--force"});
+    CAPTURE(limit, outcome.err);
+    CHECK(outcome.exit_code == 1);
+    CHECK((said.empty() || outcome.prints(said)));
+    return Json::parse(shop.read("e.json")).at("not_eased");
+  };
+  CHECK(not_eased("energy=1 uJ", "Moves (times, speeds, forces) and loads are taken as they are asked") ==
+        Json{"times", "speeds", "forces", "loads"});
+  CHECK(not_eased("cycle_time=1 ms", "Times and speeds of moves are taken as they are asked") ==
+        Json{"times", "speeds"});
+  CHECK(not_eased("mass=1 g", "") == Json::array());
+}
+
 TEST_CASE("A machine that can be built is explained by its choices and prices") {
   const Workshop shop;
   shop.write("m.toml", one_slide);

@@ -92,6 +92,51 @@ TEST_CASE("A reserve that is stated for all axes is set for all") {
   CHECK(found[0].setting == "require.supply_reserve");
 }
 
+// A torque_margin that stands alone holds for torques that are only a model, too.
+TEST_CASE("A torque margin that nobody stated is eased beside that of modelled torques, which stays as it is") {
+  const auto beside = [](const std::string& require) {
+    const Stated stated(turntables("", "", require));
+    std::vector<std::string> said;
+    for (const Condition& condition : stated.named("torque_margin")) said.push_back(condition.beside);
+    for (const Condition& condition : stated.named("torque_margin_estimate")) CHECK(condition.beside.empty());
+    return said;
+  };
+  using Said = std::vector<std::string>;
+  const std::string a = "axis.a.require.torque_margin_estimate=0.5", b = "axis.b.require.torque_margin_estimate=0.5";
+  CHECK(beside("") == Said{a, b});
+  CHECK(beside("require = { torque_margin = 0.6 }") == Said{"", a});
+  CHECK(beside("require = { torque_margin_estimate = 0.6 }") == Said{a, ""});
+}
+
+TEST_CASE("Where less softens a nut that must be stiff, neither forces nor loads are eased") {
+  const auto forces_and_loads = [](const std::string& mechanism, const std::string& require) {
+    std::string toml = lifter("", "force = \"50 N\"\n" + require);
+    const std::string own = "screw = [\"ball_screws\"]";
+    toml.replace(toml.find(own), own.size(), mechanism);
+    const Stated stated(toml);
+    return std::pair(stated.named("force of move 1").size(), stated.named("structure_mass").size());
+  };
+  const std::string stiff = "[axis.require]\naxial_stiffness = \"30 N/um\"\n";
+  const std::pair<std::size_t, std::size_t> both{1, 1}, none{0, 0};
+  CHECK(forces_and_loads("screw = [\"ball_screws\"]", "") == both);
+  CHECK(forces_and_loads("screw = [\"ball_screws\"]", stiff) == none);
+  CHECK(forces_and_loads("screw = [\"ball_screws\"], preload = 0.05", stiff) == both);
+  CHECK(forces_and_loads("screw = [\"lead_screws\"]", stiff) == both);
+  // Nor what rides on it, but its forces.
+  const Stated riding(lifter("carries = [\"a\"]", stiff + R"([[axis]]
+name = "a"
+stroke = "100 mm"
+structure_mass = "3 kg"
+mechanism = { kind = "screw", screw = ["lead_screws"] }
+[[axis.moves]]
+distance = "50 mm"
+time = "1 s"
+force = "10 N"
+)"));
+  CHECK(riding.named("structure_mass").empty());
+  CHECK(riding.named("force of move 1").size() == 1);
+}
+
 TEST_CASE("What a counterbalance holds up is lighter until it is held up, and no further") {
   const auto lifted_mass = [](const Stated& stated) {
     const std::vector<Condition> found = stated.named("structure_mass");

@@ -292,17 +292,86 @@ TEST_CASE("A preloaded ball screw held at both ends, worked by hand") {
          1.2 / std::sqrt(2.0) * std::sin(pi / 16.0));
 }
 
+// tan 5.2 deg of lead over the friction is 0.88 here: the thread locks itself, but not with the factor of 1.3.
+TEST_CASE("A brake that holds stands for self-locking, one that does not hold is none") {
+  const auto with = [](const std::string& brake, const std::string& require = {}) {
+    return worked(
+        one_axis(
+            {.direction = "vertical", .mechanism = lead_screw, .motor = "microsteps = 8" + brake, .require = require}),
+        lead_screw_parts,
+        "P36-350",
+        0.2);
+  };
+  const double m = 20.25, weight = m * g, drag = 4.0, lead = 0.004;
+  const double slope = lead / (pi * 0.014), friction = 0.1 / std::cos(15.0 * pi / 180.0);
+  const double limit = 1.0 / 1.3;
+  expect(with(""), "C-SCR-LOCK", slope / friction, limit);
+  // With a friction that is less by that factor: tan(lambda - phi) of what comes through.
+  const double through =
+      (weight - drag) * lead / (2.0 * pi) * std::tan(std::atan(slope) - std::atan(friction / 1.3)) / slope;
+  CHECK(through > 0.0);
+  expect(with(", brake_torque = \"1e-9 N.m\""), "C-SCR-LOCK", slope / friction, limit);
+  expect(with(", brake_torque = \"0.1 N.m\""), "C-SCR-LOCK", through / 0.1 / 1.3, limit);
+  expect(with(fmt::format(", brake_torque = \"{} N.m\"", 1.01 * through)), "C-SCR-LOCK", 1.0 / 1.01 / 1.3, limit);
+  CHECK(find(with(fmt::format(", brake_torque = \"{} N.m\"", 0.99 * through)), "C-SCR-LOCK")->verdict ==
+        Verdict::violated);
+  CHECK(find(with(", brake_torque = \"0.1 N.m\""), "C-SCR-LOCK")->requirement == "self_locking_factor");
+  // A factor of 1.05 it keeps by itself, whatever the brake.
+  expect(
+      with(", brake_torque = \"1e-9 N.m\"", "self_locking_factor = 1.05"), "C-SCR-LOCK", slope / friction, 1.0 / 1.05);
+  // Nor is it one where a counterbalance happens to hold the load.
+  for (const double brake : {0.0, 1e-9, 0.01}) {
+    CAPTURE(brake);
+    machine::Problem balanced = one_axis({.direction = "vertical", .mechanism = lead_screw});
+    balanced.axes[0].counterbalance_force = weight;
+    balanced.axes[0].motor.brake_torque = brake;
+    const double value = brake < 1e-3 ? slope / friction : 1e-3 / brake / 1.3;
+    expect(worked(balanced, lead_screw_parts, "P36-350", 0.2), "C-SCR-LOCK", value, limit);
+  }
+  // Of a thread that runs down anyway 1.5 times the torque is more than what a more slippery one lets through.
+  const double runs = 0.05 / std::cos(15.0 * pi / 180.0);
+  const double torque =
+      1.5 * (weight - drag) * lead / (2.0 * pi) * std::tan(std::atan(slope) - std::atan(runs)) / slope;
+  const Design braked = worked(one_axis({.direction = "vertical",
+                                         .mechanism = std::string(lead_screw) + ", thread_friction = 0.05",
+                                         .motor = "microsteps = 8, brake_torque = \"0.2 N.m\""}),
+                               lead_screw_parts,
+                               "P36-350",
+                               0.2);
+  expect(braked, "C-SCR-LOCK", torque / 0.2 / 1.3, limit);
+  CHECK(find(braked, "C-SCR-LOCK")->requirement == "brake_factor");
+}
+
 TEST_CASE("The nut without preload, and a preload that is too high") {
   const Design loose = worked(one_axis({.mechanism = R"(screw = ["ball_screws"], ends = "fixed-supported")",
                                         .require = "axial_stiffness = \"30 N/um\""}),
                               ball_screw_parts("S6"),
                               "P24-350",
                               0.2);
-  // The catalogue's 200 N/um hold at 30 % of 8000 N.
-  const double force = 20.25 * 0.15 + 4.0 + 0.05 * 20.25 * g + 50.0;
+  // The catalogue's 200 N/um hold at 30 % of 8000 N; the move presses with 50 N.
+  const double force = 50.0;
   const double shaft = 206e9 * pi / 4.0 * 0.013 * 0.013 / 0.46;
   const double nut = 0.8 * 200e6 * std::cbrt(force / 2400.0);
   expect(loose, "C-BS-STIFF", 30.0, 1e-6 / (1.0 / shaft + 1.0 / 40e6 + 1.0 / nut));
+  // A move that presses more does not stiffen it, nor does a harder ramp: the least with which one presses counts. Drag
+  // and friction are always there.
+  const auto stiffness_with = [](std::initializer_list<double> forces, double ramp) {
+    machine::Problem problem = one_axis({.mechanism = R"(screw = ["ball_screws"], ends = "fixed-supported")",
+                                         .require = "axial_stiffness = \"30 N/um\""});
+    std::vector<machine::Move>& moves = problem.axes[0].moves;
+    moves.resize(forces.size(), moves.front());
+    std::size_t i = 0;
+    for (const double each : forces) moves[i++].force = each;
+    const Design design = worked(problem, ball_screw_parts("S6"), "P24-350", ramp);
+    return find(design, "C-BS-STIFF")->limit;
+  };
+  const auto under = [&](double newton) {
+    return 1e-6 / (1.0 / shaft + 1.0 / 40e6 + 1.0 / (0.8 * 200e6 * std::cbrt(newton / 2400.0)));
+  };
+  CHECK(stiffness_with({50.0, 150.0, 0.0}, 0.2) == Approx(under(50.0)).epsilon(1e-9));
+  CHECK(stiffness_with({150.0, -20.0}, 0.1) == Approx(under(20.0)).epsilon(1e-9));
+  for (const double little : {0.0, 0.5, 13.0})
+    CHECK(stiffness_with({little}, 0.2) == Approx(under(4.0 + 0.05 * 20.25 * g)).epsilon(1e-9));
   CHECK_FALSE(loose.satisfied());
   CHECK(find(loose, "C-BS-PREMIN") == nullptr);
   CHECK(find(loose, "C-BS-PREMAX") == nullptr);
