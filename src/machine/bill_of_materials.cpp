@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "machine/quantity_reader.h"
@@ -24,6 +26,30 @@ const std::vector<std::string> known_columns{
     "axis", "slot", "manufacturer", "part_number", "quantity", "length", "value", "origin"};
 const std::vector<std::string> origins{"paper", "ours"};
 constexpr double most_pieces_of_a_line = 10000.0;
+
+/// What decides about a check is not left out because its column is called otherwise: other names, in small letters.
+constexpr std::pair<std::string_view, const char*> other_names[] = {{"quantity", "quantity"},
+                                                                    {"quantities", "quantity"},
+                                                                    {"quanity", "quantity"},
+                                                                    {"qty", "quantity"},
+                                                                    {"qty.", "quantity"},
+                                                                    {"count", "quantity"},
+                                                                    {"pcs", "quantity"},
+                                                                    {"pieces", "quantity"},
+                                                                    {"length", "length"},
+                                                                    {"lengths", "length"},
+                                                                    {"lenght", "length"},
+                                                                    {"len", "length"},
+                                                                    {"value", "value"},
+                                                                    {"values", "value"}};
+
+/// The deciding column that is meant by another name, if any.
+std::optional<std::string> deciding_column_meant(std::string name) {
+  std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  for (const auto& [other, column] : other_names)
+    if (name == other) return column;
+  return std::nullopt;
+}
 
 bool is_among(const std::vector<std::string>& words, const std::string& word) {
   return std::find(words.begin(), words.end(), word) != words.end();
@@ -44,13 +70,24 @@ class BillReader {
   }
 
  private:
+  /// False: it would decide something.
+  bool take_unknown(const text::CsvColumn& column) {
+    const std::string message = fmt::format("column '{}' is not used", column.name);
+    if (const auto meant = deciding_column_meant(column.name); meant && !table_.find_column(*meant)) {
+      diagnostics_.error(column.name_span, message, fmt::format("did you mean '{}'?", *meant));
+      return false;
+    }
+    diagnostics_.warning(
+        column.name_span,
+        message,
+        text::did_you_mean(column.name, known_columns, fmt::format("those used: {}", fmt::join(known_columns, ", "))));
+    return true;
+  }
+
   bool find_columns() {
-    for (const text::CsvColumn& column : table_.columns())
-      if (!is_among(known_columns, column.name))
-        diagnostics_.warning(column.name_span,
-                             fmt::format("column '{}' is not used", column.name),
-                             text::did_you_mean(column.name, known_columns));
     bool good = true;
+    for (const text::CsvColumn& column : table_.columns())
+      if (!is_among(known_columns, column.name)) good = take_unknown(column) && good;
     for (const char* name : {"axis", "slot", "part_number"}) {
       if (table_.find_column(name)) continue;
       diagnostics_.error(table_.header_span(),

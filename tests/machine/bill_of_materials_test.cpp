@@ -194,6 +194,17 @@ TEST_CASE("What is wrong in a bill of materials is reported at its cell") {
        "column 'orign' is not used",
        "did you mean 'origin'?",
        Severity::warning},
+      // What decides is not left out; but where it is there, another column may be called what it will.
+      {"axis,slot,part_number,«Qty»\nx,motor,b,2\n", "column 'Qty' is not used", "did you mean 'quantity'?"},
+      {"axis,slot,part_number,«lenght»\nx,screw,b,0.2 m\n", "column 'lenght' is not used", "did you mean 'length'?"},
+      {"axis,slot,part_number,«quality»\nx,motor,b,fine\n",
+       "column 'quality' is not used",
+       "did you mean 'quantity'?",
+       Severity::warning},
+      {"axis,slot,part_number,quantity,«qty»\nx,motor,b,1,2\n",
+       "column 'qty' is not used",
+       "those used: axis, slot",
+       Severity::warning},
   };
   for (const BomCase& one : cases) check_bom(one, of);
   check_bom({"«axis,slot,manufacturer»\nx,motor,a\n", "has no column 'part_number'", "axis,slot,manufacturer"}, of);
