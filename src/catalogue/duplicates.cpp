@@ -27,9 +27,15 @@ void drop_duplicates(Table& table, text::Diagnostics& diagnostics) {
     keep[static_cast<std::size_t>(row)] = all_kept = false;
     text::Diagnostic duplicate;
     duplicate.where = table.where(row);
-    duplicate.message = fmt::format(
-        "duplicate part {} of {}", text::in_quotes(table.part_number(row)), text::in_quotes(table.manufacturer(row)));
-    duplicate.hint = "a part stands once in a folder; to replace it use an overlay folder";
+    const bool is_point = table.family() == Family::stepper_curves;
+    duplicate.message = fmt::format("duplicate {} {} of {}",
+                                    is_point ? "point of a curve of" : "part",
+                                    text::in_quotes(table.part_number(row)),
+                                    text::in_quotes(table.manufacturer(row)));
+    duplicate.hint = is_point
+                         ? "a speed stands once for a voltage, current, driver and step mode, whatever the kind of "
+                           "current; to replace a curve use an overlay folder"
+                         : "a part stands once in a folder; to replace it use an overlay folder";
     duplicate.related = table.where(first);
     duplicate.related_message = "first given here";
     diagnostics.add(std::move(duplicate));

@@ -58,7 +58,9 @@ struct CurveKey {
   }
 };
 using CurvePoints = std::vector<mechanics::PullOutCurve::Point>;
-using MotorCurves = std::map<CurveKey, CurvePoints>;
+/// By the current as it is stated (of whatever kind), driver and step mode, of which each has its own curve.
+using MeasuredCurves = std::map<std::tuple<double, std::string_view, std::string_view>, CurvePoints>;
+using MotorCurves = std::map<CurveKey, MeasuredCurves>;
 /// By maker and part number.
 using Curves = std::map<std::pair<std::string_view, std::string_view>, MotorCurves>;
 
@@ -75,7 +77,10 @@ Curves read_curves(const Table& t, Torque torque) {
     const CurveKey key{t.number(column(Family::stepper_curves, "drive_voltage"), row),
                        amplitude(t.number(column(Family::stepper_curves, "phase_current"), row),
                                  t.text(column(Family::stepper_curves, "current_kind"), row))};
-    curves[{t.manufacturer(row), t.part_number(row)}][key].push_back(
+    const std::tuple measured(t.number(column(Family::stepper_curves, "phase_current"), row),
+                              t.text(column(Family::stepper_curves, "driver"), row),
+                              t.text(column(Family::stepper_curves, "step_mode"), row));
+    curves[{t.manufacturer(row), t.part_number(row)}][key][measured].push_back(
         {t.number(column(Family::stepper_curves, "speed"), row), torque(row)});
   }
   return curves;
@@ -87,12 +92,22 @@ const MotorCurves* curves_of(const Curves& curves, const Table& motors, int row)
   return found == curves.end() ? nullptr : &found->second;
 }
 
-/// The curve that governs: published at no more than this voltage and current; of several the one at the highest
+bool is_curve(const CurvePoints& points) { return points.size() >= 2; }  // a single point is not one
+
+/// The least of what was measured with several drivers and step modes: which of them is like one's own nobody knows.
+mechanics::PullOutCurve least_curve(const MeasuredCurves& measured) {
+  std::vector<mechanics::PullOutCurve> curves;
+  for (const auto& [with, points] : measured)
+    if (is_curve(points)) curves.emplace_back(points);
+  return mechanics::least_of(curves);
+}
+
+/// The curves that govern: published at no more than this voltage and current; of several the one at the highest
 /// voltage, then current. Null where none does.
 const MotorCurves::value_type* governing(const MotorCurves& curves, double voltage, double current) {
   for (auto curve = curves.rbegin(); curve != curves.rend(); ++curve) {
     if (curve->first.voltage > voltage * (1.0 + 1e-9) || curve->first.current > current * (1.0 + 1e-9)) continue;
-    if (curve->second.size() >= 2) return &*curve;  // a single point is not a curve
+    if (std::ranges::any_of(curve->second, [](const auto& each) { return is_curve(each.second); })) return &*curve;
   }
   return nullptr;
 }
@@ -262,7 +277,7 @@ class MotorPairs {
     const Curves highest =
         read_curves(curve_table_, [&](int row) { return curve_table_.range(curve_torque, row).upper; });
     const auto curve_of = [&](const Curves& curves, const CurveKey& key) {
-      return mechanics::PullOutCurve(curves_of(curves, motors_, motor.row)->at(key));
+      return least_curve(curves_of(curves, motors_, motor.row)->at(key));
     };
     for (const double each : currents) {
       if (const auto* const curve = governing(*motor_curves_, voltage, each))
@@ -285,9 +300,9 @@ class MotorPairs {
   }
 
   /// A curve, made once for all pairs that it governs.
-  std::shared_ptr<const mechanics::PullOutCurve> made_of(const CurvePoints& points) {
-    auto& made = made_[&points];
-    if (made == nullptr) made = std::make_shared<const mechanics::PullOutCurve>(points);
+  std::shared_ptr<const mechanics::PullOutCurve> made_of(const MeasuredCurves& measured) {
+    auto& made = made_[&measured];
+    if (made == nullptr) made = std::make_shared<const mechanics::PullOutCurve>(least_curve(measured));
     return made;
   }
 
@@ -301,7 +316,7 @@ class MotorPairs {
   DriverChoices drivers_;
   Curves curves_;
   const MotorCurves* motor_curves_ = nullptr;  ///< of the motor that is added; null where there are none
-  std::map<const CurvePoints*, std::shared_ptr<const mechanics::PullOutCurve>> made_;
+  std::map<const MeasuredCurves*, std::shared_ptr<const mechanics::PullOutCurve>> made_;
 };
 
 }  // namespace

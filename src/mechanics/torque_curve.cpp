@@ -106,4 +106,35 @@ Interval PullOutCurve::slopes(const Interval& speed) const {
   return all;
 }
 
+namespace {
+
+/// Straight between the speeds of both and where they cross.
+PullOutCurve lesser_of(const PullOutCurve& a, const PullOutCurve& b) {
+  std::vector<double> speeds;
+  for (const PullOutCurve* curve : {&a, &b})
+    for (const Point& point : curve->points()) speeds.push_back(point.speed);
+  std::sort(speeds.begin(), speeds.end());
+  speeds.erase(std::unique(speeds.begin(), speeds.end()), speeds.end());
+  const auto least = [&](double speed) { return std::min(a(speed), b(speed)); };
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < speeds.size(); ++i) {
+    const double before = i > 0 ? a(speeds[i - 1]) - b(speeds[i - 1]) : 0.0, here = a(speeds[i]) - b(speeds[i]);
+    if (before * here < 0.0) {
+      const double crossing = speeds[i - 1] + before / (before - here) * (speeds[i] - speeds[i - 1]);
+      if (crossing > speeds[i - 1] && crossing < speeds[i]) points.push_back({crossing, least(crossing)});
+    }
+    points.push_back({speeds[i], least(speeds[i])});
+  }
+  return PullOutCurve(std::move(points));
+}
+
+}  // namespace
+
+PullOutCurve least_of(std::span<const PullOutCurve> curves) {
+  if (curves.empty()) throw std::invalid_argument("the least of no pull-out curve");
+  PullOutCurve least = curves.front();
+  for (const PullOutCurve& curve : curves.subspan(1)) least = lesser_of(least, curve);
+  return least;
+}
+
 }  // namespace millwright::mechanics

@@ -54,4 +54,8 @@ class PullOutCurve {
   std::vector<Point> points_;
 };
 
+/// Of several curves that were measured of one motor the least at every speed, each held below its first and above its
+/// last speed. Throws std::invalid_argument when there is none.
+PullOutCurve least_of(std::span<const PullOutCurve> curves);
+
 }  // namespace millwright::mechanics

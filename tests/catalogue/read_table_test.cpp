@@ -204,8 +204,13 @@ TEST_CASE("points of a torque curve are distinguished by their speed") {
   const std::string curve =
       "manufacturer,part_number,drive_voltage [V],phase_current [A],driver,speed [rpm],torque [N.m]\n";
   CHECK(read(Family::stepper_curves, curve + "A,M,24,2,d,60,1\nA,M,24,2,d,120,0.9\n").diagnostics.empty());
-  expect_one(
-      read(Family::stepper_curves, curve + "A,M,24,2,d,60,1\nA,M,24,2,d,60,0.9\n"), error, 3, 3, "duplicate", "");
+  expect_one(read(Family::stepper_curves, curve + "A,M,24,2,d,60,1\nA,M,24,2,d,60,0.9\n"),
+             error,
+             3,
+             3,
+             "duplicate point",
+             "driver");
+  CHECK(read(Family::stepper_curves, curve + "A,M,24,2,d,60,1\nA,M,24,2,e,60,0.9\n").diagnostics.empty());
 }
 
 TEST_CASE("a flag is yes or no") {

@@ -11,6 +11,7 @@
 
 namespace torque_curve_test {
 
+using millwright::mechanics::least_of;
 using millwright::mechanics::PullOutCurve;
 using millwright::scalar::Dual;
 using millwright::scalar::Interval;
@@ -83,6 +84,32 @@ TEST_CASE("at every speed a pull-out curve is the least of the published line up
       CHECK(curve.points()[i].speed > curve.points()[i - 1].speed);
     }
   }
+}
+
+TEST_CASE("of several pull-out curves the least is at every speed the least of what each gives") {
+  std::mt19937 engine(5);
+  std::uniform_real_distribution<> torque(0.0, 2.0), step(1.0, 40.0), share(-0.2, 1.2);
+  for (int n = 0; n < 300; ++n) {
+    std::vector<PullOutCurve> curves;
+    double last = 0.0;
+    for (int k = 0; k < 1 + n % 4; ++k) {
+      std::vector<PullOutCurve::Point> points{{step(engine), torque(engine)}};
+      // Some share a speed.
+      for (int i = 0; i < 1 + n % 5; ++i)
+        points.push_back({std::ceil(points.back().speed + step(engine)), torque(engine)});
+      curves.emplace_back(points);
+      last = std::max(last, points.back().speed);
+    }
+    const PullOutCurve least = least_of(curves);
+    CHECK(least.last_speed() == last);
+    for (int i = 0; i < 400; ++i) {
+      const double speed = std::max(0.0, share(engine) * last);
+      double expected = 2.0;
+      for (const PullOutCurve& curve : curves) expected = std::min(expected, curve(speed));
+      REQUIRE(least(speed) == Approx(expected).margin(1e-12));
+    }
+  }
+  CHECK_THROWS_AS(least_of({}), std::invalid_argument);
 }
 
 TEST_CASE("ranges and slopes of a pull-out curve hold for every speed and pair of speeds") {
