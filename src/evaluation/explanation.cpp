@@ -259,7 +259,12 @@ Explanation explain(const Asked& asked,
   result.conditions = std::move(conditions);
   result.objective = options.objectives.front();
   for (const machine::Axis& axis : asked.problem.axes)
-    if (machine::softens_under_less(axis)) result.softening_axes.push_back(axis.name);
+    if (NotEased each{axis.name,
+                      machine::softens_under_less(axis),
+                      machine::failed_by_slower(axis),
+                      machine::failed_by_lighter(axis)};
+        each.softens || !each.slower.empty() || !each.lighter.empty())
+      result.not_eased.push_back(std::move(each));
   ConditionTrials trials(asked, catalogue, result.conditions, options, progress, patience);
   try {
     result.design = trials.best("the machine as it is asked for", {}, true);

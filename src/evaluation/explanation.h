@@ -75,6 +75,13 @@ struct FigureEnd {
   std::vector<std::string> changes;  ///< "x.motor 17HS4401S"
 };
 
+/// What an axis asks for and is taken as it is, because less of it need not be looser (condition_loads.h).
+struct NotEased {
+  std::string axis;
+  bool softens = false;                      ///< forces and loads: under less a nut is softer
+  std::vector<std::string> slower, lighter;  ///< times and speeds, loads: for the sake of these checks
+};
+
 struct Explanation {
   solver::Status status = solver::Status::infeasible;  ///< limit: time was up, what is said holds but is not all
   std::vector<machine::Condition> conditions;
@@ -102,7 +109,7 @@ struct Explanation {
   std::size_t ends_not_tried = 0;
   std::size_t solves = 0;
   double seconds = 0.0;
-  std::vector<std::string> softening_axes = {};  ///< whose forces and loads are not eased (softens_under_less)
+  std::vector<NotEased> not_eased = {};  ///< axes of which something is not
 };
 
 /// s, for each question about a choice or a price: some are far harder than the machine itself, and the rest shall not

@@ -232,8 +232,7 @@ class Collector {
       for (const auto& [a, m] : parts) distance = std::hypot(distance, problem_.axes[a].moves[m].distance);
       const auto scale = [&](const char* name, std::optional<double> Move::*value, const char* unit, bool larger) {
         if (!(move.*value) || (value == &Move::speed && move.time)) return;  // slower is not looser: it has its time
-        // Nor is another time or speed where the time or the energy of the cycle is limited.
-        if (problem_.limits[Quantity::cycle_time] || problem_.limits[Quantity::energy]) return;
+        if (!slower_is_looser(problem_, parts)) return;
         Condition& condition =
             add(coordinated ? "machine" : axis.name, fmt::format("{} of {}", name, title), place(name));
         if (!path.empty()) condition.setting = path + name;

@@ -41,7 +41,7 @@ struct Condition {
   std::string unit;                                         ///< SI; empty for money
   bool larger_is_looser = true;
   Quantity quantity = Quantity::cost;  ///< of a budget
-  double from_zero = 0.0;              ///< SI, of a value that is 0: eased by a factor, it is this times what exceeds 1
+  double from_zero = 0.0;              ///< SI, of a value near 0: eased by a factor, it gains this times what exceeds 1
   double furthest = 1e6;               ///< by this factor eased it is as good as lifted, or as far as makes sense
   std::string present;                 ///< of a choice, in words: "NEMA17, NEMA23"
   std::string slot;                    ///< of a choice: the slot or setting in which a build shows what it took instead

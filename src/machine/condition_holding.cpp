@@ -55,7 +55,7 @@ std::optional<Condition> brake_condition(const Problem& problem, std::size_t axi
   result.source = "none is stated";
   result.value = own.motor.brake_torque;
   result.unit = "N.m";
-  if (!(result.value > 0.0)) result.from_zero = smallest_brake;
+  if (!(result.value >= smallest_brake)) result.from_zero = smallest_brake;
   result.set = [axis](Asked& asked, double to) { asked.problem.axes[axis].motor.brake_torque = to; };
   result.instead.push_back(counterbalance(problem, axis, places));
   return result;

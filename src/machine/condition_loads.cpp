@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 #include "machine/carrying.h"
 #include "machine/constraint.h"
@@ -26,19 +27,39 @@ double furthest_of_masses(const Problem& problem, std::size_t axis) {
   return furthest;
 }
 
+/// (Finer than half steps a motor passes its resonance without a check, and only screws have one of the drive line.)
+std::vector<std::string> enforced_of(const Axis& axis, std::initializer_list<const char*> checks) {
+  std::vector<std::string> ids;
+  for (const std::string id : checks)
+    if (axis.require.enforces(id) && !(id == "C-ST-RES" && axis.motor.microsteps > 2.0) &&
+        !(id == "C-CP-RES" && axis.mechanism.kind != MechanismKind::screw))
+      ids.push_back(id);
+  return ids;
+}
+
 }  // namespace
 
 bool softens_under_less(const Axis& axis) {
   const Mechanism& drive = axis.mechanism;
-  return drive.kind == MechanismKind::screw && drive.ball_screws && !(drive.preload_fraction > 0.0) &&
+  return drive.kind == MechanismKind::screw && !(drive.preload_fraction > 0.0) &&
          axis.require.known(Requirement::axial_stiffness);
 }
+
+std::vector<std::string> failed_by_slower(const Axis& axis) { return enforced_of(axis, {"C-ST-RMS", "C-ST-RES"}); }
+
+bool slower_is_looser(const Problem& problem, std::span<const std::pair<std::size_t, std::size_t>> moves) {
+  return !problem.limits[Quantity::cycle_time] && !problem.limits[Quantity::energy] &&
+         std::ranges::all_of(moves,
+                             [&](const auto& each) { return failed_by_slower(problem.axes[each.first]).empty(); });
+}
+
+std::vector<std::string> failed_by_lighter(const Axis& axis) { return enforced_of(axis, {"C-ST-RES", "C-CP-RES"}); }
 
 std::vector<Condition> load_conditions(const Problem& problem, std::size_t axis, const Places& places) {
   const Axis& own = problem.axes[axis];
   std::vector<Condition> result;
   for (std::optional<std::size_t> each = axis; each; each = problem.axes[*each].carried_by)
-    if (softens_under_less(problem.axes[*each])) return result;
+    if (softens_under_less(problem.axes[*each]) || !failed_by_lighter(problem.axes[*each]).empty()) return result;
   const auto load = [&](const char* key, double Axis::*value, const char* unit, double furthest) {
     if (!(own.*value > 0.0) || !(furthest > 1.0)) return;
     const text::Node* const node = Places::find(places.axis(axis), {key});

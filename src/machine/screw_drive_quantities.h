@@ -195,7 +195,8 @@ T held_stiffness(const ScrewDrive<T>& d) {
 
 /// The force under which a drive has to be stiff [N]: the least with which a move presses, so that a move which presses
 /// more, or a harder ramp, does not stiffen a nut without preload; what moves the load at steady speed, if that is
-/// more, as it is always there. At least one newton.
+/// more, as it is always there. At least one newton. Moves without a force do not count: where nothing presses, nothing
+/// has to be stiff against it.
 template <class T>
 T working_force(const ScrewDrive<T>& d) {
   using namespace scalar;

@@ -16,6 +16,7 @@ namespace millwright::report {
 using evaluation::Conflict;
 using evaluation::Design;
 using evaluation::Explanation;
+using evaluation::NotEased;
 using evaluation::Relaxation;
 using evaluation::UnmetCheck;
 using machine::Condition;
@@ -177,28 +178,53 @@ bool limits(const Explanation& explanation, machine::Quantity quantity) {
 
 std::vector<std::string> withheld_kinds(const Explanation& explanation) {
   const bool energy = limits(explanation, machine::Quantity::energy);
+  const auto some = [&](auto&& is_withheld) { return std::ranges::any_of(explanation.not_eased, is_withheld); };
   std::vector<std::string> kinds;
-  if (energy || limits(explanation, machine::Quantity::cycle_time)) kinds = {"times", "speeds"};
-  if (energy || !explanation.softening_axes.empty()) kinds.insert(kinds.end(), {"forces", "loads"});
+  if (energy || limits(explanation, machine::Quantity::cycle_time) ||
+      some([](const NotEased& each) { return !each.slower.empty(); }))
+    kinds = {"times", "speeds"};
+  if (energy || some([](const NotEased& each) { return each.softens; })) kinds.emplace_back("forces");
+  if (energy || some([](const NotEased& each) { return each.softens || !each.lighter.empty(); }))
+    kinds.emplace_back("loads");
   return kinds;
 }
 
 std::string withheld_text(const Explanation& explanation) {
   std::string out;
-  const auto say = [&](const std::string& words) { out += "  " + wrapped(words, paragraph_width - 2, 2) + "\n\n"; };
+  const auto say = [&](const std::string& words) {
+    out += "  " + wrapped(words + " 'solve --set' tries them.", paragraph_width - 2, 2) + "\n\n";
+  };
   const bool energy = limits(explanation, machine::Quantity::energy);
+  const bool time = limits(explanation, machine::Quantity::cycle_time);
   if (energy)
     say("Moves (times, speeds, forces) and loads are taken as they are asked: with others a cycle may take more "
         "energy, "
-        "which is limited. 'solve --set' tries them.");
-  else if (limits(explanation, machine::Quantity::cycle_time))
+        "which is limited.");
+  else if (time)
     say("Times and speeds of moves are taken as they are asked: with others the cycle may take longer, and its time is "
-        "limited. 'solve --set' tries them.");
-  if (!energy && !explanation.softening_axes.empty())
-    say(
-        fmt::format("Forces and loads of {} are taken as they are asked: under less a ball nut without preload is "
-                    "softer, and axial_stiffness is asked for. 'solve --set' tries them.",
-                    fmt::join(explanation.softening_axes, ", ")));
+        "limited.");
+  for (const NotEased& each : explanation.not_eased) {
+    if (energy) break;
+    if (each.softens)
+      say(
+          fmt::format("Forces and loads of {}, and loads of what it carries, are taken as they are asked: under less a "
+                      "ball nut without preload is "
+                      "softer, and axial_stiffness is asked for.",
+                      each.axis));
+    if (!time && !each.slower.empty())
+      say(fmt::format(
+          "Times and speeds of moves of {} are taken as they are asked: slower ones need not keep {}, which "
+          "it enforces.",
+          each.axis,
+          fmt::join(each.slower, ", ")));
+    if (!each.softens && !each.lighter.empty())
+      say(
+          fmt::format("Loads of {} and of what it carries are taken as they are asked: with lighter ones it need not "
+                      "keep {}, which it "
+                      "enforces.",
+                      each.axis,
+                      fmt::join(each.lighter, ", ")));
+  }
   return out;
 }
 

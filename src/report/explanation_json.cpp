@@ -3,6 +3,7 @@
 
 #include "report/design_json.h"
 #include "report/explanation_checks.h"
+#include "report/explanation_conflicts.h"
 #include "report/explanation_text.h"
 #include "report/incomplete.h"
 #include "report/json_value.h"

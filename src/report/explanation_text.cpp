@@ -103,6 +103,21 @@ std::string short_place(const Condition& condition) {
   return fmt::format("line {}", condition.where.line);
 }
 
+/// What is written beside those settings that alone would replace something else.
+std::string beside_text(const Explanation& explanation) {
+  std::vector<std::string> beside;
+  for (const Price& price : explanation.prices)
+    if (const std::string& said = explanation.conditions[price.condition].beside; !said.empty()) beside.push_back(said);
+  if (beside.empty()) return {};
+  return "  " +
+         wrapped(fmt::format("torque_margin alone would replace torque_margin_estimate: where it is eased, write {} "
+                             "as well.",
+                             fmt::join(beside, ", ")),
+                 line_width - 2,
+                 2) +
+         "\n";
+}
+
 std::string prices_text(const Explanation& explanation, const std::string& currency, const Style& style) {
   const std::string unit = heading_unit(explanation, currency);
   std::string out = style.heading("What each thing that is asked costs, all else as it is") + "\n";
@@ -136,6 +151,7 @@ std::string prices_text(const Explanation& explanation, const std::string& curre
         return explanation.conditions[price.condition].no_part;
       }))
     out += "  A brake is none of the parts: what it costs itself is to be taken off.\n";
+  out += beside_text(explanation);
   std::string open;
   for (const std::size_t i : explanation.unsettled)
     open += fmt::format(

@@ -48,10 +48,18 @@ std::optional<std::string> proof_gap(const MachineResult& result) {
 
 std::vector<RequirementLine> used_requirements(const machine::Problem& problem, const evaluation::Design& design) {
   std::set<std::pair<std::string, std::string>> used;
+  const auto braked = [&](const std::string& name) {
+    return std::any_of(problem.axes.begin(), problem.axes.end(), [&](const machine::Axis& axis) {
+      return axis.name == name && axis.motor.brake_torque > 0.0;
+    });
+  };
   for (const evaluation::Check& check : design.checks) {
     if (!check.requirement.empty()) used.insert({check.requirement, check.axis});
-    // Of two capacities the larger one is the limit, and the calculation has both.
-    if (check.requirement == "brake_factor") used.insert({"detent_factor", check.axis});
+    // A limit may be the larger of two that need different factors: the calculation has both.
+    if (check.requirement == "brake_factor")
+      used.insert({check.id == "C-SCR-LOCK" ? "self_locking_factor" : "detent_factor", check.axis});
+    if ((check.requirement == "detent_factor" || check.requirement == "self_locking_factor") && braked(check.axis))
+      used.insert({"brake_factor", check.axis});
   }
   std::vector<RequirementLine> lines;
   for (const machine::RequirementDeclaration& declared : machine::requirements()) {

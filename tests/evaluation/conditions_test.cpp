@@ -121,7 +121,9 @@ TEST_CASE("Where less softens a nut that must be stiff, neither forces nor loads
   CHECK(forces_and_loads("screw = [\"ball_screws\"]", "") == both);
   CHECK(forces_and_loads("screw = [\"ball_screws\"]", stiff) == none);
   CHECK(forces_and_loads("screw = [\"ball_screws\"], preload = 0.05", stiff) == both);
-  CHECK(forces_and_loads("screw = [\"lead_screws\"]", stiff) == both);
+  // Ball screws may come in where the kind of screw is eased as well.
+  CHECK(forces_and_loads("screw = [\"lead_screws\"]", "") == both);
+  CHECK(forces_and_loads("screw = [\"lead_screws\"]", stiff) == none);
   // Nor what rides on it, but its forces.
   const Stated riding(lifter("carries = [\"a\"]", stiff + R"([[axis]]
 name = "a"
@@ -135,6 +137,39 @@ force = "10 N"
 )"));
   CHECK(riding.named("structure_mass").empty());
   CHECK(riding.named("force of move 1").size() == 1);
+}
+
+// Rests take their share of an RMS torque; frequencies have to lie apart, whichever is the higher one.
+TEST_CASE("What may fail an enforced check when it is slower or lighter is not eased") {
+  using Counts = std::vector<std::size_t>;
+  const auto times_forces_masses = [](const std::string& motor, const std::string& enforced) {
+    const Stated stated(lifter(motor, "force = \"50 N\"\n" + enforced));
+    return Counts{stated.named("time of move 1").size(),
+                  stated.named("force of move 1").size(),
+                  stated.named("structure_mass").size()};
+  };
+  const std::string half_steps = "motor = { microsteps = 2 }";
+  CHECK(times_forces_masses("", "") == Counts{1, 1, 1});
+  CHECK(times_forces_masses("", "[axis.require]\nenforce = [\"C-ST-RMS\"]\n") == Counts{0, 1, 1});
+  CHECK(times_forces_masses("", "[axis.require]\nenforce = [\"C-CP-RES\"]\n") == Counts{1, 1, 0});
+  CHECK(times_forces_masses("", "[axis.require]\nenforce = [\"C-ST-RES\"]\n") == Counts{1, 1, 1});
+  CHECK(times_forces_masses(half_steps, "[axis.require]\nenforce = [\"C-ST-RES\"]\n") == Counts{0, 1, 0});
+  CHECK(times_forces_masses(half_steps, "[axis.require]\nenforce = [\"C-ST-TEMP\"]\n") == Counts{1, 1, 1});
+}
+
+TEST_CASE("A brake that is stated far too small is eased as far as one that is missing") {
+  const auto eased = [](const std::string& brake) {
+    const Stated stated(lifter(brake));
+    const std::vector<Condition> found = stated.named("brake_torque");
+    REQUIRE(found.size() == 1);
+    return std::pair(found[0].eased(1.0), found[0].eased(found[0].furthest));
+  };
+  CHECK(eased("").first == 0.0);
+  CHECK(eased("motor = { brake_torque = \"1e-9 N.m\" }").first == Approx(1e-9));
+  CHECK(eased("motor = { brake_torque = \"0.9 mN.m\" }").first == Approx(0.9e-3));
+  // More than what lifts a tonne by a screw of 100 mm lead: 9806.65 N * 0.1 m / (2 pi).
+  for (const char* brake : {"", "motor = { brake_torque = \"1e-9 N.m\" }", "motor = { brake_torque = \"1 mN.m\" }"})
+    CHECK(eased(brake).second > 156.0);
 }
 
 TEST_CASE("What a counterbalance holds up is lighter until it is held up, and no further") {

@@ -67,13 +67,18 @@ class RandomMachine {
     add("motor = {{ microsteps = {}{}{} }}\n",
         draw_.of({2, 4, 8, 16}),
         draw_.chance(0.15) ? ", current = [\"0.8 A\", \"1.5 A\", \"2.5 A\"]" : "",
-        upright_ && draw_.chance(0.8) ? ", brake_torque = \"2 N.m\"" : "");
+        upright_ && draw_.chance(0.8) ? brake() : "");
     has_guide_ = !rotary_ && (tool_ || draw_.chance(0.6));
     if (has_guide_) guide();
     const int moves = draw_.of({1, 1, 2});
     for (int i = 0; i < moves; ++i) move();
     axis_requirements();
     if (!rotary_ && draw_.chance(0.45)) member(index);
+  }
+
+  /// One that holds everything, or some of what comes through a thread.
+  std::string brake() {
+    return fmt::format(", brake_torque = \"{:.4g} N.m\"", draw_.chance(0.5) ? 2.0 : draw_.scale(0.004, 0.5));
   }
 
   void linear_axis(double way) {
