@@ -27,7 +27,8 @@ double furthest_of_masses(const Problem& problem, std::size_t axis) {
   return furthest;
 }
 
-/// (Finer than half steps a motor passes its resonance without a check, and only screws have one of the drive line.)
+/// Those of these checks that an axis enforces and has: finer than half steps a motor passes its resonance without one,
+/// and only screws have one of the drive line.
 std::vector<std::string> enforced_of(const Axis& axis, std::initializer_list<const char*> checks) {
   std::vector<std::string> ids;
   for (const std::string id : checks)

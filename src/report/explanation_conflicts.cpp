@@ -198,8 +198,7 @@ std::string withheld_text(const Explanation& explanation) {
   const bool time = limits(explanation, machine::Quantity::cycle_time);
   if (energy)
     say("Moves (times, speeds, forces) and loads are taken as they are asked: with others a cycle may take more "
-        "energy, "
-        "which is limited.");
+        "energy, which is limited.");
   else if (time)
     say("Times and speeds of moves are taken as they are asked: with others the cycle may take longer, and its time is "
         "limited.");
@@ -208,20 +207,18 @@ std::string withheld_text(const Explanation& explanation) {
     if (each.softens)
       say(
           fmt::format("Forces and loads of {}, and loads of what it carries, are taken as they are asked: under less a "
-                      "ball nut without preload is "
-                      "softer, and axial_stiffness is asked for.",
+                      "ball nut without preload is softer, and axial_stiffness is asked for.",
                       each.axis));
     if (!time && !each.slower.empty())
-      say(fmt::format(
-          "Times and speeds of moves of {} are taken as they are asked: slower ones need not keep {}, which "
-          "it enforces.",
-          each.axis,
-          fmt::join(each.slower, ", ")));
+      say(
+          fmt::format("Times and speeds of moves of {} are taken as they are asked: slower ones need not keep {}, "
+                      "which it enforces.",
+                      each.axis,
+                      fmt::join(each.slower, ", ")));
     if (!each.softens && !each.lighter.empty())
       say(
           fmt::format("Loads of {} and of what it carries are taken as they are asked: with lighter ones it need not "
-                      "keep {}, which it "
-                      "enforces.",
+                      "keep {}, which it enforces.",
                       each.axis,
                       fmt::join(each.lighter, ", ")));
   }

@@ -137,6 +137,22 @@ TEST_CASE("The file of an explanation names what is not eased, as something that
   CHECK(not_eased("mass=1 g", "") == Json::array());
 }
 
+TEST_CASE("What an axis asks for and less of which need not be looser is named with the reason, and is no condition") {
+  const Workshop shop;
+  const auto not_eased = [&](const std::string& require, const std::string& said) {
+    shop.write("m.toml", std::string(one_slide) + "[axis.require]\n" + require + "\n");
+    const Outcome outcome = shop.run({"explain", "m.toml", "--limit", "mass=1 g", "--json", "e.json", "--force"});
+    CAPTURE(require, outcome.out, outcome.err);
+    CHECK(outcome.exit_code == 1);
+    CHECK(outcome.prints(said));
+    return Json::parse(shop.read("e.json")).at("not_eased");
+  };
+  CHECK(not_eased("enforce = [\"C-ST-RMS\"]", "not keep C-ST-RMS, which it enforces") == Json{"times", "speeds"});
+  CHECK(not_eased("enforce = [\"C-CP-RES\"]", "need not keep C-CP-RES, which it enforces") == Json{"loads"});
+  CHECK(not_eased("axial_stiffness = \"1 N/um\"", "Forces and loads of x, and loads of what it carries, are taken") ==
+        Json{"forces", "loads"});
+}
+
 TEST_CASE("A machine that can be built is explained by its choices and prices") {
   const Workshop shop;
   shop.write("m.toml", one_slide);

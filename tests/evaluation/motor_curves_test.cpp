@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "catch.h"
-#include "evaluation/machine_model.h"
-#include "evaluation/machine_stages.h"
+#include "evaluation/drive_tables.h"
 #include "evaluation/machines.h"
+#include "evaluation/price_book.h"
 #include "evaluation/tiny_catalogue.h"
 
 namespace motor_curves_test {
@@ -44,37 +44,17 @@ std::vector<double> torques(const std::string& overlay, const std::vector<double
   const TemporaryFolder folder;
   folder.write("stepper_curves/own.csv", header + overlay);
   const catalogue::Catalogue parts = catalogue_of({tiny.path(), folder.path()});
-  const evaluation::MachineModel model(problem_of_text(R"(
-[currency]
-USD = 1.0
-[supply]
-voltage = ["24 V"]
-[[axis]]
-name = "a"
-stroke = "360 deg"
-structure_inertia = "5e-05 kg.m2"
-structure_mass = "1 kg"
-acceleration_time = "0.2 s"
-mechanism = { kind = "rotary" }
-motor = { microsteps = 8 }
-[[axis.moves]]
-distance = "180 deg"
-time = "1 s"
-)"),
-                                       parts);
+  const machine::Problem problem = shipped_problem("sander");
+  machine::Axis axis = problem.axes.front();
+  axis.motor = {};
+  const evaluation::PriceBook prices(problem, parts);
   std::vector<double> found;
-  std::visit(
-      [&](const auto& stage) {
-        if constexpr (requires { stage->motors(); })
-          for (const auto& pair : stage->motors().pairs()) {
-            const auto* const curve = pair.curve_at(0);
-            if (curve == nullptr || parts.table(catalogue::Family::steppers).part_number(pair.motor) != "M23L")
-              continue;
-            found.clear();
-            for (const double speed : speeds) found.push_back((*curve)(speed * std::acos(-1.0) / 30.0));
-          }
-      },
-      model.entries().front().stage);
+  for (const auto& pair : motor_table(parts, axis, {24.0}, prices).pairs) {
+    const auto* const curve = pair.curve_at(0);
+    if (curve == nullptr || parts.table(catalogue::Family::steppers).part_number(pair.motor) != "M23L") continue;
+    found.clear();
+    for (const double speed : speeds) found.push_back((*curve)(speed * std::acos(-1.0) / 30.0));
+  }
   return found;
 }
 
