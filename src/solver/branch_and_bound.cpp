@@ -68,6 +68,12 @@ BranchAndBound::BranchAndBound(const Problem& problem,
   rate_objectives();
 }
 
+void BranchAndBound::put(Node node) {
+  const double later = later_for_divisions_ > 0.0 ? later_for_divisions_ * divisions_left(node) : 0.0;
+  const Key key{order_of(node) + later, node.depth, ++order_};
+  open_.push(key, std::move(node));
+}
+
 /// False: it is useless.
 bool BranchAndBound::push(Node node) {
   if (useless(node)) return false;
@@ -75,8 +81,7 @@ bool BranchAndBound::push(Node node) {
     waiting_.push_back(std::move(node));
     return true;
   }
-  const Key key{order_of(node), node.depth, ++order_};
-  open_.push(key, std::move(node));
+  put(std::move(node));
   return true;
 }
 
@@ -366,26 +371,6 @@ SearchResult BranchAndBound::run(std::uint64_t most_nodes) {
   }
   forget_settled();
   return {undecided_.empty(), undecided_bound_};
-}
-
-void BranchAndBound::look(std::size_t labels, std::uint64_t most_nodes) {
-  start();
-  for (last_stage_ = 0; last_stage_ < plans_.size() && !control_.time_is_up(); ++last_stage_) {
-    std::uint64_t since_arrival = 0;
-    while (!open_.empty() && waiting_.size() < labels && !control_.time_is_up()) {
-      if (since_arrival > (waiting_.empty() ? most_nodes : most_nodes / 10)) break;
-      const std::uint64_t before = nodes_;
-      const std::size_t arrived = waiting_.size();
-      work_on_batch();
-      since_arrival = waiting_.size() > arrived ? 0 : since_arrival + nodes_ - before;
-      control_.report(incumbents_.best());
-    }
-    open_ = {};
-    for (Node& node : std::exchange(waiting_, {})) {
-      const Key key{order_of(node), node.depth, ++order_};
-      open_.push(key, std::move(node));
-    }
-  }
 }
 
 }  // namespace millwright::solver

@@ -59,6 +59,10 @@ class BranchAndBound {
   /// For a good build, instead of `run`: a beam search. Before each stage only so many labels are followed, those that
   /// arrive first; so many nodes are looked at for the first of them, and a tenth for another.
   void look(std::size_t labels, std::uint64_t most_nodes);
+  /// For a first build, instead of `run`: until one is found that is better than those known, or so many nodes have
+  /// been looked at. To divide a node raises its bound by a little; what is expected of all the divisions that a node
+  /// is away from a design counts in its order, so that small nodes come before large ones that are hardly better.
+  void dive(std::uint64_t most_nodes);
   /// Of a front whose search has ended before it was done: widens the tolerance of the incumbents until they settle
   /// what is left.
   void settle_open();
@@ -110,8 +114,10 @@ class BranchAndBound {
   void widen();
   void rate_objectives();
   [[nodiscard]] double order_of(const Node& node) const;
+  [[nodiscard]] double divisions_left(const Node& node) const;
   void start();
   void work_on_batch();
+  void put(Node node);
   bool push(Node node);
   /// False: one of these lower bounds of totals is infinity, so that no feasible design follows.
   [[nodiscard]] bool can_end(std::span<const double> score) const;
@@ -172,6 +178,8 @@ class BranchAndBound {
   std::vector<Outcome> outcomes_;                                     ///< of the batch at work
   std::size_t last_stage_ = std::numeric_limits<std::size_t>::max();  ///< in `look`: labels of later ones wait
   std::vector<Node> waiting_;
+  double later_for_divisions_ = 0.0;     ///< in `dive`: added to the order of a node for each that is left
+  std::vector<double> divisions_after_;  ///< in `dive`, [stage]: those of all stages after it
   std::vector<Undecided> undecided_;
   bool many_undecided_ = false;          ///< more than are kept
   std::vector<double> least_undecided_;  ///< scores of those that are not kept

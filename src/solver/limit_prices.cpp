@@ -22,6 +22,8 @@ namespace millwright::solver {
 namespace {
 
 constexpr double only_other = infinity;  // a price
+/// Of the searches at the two ends. Half of what is left to prove, so that they are no builds known already.
+constexpr double least_gap_at_end = 5e-3, most_gap_at_end = 2e-2;
 
 /// The resource that a score is, where it is a single one.
 std::optional<std::size_t> resource_of(const std::vector<double>& weight) {
@@ -49,7 +51,7 @@ std::optional<Pair> SolveRun::best_at_price(const Problem& unlimited,
                                             std::size_t limited,
                                             double price,
                                             const PriceEffort& effort) {
-  constexpr double gap_at_end = 2e-2, gap_between = 5e-3;
+  constexpr double gap_between = 5e-3;
   constexpr double share = 0.3;  // of the time there is for all prices
   const Options& asked = control_.options();
   const double seconds = std::min(share * effort.seconds, effort.until - control_.seconds());
@@ -64,14 +66,16 @@ std::optional<Pair> SolveRun::best_at_price(const Problem& unlimited,
     weight += price;
   }
   const bool at_end = price == 0.0 || price == only_other;
-  options.gap = std::max(options.gap, at_end ? gap_at_end : gap_between);
+  options.gap = std::max(options.gap, at_end ? effort.gap_at_end : gap_between);
   options.time_limit_seconds = seconds;
   options.most_nodes = std::min(asked.most_nodes - std::min(asked.most_nodes, control_.nodes), effort.nodes);
   options.confirm = options.settle_ties = false;
   // Its bound and its builds are of other objectives; that the time goes on may be told.
   if (asked.progress) options.progress = [this](const Progress&) { control_.report(incumbents_.best()); };
   // (What is known of the tables may hold within the limits only.)
-  const Summary found = SolveRun(unlimited, options, Scope::unpriced).run();
+  std::vector<Build> known;
+  for (const RankedBuild& ranked : incumbents_.builds()) known.push_back(ranked.build);
+  const Summary found = SolveRun(unlimited, options, Scope::unpriced, nullptr, known).run();
   control_.nodes += found.nodes;
   earlier_evaluations_ += found.evaluations;
   if (found.builds.empty()) return std::nullopt;
@@ -104,6 +108,34 @@ double SolveRun::price_at_limit(std::size_t limited, const PriceEffort& effort) 
   return std::isfinite(price) ? price : 0.0;
 }
 
+/// What is open may be better than the best build by this part of it; infinity where none is known.
+double SolveRun::gap_left(const std::vector<OpenSearch>& open) const {
+  if (incumbents_.builds().empty()) return infinity;
+  double bound = incumbents_.best();
+  for (const OpenSearch& each : open) bound = std::min(bound, each.score[0]);
+  return (incumbents_.best() - bound) / std::fabs(incumbents_.best());
+}
+
+/// Where little is left to prove: for about as many nodes as finding prices would take, which may then not be needed.
+/// By turns, since what is best may be in the combination that seems to be worse.
+void SolveRun::settle_without_price(std::vector<OpenSearch>& open) {
+  constexpr double little = 0.05;
+  constexpr std::uint64_t times = 2;
+  constexpr int turns = 4;
+  if (!(gap_left(open) < little)) return;
+  for (int turn = 0; turn < turns; ++turn) {
+    go_through(open, [&](OpenSearch& each) {
+      if (control_.time_is_up()) return false;
+      if (each.search == nullptr) each.search = label_by_label(*each.plans);
+      if (turn == 1) sharpen(*each.plans, CurveEffort::closest());
+      const SearchResult result = each.search->run(times * control_.options().patience);
+      if (!result.complete) each.score[0] = std::max(each.score[0], result.lower_bound);
+      return result.complete;
+    });
+  }
+  for (OpenSearch& each : open) each.search = nullptr;
+}
+
 /// Adds prices of a limit that is in the way, for what is searched from then on.
 void SolveRun::price_limit(std::vector<OpenSearch>& open) {
   // What is left to choose may be worth more or less than the whole.
@@ -112,7 +144,8 @@ void SolveRun::price_limit(std::vector<OpenSearch>& open) {
   constexpr std::uint64_t nodes = 60000;
   const double now = control_.seconds();
   const double seconds = share * (control_.options().time_limit_seconds - now);
-  const PriceEffort effort{seconds, now + seconds, nodes + 4 * control_.nodes};
+  const double gap_at_end = std::clamp(0.5 * gap_left(open), least_gap_at_end, most_gap_at_end);
+  const PriceEffort effort{seconds, now + seconds, gap_at_end, nodes + 4 * control_.nodes};
   double price = 0.0;
   std::size_t limited = 0;
   for (const std::size_t each : limited_scores()) {

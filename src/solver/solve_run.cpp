@@ -73,7 +73,7 @@ void SolveRun::find_ends() {
 /// Builds that another run has found, and guides by how far they lie apart.
 void SolveRun::take_known() {
   for (const Build& build : known_) incumbents_.offer({scores_of(build), build});
-  if (incumbents_.builds().empty()) return;
+  if (incumbents_.builds().empty() || criteria_.objectives == 1) return;
   if (criteria_.objectives == 3) return add_guides_between_sides();
   const std::vector<double> first = incumbents_.builds().front().score;
   const std::vector<double> last = incumbents_.builds().back().score;

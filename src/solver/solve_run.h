@@ -73,6 +73,7 @@ class SolveRun {
 
   void search();
   std::optional<OpenSearch> start(const Combination& combination);
+  void look_for_first_build(std::vector<OpenSearch>& open);
   void look_around(std::vector<OpenSearch>& open);
   bool look_briefly(std::vector<OpenSearch>& open);
   void settle_more(std::vector<OpenSearch>& open);
@@ -84,7 +85,7 @@ class SolveRun {
   void decide_equals();
   /// What finding prices may take: time in all and when that ends, and nodes of each search.
   struct PriceEffort {
-    double seconds = 0.0, until = 0.0;
+    double seconds = 0.0, until = 0.0, gap_at_end = 0.0;
     std::uint64_t nodes = 0;
   };
   [[nodiscard]] std::vector<std::size_t> limited_scores() const;
@@ -93,6 +94,8 @@ class SolveRun {
                                     double price,
                                     const PriceEffort& effort);
   double price_at_limit(std::size_t limited, const PriceEffort& effort);
+  [[nodiscard]] double gap_left(const std::vector<OpenSearch>& open) const;
+  void settle_without_price(std::vector<OpenSearch>& open);
   void price_limit(std::vector<OpenSearch>& open);
   void note_covered(const std::vector<StagePlan>& plans);
   bool begin_again(OpenSearch& open);
@@ -113,6 +116,7 @@ class SolveRun {
   std::unique_ptr<BranchAndBound> label_by_label(std::vector<StagePlan>& plans, LeafPrecision precision) {
     return std::make_unique<BranchAndBound>(problem_, criteria_, plans, incumbents_, control_, std::move(precision));
   }
+  std::unique_ptr<BranchAndBound> coarsely_label_by_label(std::vector<StagePlan>& plans);
   /// That nothing is known of designs but these lower bounds of their scores.
   void leave_open(std::span<const double> score);
   [[nodiscard]] double asked_tolerance() const { return any_covered_ ? tolerated() : 0.0; }

@@ -20,8 +20,6 @@
 namespace millwright::solver {
 namespace {
 
-/// What a state that uses up all that later stages can bear costs in these looks (StagewiseSearch::look).
-constexpr double little_share = 0.03, much_share = 0.3;
 /// A problem that is settled in so many nodes is not worth rest curves.
 constexpr std::uint64_t easy_nodes = 200;
 
@@ -53,6 +51,7 @@ void SolveRun::search() {
     if (auto started = start(combination)) open.push_back(std::move(*started));
   }
   std::stable_sort(open.begin(), open.end(), [](const auto& a, const auto& b) { return a.score[0] < b.score[0]; });
+  look_for_first_build(open);
   look_around(open);
   for (OpenSearch& each : open) each.stagewise = nullptr;
   // What is settled soon in one combination may leave nothing to do in those that would take long. (But where variables
@@ -70,6 +69,7 @@ void SolveRun::search() {
       takes_long = takes_long || !(settle(each, Effort::brief) || settle(each, Effort::thorough));
       return !takes_long;
     });
+    settle_without_price(open);
     if (!open.empty() && !control_.time_is_up()) price_limit(open);
     settle_by(std::span(efforts).last(2));
   } else if (any_covered_) {
@@ -88,55 +88,6 @@ void SolveRun::decide_equals() {
                          StagewiseSearch(problem_, criteria_, *each.plans, incumbents_, control_).decide_equals();
     if (!decided) among_equals_ = AmongEquals::some;
   }
-}
-
-/// For any build, in each combination: to prove that there is none in the first may take far longer than to find one
-/// in the second, and with one it is easier. Then the combination in which the best build is comes first.
-void SolveRun::look_around(std::vector<OpenSearch>& open) {
-  if (criteria_.objectives > 1 || open.size() < 2 || !incumbents_.builds().empty()) return;
-  if (!control_.options().stagewise || !control_.options().look_first) return;
-  if (!look_briefly(open)) return;
-  settle_more(open);
-  for (const double share : {little_share, much_share})
-    for (OpenSearch& each : open)
-      if (each.stagewise != nullptr && incumbents_.builds().empty() &&
-          !each.stagewise->look(share, StagewiseSearch::many_nodes))
-        return;
-  if (incumbents_.builds().empty()) return;
-  const std::vector<Row>& shared = incumbents_.builds().front().build.shared;
-  std::stable_partition(open.begin(), open.end(), [&](const OpenSearch& each) {
-    const auto of_search = each.plans->front().shared;
-    return std::equal(shared.begin(), shared.end(), of_search.begin(), of_search.end());
-  });
-}
-
-/// False: there is no time, or the first combination is easy.
-bool SolveRun::look_briefly(std::vector<OpenSearch>& open) {
-  for (OpenSearch& each : open) {
-    if (!incumbents_.builds().empty()) break;
-    each.search = nullptr;  // what it knows of the regions may no longer be so
-    each.stagewise = std::make_unique<StagewiseSearch>(problem_, criteria_, *each.plans, incumbents_, control_);
-    if (!each.stagewise->applicable()) return false;
-    const StagewiseSearch::Difficulty difficulty = each.stagewise->find_difficulty();
-    if (difficulty == StagewiseSearch::Difficulty::out_of_time) return false;
-    if (difficulty == StagewiseSearch::Difficulty::easy) {
-      if (&each == &open.front()) return false;
-      each.stagewise = nullptr;
-    } else if (!each.stagewise->look(little_share, StagewiseSearch::few_nodes)) {
-      return false;
-    }
-  }
-  return true;
-}
-
-/// Where there is no build yet a longer search label by label is worth its while: all that comes then takes longer.
-void SolveRun::settle_more(std::vector<OpenSearch>& open) {
-  constexpr std::uint64_t share = 2;
-  go_through(open, [&](OpenSearch& each) {
-    if (!incumbents_.builds().empty()) return false;
-    each.tried = each.stagewise != nullptr;
-    return each.tried && settle_briefly(each, share);
-  });
 }
 
 /// Takes out what is hopeless or has been settled.
@@ -237,18 +188,6 @@ bool SolveRun::settle_briefly(OpenSearch& open, std::uint64_t share, const Curve
   }
   open.search = nullptr;
   return false;
-}
-
-/// The best build is known only when all that might be better has been looked at, which may take longer than there is
-/// time: a good one first.
-void SolveRun::look_for_builds(const OpenSearch& open) {
-  constexpr double good = 0.01, coarse = 1e-4;
-  constexpr std::size_t labels = 30, nodes = 30000;
-  const bool wanted = control_.options().look_first && std::ranges::any_of(*open.plans, is_covered);
-  if (!wanted || incumbents_.best() <= open.score[0] + good * std::fabs(open.score[0])) return;
-  LeafPrecision precision = precision_for(*open.plans);
-  precision.tolerance = std::max(precision.tolerance, coarse);
-  label_by_label(*open.plans, std::move(precision))->look(labels, nodes);
 }
 
 bool SolveRun::settle(OpenSearch& open, Effort effort) {
