@@ -128,9 +128,15 @@ class Reader {
   }
 
   void understand_choice(const Argument& argument, const Word& word, CalculationInput& input, CalcArguments& result) {
-    std::string wanted = input.given;
-    std::replace(wanted.begin(), wanted.end(), '-', '_');
-    const auto at = std::find(argument.choices.begin(), argument.choices.end(), wanted);
+    // Dashes and underscores are one: people write either.
+    const auto alike = [](std::string said) {
+      std::replace(said.begin(), said.end(), '-', '_');
+      return said;
+    };
+    std::string wanted = alike(input.given);
+    const auto at =
+        std::ranges::find_if(argument.choices, [&](const std::string& choice) { return alike(choice) == wanted; });
+    if (at != argument.choices.end()) wanted = *at;
     if (at == argument.choices.end())
       diagnostics_.error(word.value_span(),
                          fmt::format("{}: {} is no choice", argument.name, text::in_quotes(input.given)),

@@ -45,7 +45,13 @@ Unit si_unit_of(const Formula& formula, const CalcArguments& arguments) {
 
 Unit shown_unit(const Formula& formula, const CalcArguments& arguments) {
   if (!formula.display_unit().empty()) return Unit::of(formula.display_unit());
-  if (formula.unit() == "any" && !arguments.units.empty()) return arguments.units.front();
+  if (formula.unit() == "any" && !arguments.units.empty()) {
+    const Unit& given = arguments.units.front();
+    // Between two temperatures lies a difference, which has no zero of its own.
+    const bool difference =
+        formula.name() == "arithmetic.difference" && given.dimension() == scalar::dimension::temperature;
+    return difference ? Unit::of("K") : given;
+  }
   return si_unit_of(formula, arguments);
 }
 
@@ -91,7 +97,8 @@ std::optional<report::Calculation> calculate(const Formula& formula,
   if (!options.unit.empty()) {
     std::string reason;
     const auto unit = Unit::parse(options.unit, reason);
-    if (!unit || !unit->fits(calculation.si_unit, reason)) {
+    // SI has one unit for revolutions and cycles per second; what is given says which is meant.
+    if (!unit || !unit->fits(formula.unit() == "any" ? calculation.unit : calculation.si_unit, reason)) {
       diagnostics.error("--unit: " + reason, fmt::format("the result is in {}", calculation.unit.name()));
       return std::nullopt;
     }

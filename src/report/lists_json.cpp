@@ -38,6 +38,9 @@ Json audit_row(const evaluation::AuditRow& row) {
   return json;
 }
 
+/// A value in SI of what is said in degrees Celsius is in kelvins.
+std::string name_in_si(const std::string& unit) { return unit == "degC" ? "K" : unit; }
+
 Json input_of(const CalculationInput& input) {
   Json value = nullptr;
   if (!input.word.empty()) {
@@ -48,8 +51,11 @@ Json input_of(const CalculationInput& input) {
   } else if (!input.values.empty()) {
     value = number(input.values.front());
   }
-  return Json{
-      {"name", input.name}, {"symbol", input.symbol}, {"value", value}, {"unit", input.unit}, {"given", input.given}};
+  return Json{{"name", input.name},
+              {"symbol", input.symbol},
+              {"value", value},
+              {"unit", name_in_si(input.unit)},
+              {"given", input.given}};
 }
 
 Json figure_of(const catalogue::Figure& figure) {
@@ -93,7 +99,7 @@ std::string calculation_json(const Calculation& calculation) {
   json["value"] = number(calculation.unit.from_si(calculation.value));
   json["unit"] = calculation.unit.name();
   json["value_si"] = number(calculation.value);
-  json["unit_si"] = calculation.si_unit.name();
+  json["unit_si"] = name_in_si(calculation.si_unit.name());
   json["derivation"] = derivation_of(calculation.derivation);
   json["warnings"] = calculation.warnings;
   json["source"] = calculation.formula->source();

@@ -99,6 +99,60 @@ TEST_CASE("A formula that is not there, and a result unit that does not fit") {
       {"--unit: ", "hint: the result is in N.m"});
 }
 
+TEST_CASE("Every choice of a formula can be chosen, with dashes or underscores") {
+  const Workshop shop;
+  const Json all = Json::parse(shop.run({"formulas", "--json", "-"}).out).at("formulas");
+  std::size_t tried = 0;
+  for (const Json& formula : all)
+    for (const Json& argument : formula.at("arguments")) {
+      if (!argument.contains("choices")) continue;
+      for (const std::string choice : argument.at("choices")) {
+        for (const char dash : {'-', '_'}) {
+          std::string word = choice;
+          for (char& letter : word)
+            if (letter == '-' || letter == '_') letter = dash;
+          const Outcome outcome =
+              shop.run({"calc", formula.at("name"), argument.at("name").get<std::string>() + "=" + word});
+          CAPTURE(formula.at("name").get<std::string>(), word);
+          CHECK_FALSE(outcome.says("is no choice"));
+          ++tried;
+        }
+      }
+    }
+  CHECK(tried > 10);
+  // A beam fixed at both ends, F L/8 under a load in the middle (Roark); on two supports F L/4.
+  const auto moment = [](const std::string& load_case) {
+    return json_of({"calc", "beam.largest_moment", "load_case=" + load_case, "load=100 N", "length=1 m"})
+        .at("value_si")
+        .get<double>();
+  };
+  CHECK(moment("fixed-point") == Approx(12.5));
+  CHECK(moment("supported_point") == Approx(25.0));
+}
+
+TEST_CASE("Of what may have any unit the result is read as what is given: revolutions are no cycles") {
+  const std::vector<std::string> twice{"calc", "arithmetic.multiple", "value=1000 rpm", "factor=2", "--unit"};
+  const auto in = [&](const std::string& unit) {
+    std::vector<std::string> words = twice;
+    words.push_back(unit);
+    return words;
+  };
+  CHECK(json_of(in("rad/s")).at("value").get<double>() == Approx(209.4395102));
+  CHECK(json_of(in("rpm")).at("value").get<double>() == Approx(2000.0));
+  refuses({"arithmetic.multiple", "value=1000 rpm", "factor=2", "--unit", "Hz"}, {"--unit: "});
+  const Json difference = json_of({"calc", "arithmetic.difference", "minuend=20 degC", "subtrahend=5 degC"});
+  CHECK(difference.at("value").get<double>() == Approx(15.0));
+  CHECK(difference.at("unit") == "K");
+  const Json winding = json_of({"calc",
+                                "stepper.winding_temperature",
+                                "ambient_temperature=20 degC",
+                                "power_loss=10 W",
+                                "thermal_resistance=3 K/W"});
+  CHECK(winding.at("value_si").get<double>() == Approx(323.15));
+  CHECK(winding.at("unit_si") == "K");
+  CHECK(winding.at("inputs")[0].at("unit") == "K");
+}
+
 TEST_CASE("Lists and names as arguments") {
   const Workshop shop;
   const Json all = Json::parse(shop.run({"formulas", "--json", "-"}).out).at("formulas");
