@@ -178,10 +178,11 @@ output_power_factor = 1.0
   expect(d, "C-ST-START", first / 200.0 * 60.0, 0.5 * jump * 30.0 / pi);
 
   // Heat: 2.8 A amplitude in 0.9 ohm, 31.44 % more at 100 degrees; rated for 80 K at 2.8 A direct in both windings.
-  // Iron: 0.2 s ramps at half of 47.1 rad/s and 9.8 s at all of it, in 12.2 s.
+  // Iron: 9.8 s at 47.1 rad/s and two ramps of 0.2 s from rest to it, evenly, in 12.2 s.
   const double omega = v / lead * 2.0 * pi;
   const auto iron = [](double w) { return 1.2 * (0.03 + 0.0005 * w) * w; };
-  const double watts = 2.8 * 2.8 * 0.9 * 1.3144 + (0.4 * iron(omega / 2.0) + 9.8 * iron(omega)) / 12.2;
+  const double of_ramp = 1.2 * (0.03 * omega / 2.0 + 0.0005 * omega * omega / 3.0);
+  const double watts = 2.8 * 2.8 * 0.9 * 1.3144 + (0.4 * of_ramp + 9.8 * iron(omega)) / 12.2;
   expect(d, "C-ST-TEMP", watts * 80.0 / (2.0 * 2.8 * 2.8 * 0.9 * 1.3144), 60.0);
   // Shaft power while accelerating, at the end of the ramp, against I^2 R of one winding.
   const double rotating = rotor + load_inertia - m * std::pow(lead / (2.0 * pi), 2);
