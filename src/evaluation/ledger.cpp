@@ -92,6 +92,7 @@ std::string worst_phase(const Element& element, WorstPhase worst) {
     if (worst == WorstPhase::load) return of_largest(element.carriage_loads);
   }
   if constexpr (HasPhases<Element>) {
+    if (worst == WorstPhase::force && element.largest_force > element.driven_force) return "standstill";
     if (worst == WorstPhase::force) return of_largest(element.axial_forces);
     if (worst == WorstPhase::torque) return of_largest(element.motor_torques);
     if (worst == WorstPhase::torque_ratio) return of_largest(element.torque_ratios);

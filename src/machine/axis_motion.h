@@ -105,6 +105,7 @@ struct Cycle {
   T weight{};                            ///< N, its size: a counterbalance that outweighs the load pulls upwards
   T friction_force{};                    ///< N
   T process_force{};                     ///< N, the largest
+  double standing_force = 0.0;           ///< N, the process's largest while the axis stands, of measured profiles
 };
 
 /// Parts of a jerk-limited ramp, as shares of its peak acceleration: at the peak, and the points of Gauss for the rest.
@@ -267,6 +268,7 @@ class CycleBuilder {
     }
     cycle_.peak_speed = larger(cycle_.peak_speed, si<T>(profile.peak_speed, of_.speed));
     cycle_.process_force = larger(cycle_.process_force, si<T>(profile.largest_force, of_.force));
+    cycle_.standing_force = std::max(cycle_.standing_force, profile.standing_force);
     cycle_.total_time = cycle_.total_time + si<T>(profile.time + move.dwell, dimension::time);
     cycle_.travelled = cycle_.travelled + si<T>(profile.travelled, of_.distance);
   }
@@ -338,6 +340,13 @@ Cycle<T> duty_cycle(const MotionData& data, const T& mass, const T& acceleration
       builder.add(move, move.acceleration_time ? si<T>(*move.acceleration_time, dimension::time) : acceleration_time);
   }
   return cycle;
+}
+
+/// What an axis that stands bears of its process, its weight and what rubs: all that is between tool and motor has to
+/// bear it, and the motor to hold it (C-ST-HOLD), but it drives nothing.
+template <class T>
+T standing_load(const Cycle<T>& cycle, const scalar::Dimension& force) {
+  return scalar::named("F_0", cycle.weight + cycle.friction_force + scalar::in_unit<T>(cycle.standing_force, force));
 }
 
 /// Whether a scalar is asked for one design, of which everything is wanted, and not for bounds or slopes in the search.

@@ -40,7 +40,7 @@ void belt_constraints(Visit&& visit) {
                   .worst = WorstPhase::force},
       always,
       [](const auto& d) {
-        return bt::design_power(d.require(belt_service_factor), d.largest_force * d.cycle.peak_speed);
+        return bt::design_power(d.require(belt_service_factor), d.driven_force * d.cycle.peak_speed);
       },
       [](const auto& d) {
         return bt::power_capacity(

@@ -23,7 +23,10 @@ class ProfileBuilder {
   void add(const Sample& from, const Sample& to) {
     const double duration = to.time - from.time;
     if (!(duration > 0.0)) return;
-    if (from.speed == 0.0 && to.speed == 0.0) return;  // stands
+    if (from.speed == 0.0 && to.speed == 0.0) {
+      standing_force = std::max({standing_force, std::abs(from.force), std::abs(to.force)});
+      return;
+    }
     const double v0 = std::abs(from.speed), v1 = std::abs(to.speed);
     ProfilePhase phase;
     phase.begin = from.time;
@@ -46,6 +49,7 @@ class ProfileBuilder {
   }
 
   std::vector<ProfilePhase> phases;
+  double standing_force = 0.0;
 
  private:
   /// Joins what goes on alike: a ramp or a constant speed that was sampled many times.
@@ -166,6 +170,7 @@ void leave_out_covered(std::vector<ProfilePhase>& phases) {
 void MeasuredProfile::scale_forces(double share) {
   for (ProfilePhase& phase : phases) phase.force *= share;
   largest_force *= share;
+  standing_force *= share;
 }
 
 std::vector<double> speeds_of_positions(std::span<const double> times, std::span<const double> positions) {
@@ -221,6 +226,7 @@ MeasuredProfile measured_profile(std::span<const double> times,
   }
   profile.time = times.back() - times.front();
   profile.extent = highest - lowest;
+  profile.standing_force = builder.standing_force;
   profile.phases = std::move(builder.phases);
   if (profile.phases.size() > exact_phases) profile.phases = gathered(profile.phases);
   profile.hardest = hardest_of(profile.phases);

@@ -2,7 +2,7 @@
 //
 // Motion of an axis as it was recorded: speeds, and maybe forces, at instants. Between two samples the speed changes
 // evenly, so each interval is a phase of one acceleration; an interval in which the axis turns round is two, and one in
-// which it stands is a dwell.
+// which it stands is a dwell, of which the largest force is kept.
 #pragma once
 
 #include <cstddef>
@@ -33,6 +33,7 @@ struct MeasuredProfile {
   double extent = 0.0;               ///< m, between the two ends of the travel
   double peak_speed = 0.0;           ///< m/s
   double largest_force = 0.0;        ///< N, with or against the motion
+  double standing_force = 0.0;       ///< N, either way, the largest while it stands
 
   void scale_forces(double share);  ///< `share` positive
 };

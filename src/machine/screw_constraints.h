@@ -132,7 +132,7 @@ void sliding_screw_constraints(Visit&& visit) {
                   .requirement = "bearing_pressure_factor",
                   .worst = WorstPhase::force},
       when_sliding,
-      [](const auto& d) { return bearing_pressure(d); },
+      [](const auto& d) { return bearing_pressure(d, d.largest_force); },
       [](const auto& d) { return d.require(bearing_pressure_factor) * d.screw.allowable_pressure; });
   visit(
       Declaration{.id = "C-SCR-PV",
@@ -143,7 +143,7 @@ void sliding_screw_constraints(Visit&& visit) {
                   .requirement = "pv_factor",
                   .worst = WorstPhase::force},
       when_sliding,
-      [](const auto& d) { return ps::pressure_velocity(bearing_pressure(d), sliding_speed(d)); },
+      [](const auto& d) { return ps::pressure_velocity(bearing_pressure(d, d.driven_force), sliding_speed(d)); },
       [](const auto& d) { return d.require(pv_factor) * d.screw.pv_limit; });
   visit(
       Declaration{.id = "C-SCR-VS",

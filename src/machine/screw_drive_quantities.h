@@ -22,9 +22,9 @@ inline constexpr double steel_expansion = 12e-6;
 
 /// Pressure on the engaged thread flanks [Pa].
 template <class T>
-T bearing_pressure(const ScrewDrive<T>& d) {
+T bearing_pressure(const ScrewDrive<T>& d, const T& force) {
   return mechanics::power_screw::bearing_pressure(
-      d.largest_force, d.screw.mean_diameter, d.screw.thread_depth, d.screw.engaged_turns);
+      force, d.screw.mean_diameter, d.screw.thread_depth, d.screw.engaged_turns);
 }
 
 /// Sliding speed on the mean diameter at the largest screw speed [m/s].

@@ -204,6 +204,18 @@ TEST_CASE("A force that changes within an interval counts with both of its ends"
   CHECK(cycle.process_force == Approx(30.0));
 }
 
+TEST_CASE("The largest force of a standstill is kept, not that of what moves") {
+  const Cycle<double> cycle = cycle_of(
+      measured({0.0, 1.0, 2.0, 3.0, 4.0, 5.0}, {0.0, 1.0, 0.0, 0.0, 0.0, 0.0}, {0.0, 30.0, 20.0, -70.0, 10.0, 0.0}),
+      0.001);
+  CHECK(cycle.standing_force == 70.0);
+  CHECK(machine::standing_load(cycle, scalar::dimension::force) == Approx(70.0));
+  machine::MeasuredProfile shared = *measured({0.0, 1.0, 2.0, 3.0}, {0.0, 1.0, 0.0, 0.0}, {0.0, 0.0, 8.0, 6.0}).profile;
+  shared.scale_forces(0.5);
+  CHECK(shared.standing_force == 4.0);
+  CHECK(cycle_of(measured({0.0, 1.0, 2.0}, {0.0, 1.0, 0.0}, {5.0, 30.0, 9.0}), 0.001).standing_force == 0.0);
+}
+
 // x = t^2, unevenly sampled: the parabola through any three samples is it.
 TEST_CASE("Speeds of positions are exact for an even acceleration") {
   const std::vector<double> times{0.0, 0.1, 0.3, 0.6, 0.7};
