@@ -38,8 +38,8 @@ void read_direction(TableReader& table, QuantityReader& q, Axis& axis, Diagnosti
   const bool wrong =
       said != nullptr &&
       std::find(directions.begin(), directions.end(), said->as_string().value_or("")) == directions.end();
-  const auto inclination =
-      q.quantity({"inclination", "of an inclined axis, from 0 deg, level, to 90 deg, upright"}, "deg", Sign::positive);
+  const auto inclination = q.quantity(
+      {"inclination", "of an inclined axis, from 0 deg, level, to 90 deg, upright"}, "deg", Sign::not_negative);
   axis.direction = direction == "vertical"   ? Direction::vertical
                    : direction == "inclined" ? Direction::inclined
                                              : Direction::horizontal;
@@ -86,7 +86,7 @@ void read_loads(TableReader& table, QuantityReader& q, Axis& axis, Diagnostics& 
     diagnostics.warning(place(table, "structure_mass"),
                         fmt::format("structure_mass: nothing of axis '{}' has a mass but its chosen parts", axis.name),
                         "give the mass of the slide or table: structure_mass = \"5 kg\"");
-  if (axis.direction == Direction::horizontal && axis.counterbalance_force > 0.0)
+  if (axis.inclination == 0.0 && axis.counterbalance_force > 0.0)
     diagnostics.warning(place(table, "counterbalance_force"),
                         "counterbalance_force: a horizontal axis has no weight to balance",
                         "leave it out, or write direction = \"vertical\"");

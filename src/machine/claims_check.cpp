@@ -122,10 +122,22 @@ class Checker {
   }
   void result_dimension(const Claim& claim, const Calculation& calculation) {
     const auto value = dimension(claim, calculation);
-    if (!value || value->dimension == claim.unit().dimension()) return;
+    if (!value) return;
+    if (value->dimension == claim.unit().dimension()) return result_kind(claim, calculation);
     diagnostics_.error(calculation.where,
                        "this gives " + scalar::to_string(value->dimension) + ", but " + claim.id + " is " +
                            (claim.unit().name().empty() ? "a bare number" : "read in " + claim.unit().name()),
+                       "if the paper prints a wrong unit, say with read_as in which one the number is meant");
+  }
+
+  /// Revolutions, radians and cycles per second have one dimension: 209.4 rad/s are 33.3 Hz.
+  void result_kind(const Claim& claim, const Calculation& calculation) {
+    if (calculation.formula == nullptr || calculation.formula->unit() == "any") return;
+    const scalar::Unit gives = scalar::Unit::of(calculation.formula->unit());
+    std::string reason;
+    if (gives.dimension() != scalar::dimension::angular_speed || claim.unit().fits(gives, reason)) return;
+    diagnostics_.error(calculation.where,
+                       calculation.formula->name() + " gives " + gives.name() + ", but " + claim.id + ": " + reason,
                        "if the paper prints a wrong unit, say with read_as in which one the number is meant");
   }
 

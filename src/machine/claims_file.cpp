@@ -125,7 +125,8 @@ class ClaimsReader {
     claim.read_as = scalar::Unit::parse(calculations_.required_text(block, "read_as"), reason);
     if (!claim.read_as) {
       wrong(*read_as, "not a unit", reason);
-    } else if (claim.read_as->dimension() == claim.printed.unit.dimension()) {
+    } else if (claim.read_as->dimension() == claim.printed.unit.dimension() &&
+               claim.printed.unit.fits(*claim.read_as, reason)) {
       wrong(*read_as,
             "read_as is for a printed unit of another dimension",
             "the audit finds factors between " + claim.printed.unit.name() + " and other units by itself");

@@ -180,6 +180,17 @@ TEST_CASE("dimensions must fit") {
   CHECK(claim("quantity = 'q'\nprinted = '1 m'\nread_as = 'N'\nexpression = 'load'").file);
 }
 
+TEST_CASE("revolutions and radians per second are no cycles per second, though their dimension is one") {
+  const std::string speed =
+      "\nformula = 'ball_screw.mean_speed'\ninputs = { angular_speeds = ['2000 rpm'], durations = ['1 s'] }";
+  check_error(claim("quantity = 'q'\nprinted = '209.44 Hz'" + speed), 11, 11, "does not fit");
+  CHECK(claim("quantity = 'q'\nprinted = '209.44 rad/s'" + speed).file);
+  CHECK(claim("quantity = 'q'\nprinted = '2000 rpm'" + speed).file);
+  const std::string turn = "\nformula = 'power_screw.lead_angle'\ninputs = { lead = '4 mm', mean_diameter = '14 mm' }";
+  CHECK(claim("quantity = 'q'\nprinted = '0.0907'" + turn).file);  // of an angle a bare number is in radians
+  CHECK(claim("quantity = 'q'\nprinted = '209.44 Hz'\nread_as = 'rad/s'" + speed).file);
+}
+
 TEST_CASE("a file that is no claims file says so") {
   check_error(read("title = 'x'\n"), 0, 0, "[[claim]]");
   check_error(read("title = 'x'\nclaim = 5\n"), 2, 9, "[[claim]]");
