@@ -9,6 +9,7 @@
 
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -67,6 +68,12 @@ struct Region {
   /// cut off there again.
   std::array<std::uint8_t, 8> patience{};
 
+  /// How often it is divided in its rows, at least, until one of each slot is left.
+  [[nodiscard]] double divisions() const {
+    double all = 0.0;
+    for (const RowSet& set : rows) all += std::log2(static_cast<double>(set->size()));
+    return all;
+  }
   [[nodiscard]] bool one_design_per_slot() const {
     for (const RowSet& set : rows) {
       if (set->size() != 1) return false;

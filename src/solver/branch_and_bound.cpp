@@ -70,7 +70,7 @@ BranchAndBound::BranchAndBound(const Problem& problem,
 
 void BranchAndBound::put(Node node) {
   const double later = later_for_divisions_ > 0.0 ? later_for_divisions_ * divisions_left(node) : 0.0;
-  const Key key{order_of(node) + later, node.depth, ++order_};
+  const Key key{rounded(order_of(node) + later), node.depth, ++order_};
   open_.push(key, std::move(node));
 }
 

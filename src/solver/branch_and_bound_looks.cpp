@@ -8,16 +8,6 @@
 #include "solver/branch_and_bound.h"
 
 namespace millwright::solver {
-namespace {
-
-/// How often a region is divided in its rows, at least, until one of each slot is left.
-double divisions(const Region& region) {
-  double all = 0.0;
-  for (const RowSet& rows : region.rows) all += std::log2(static_cast<double>(rows->size()));
-  return all;
-}
-
-}  // namespace
 
 void BranchAndBound::look(std::size_t labels, std::uint64_t most_nodes) {
   start();
@@ -40,8 +30,8 @@ void BranchAndBound::look(std::size_t labels, std::uint64_t most_nodes) {
 double BranchAndBound::divisions_left(const Node& node) const {
   const std::size_t stage = labels_[node.label].stage;
   const double after = divisions_after_[stage];
-  if (node.next_region != whole_stage) return after + divisions(plans_[stage].open_regions[node.next_region].region);
-  return after + divisions(node.part != nullptr ? node.part->region : node.region);
+  if (node.next_region != whole_stage) return after + plans_[stage].open_regions[node.next_region].region.divisions();
+  return after + (node.part != nullptr ? node.part->divisions : node.region.divisions());
 }
 
 void BranchAndBound::dive(std::uint64_t most_nodes) {
@@ -50,10 +40,10 @@ void BranchAndBound::dive(std::uint64_t most_nodes) {
   double all = 0.0;
   for (std::size_t stage = plans_.size(); stage-- > 0;) {
     divisions_after_[stage] = all;
-    all += divisions(plans_[stage].region);
+    all += plans_[stage].region.divisions();
   }
   start();
-  if (open_.empty() || !(all > 0.0)) return;
+  if (open_.empty() || !(all > 0.0) || !std::isfinite(open_.first().score[0])) return;
   later_for_divisions_ = expected_rise * std::fabs(open_.first().score[0]) / all;
   const double known = incumbents_.best();
   while (!open_.empty() && nodes_ < most_nodes && !(incumbents_.best() < known) && !control_.time_is_up()) {

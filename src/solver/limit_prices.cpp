@@ -10,7 +10,8 @@
 //
 // The right price is the slope of the lower hull of what can be reached, between a build that keeps the limit and one
 // that does not: both are moved towards the limit by searches without it. The one that keeps it is where the search
-// starts from, with single parts changed for what is left of the limit.
+// starts from, with single parts changed for what is left of the limit. All that takes many searches: where little is
+// left to prove, that is tried without a price first (settle_without_price).
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,7 +23,7 @@ namespace millwright::solver {
 namespace {
 
 constexpr double only_other = infinity;  // a price
-/// Of the searches at the two ends. Half of what is left to prove, so that they are no builds known already.
+/// Of the searches at the two ends, half of what is left to prove: else a build known already would do for an end.
 constexpr double least_gap_at_end = 5e-3, most_gap_at_end = 2e-2;
 
 /// The resource that a score is, where it is a single one.

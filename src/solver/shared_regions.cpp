@@ -75,6 +75,7 @@ std::unique_ptr<SharedPart> SharedRegions::bounded(const Cell& cell, Region regi
   Bounds& bounds = part->bounds;
   if (!assess(*plan_, cell.states, part->region, bounds, desk)) return nullptr;
   part->region.kept = ~bounds.telling;
+  part->divisions = part->region.divisions();
   part->single_design = part->region.one_design_per_slot();
   for (std::size_t k = 0; k < bounds.score.size(); ++k)
     part->least.push_back(

@@ -31,6 +31,7 @@ struct SharedPart {
   Region region;              ///< until it is divided
   Bounds bounds;              ///< over all states of the cell
   std::vector<double> least;  ///< [score]: of it with all stages after
+  double divisions = 0.0;     ///< Region::divisions, also when it has been divided
   bool single_design = false;
   bool divided = false;
   std::array<std::unique_ptr<SharedPart>, 2> halves;  ///< null: no design in it is feasible in the cell

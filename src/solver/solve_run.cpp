@@ -20,7 +20,8 @@ Summary SolveRun::run() {
   return summary();
 }
 
-/// Of several objectives: what is better known before the search. False: there is no build at all.
+/// What is known already; of several objectives what is better known before the search. False: there is no build at
+/// all.
 bool SolveRun::find_some_first() {
   constexpr double small = 1e3;  // combinations below which none of it is worth its while
   const Options& options = control_.options();

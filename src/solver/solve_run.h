@@ -29,8 +29,8 @@ class SolveRun {
   /// `stage_by_stage`: only what stagewise_search.h does, the rest is left open. `unpriced`: all, but limits get no
   /// prices (limit_prices.cpp).
   enum class Scope { all, unpriced, stage_by_stage };
-  /// `tables`: what another run has found out about the same problem; null: nothing yet. `known`: builds of a front, to
-  /// start from.
+  /// `tables`: what another run has found out about the same problem; null: nothing yet. `known`: feasible
+  /// builds to start from.
   SolveRun(const Problem& problem,
            const Options& options,
            Scope scope = Scope::all,

@@ -6,9 +6,10 @@
 // with close curves of what is to come (rest_curve.h). Two objectives go stage by stage at once, three label by label,
 // with fronts of two of them before (find_sides).
 //
-// In the order of the calls: `start` prepares a combination; `settle(brief)` searches label by label with coarse
-// curves, `settle(thorough)` with dominated rows left out and close curves; `settle(whole)` is `finish`: stage by
-// stage, then label by label to the end.
+// In the order of the calls: `start` prepares a combination; first builds are looked for (solve_looks.cpp), and limits
+// may be priced (limit_prices.cpp); `settle(brief)` searches label by label with coarse curves, `settle(thorough)` with
+// dominated rows left out and close curves; `settle(whole)` is `finish`: stage by stage, then label by label to the
+// end.
 #include "solver/solve_run.h"
 
 #include <algorithm>

@@ -31,7 +31,8 @@ struct Options {
   double time_limit_seconds = std::numeric_limits<double>::infinity();
   bool stagewise = true;  ///< one or two objectives stage by stage where that applies, else always label by label
   /// Nodes that a single objective is at most searched label by label before stage by stage; and that a search label by
-  /// label to the end takes before it is worked out closely what all that is to come adds (rest_curve.h).
+  /// label to the end takes before it is worked out closely what all that is to come adds (rest_curve.h). Eight times
+  /// as many are spent on what little is left before a limit is priced.
   std::uint64_t patience = 25000;
   /// Designs of a stage looked at, or combined with what came before, from which on a pass stage by stage is given up
   /// and shared allowances are priced first (rest_plane.h).
