@@ -69,6 +69,12 @@ concept HasCarriages = requires(const Element& e) {
 };
 
 template <class Element>
+concept HasCoupling = requires(const Element& e) {
+  e.coupling;
+  e.standing_torque;
+};
+
+template <class Element>
 concept HasMotor = requires(const Element& e) {
   e.motor.rated_current;
 };
@@ -92,9 +98,19 @@ std::string worst_phase(const Element& element, WorstPhase worst) {
     if (worst == WorstPhase::load) return of_largest(element.carriage_loads);
   }
   if constexpr (HasPhases<Element>) {
+    const bool held = element.cycle.standing_force > 0.0;
     if (worst == WorstPhase::force && element.largest_force > element.driven_force) return "standstill";
-    if (worst == WorstPhase::force) return of_largest(element.axial_forces);
-    if (worst == WorstPhase::torque) return of_largest(element.motor_torques);
+    if (worst == WorstPhase::force || worst == WorstPhase::driven_force) return of_largest(element.axial_forces);
+    if (worst == WorstPhase::output_torque && held && element.standing_torque >= element.output_torque)
+      return "standstill";
+    if constexpr (HasCoupling<Element>) {
+      if (worst == WorstPhase::coupling_torque && held &&
+          element.require(machine::Requirement::coupling_shock_factor) * element.standing_torque >=
+              machine::coupling_torque(element))
+        return "standstill";
+    }
+    if (worst == WorstPhase::torque || worst == WorstPhase::output_torque || worst == WorstPhase::coupling_torque)
+      return of_largest(element.motor_torques);
     if (worst == WorstPhase::torque_ratio) return of_largest(element.torque_ratios);
     if (worst == WorstPhase::speed) return of_largest(element.angular_speeds);
   }

@@ -343,10 +343,10 @@ Cycle<T> duty_cycle(const MotionData& data, const T& mass, const T& acceleration
 }
 
 /// What an axis that stands bears of its process, its weight and what rubs: all that is between tool and motor has to
-/// bear it, and the motor to hold it (C-ST-HOLD), but it drives nothing.
+/// bear it. The motor has to hold it (process_force has it, too), but does not turn against it.
 template <class T>
 T standing_load(const Cycle<T>& cycle, const scalar::Dimension& force) {
-  return scalar::named("F_0", cycle.weight + cycle.friction_force + scalar::in_unit<T>(cycle.standing_force, force));
+  return scalar::named("F_st", cycle.weight + cycle.friction_force + scalar::in_unit<T>(cycle.standing_force, force));
 }
 
 /// Whether a scalar is asked for one design, of which everything is wanted, and not for bounds or slopes in the search.

@@ -37,7 +37,7 @@ void belt_constraints(Visit&& visit) {
                   .unit = "W",
                   .source = "fdm_printer, eq. 19 and 20; iso5295",
                   .requirement = "belt_service_factor",
-                  .worst = WorstPhase::force},
+                  .worst = WorstPhase::driven_force},
       always,
       [](const auto& d) {
         return bt::design_power(d.require(belt_service_factor), d.driven_force * d.cycle.peak_speed);

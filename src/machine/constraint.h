@@ -26,7 +26,20 @@ namespace millwright::machine {
 enum class ConstraintKind { hard, soft, fit };
 
 /// In which phase of the duty cycle a constraint is worst: where this quantity is largest, or what it is about.
-enum class WorstPhase { none, force, torque, torque_ratio, speed, load, steady, standstill, cycle };
+enum class WorstPhase {
+  none,
+  force,
+  driven_force,
+  torque,
+  output_torque,
+  coupling_torque,
+  torque_ratio,
+  speed,
+  load,
+  steady,
+  standstill,
+  cycle
+};
 
 /// At which position of the travel a constraint is worst. The formulas take that position; this names it.
 enum class WorstPlace { none, nut_far, nut_softest, long_belt, mid_span, most_bent, travel_ends };

@@ -54,6 +54,7 @@ struct GearedDrive {
   T input_power{};  ///< W, drive input that the supply must be ready for
   T largest_force{}, largest_torque{}, peak_speed{}, load_torque{}, rms_torque{}, holding_force{};
   T driven_force{};       ///< the largest while it moves; largest_force is that of standing, too
+  T standing_torque{};    ///< at the output, under the force of standing; only where there is one
   T peak_acceleration{};  ///< of the motor, rad/s^2
   T output_torque{};      ///< the largest at the output of the reduction; only where it has one
 
@@ -140,10 +141,9 @@ void GearedDrive<T>::derive_phases(const T& output_inertia) {
     const T load = standing_load(cycle, dimensions().force);
     const T still = in_unit<T>(0.0, dimension::angular_acceleration);
     most_force.take(load);
-    most_torque.take(act::belt_motor_torque(load, radius, efficiency, rotating_inertia, still, no_torque, ratio));
-    if (reduction.present)
-      most_output_torque.take(
-          act::belt_motor_torque(load, radius, T(data->efficiency), output_inertia, still, no_torque, T(1.0)));
+    standing_torque = named(
+        "T_st", act::belt_motor_torque(load, radius, T(data->efficiency), output_inertia, still, no_torque, T(1.0)));
+    if (reduction.present) most_output_torque.take(standing_torque);
   }
   largest_force = named("F_t", most_force.value());
   largest_torque = named("T", most_torque.value());

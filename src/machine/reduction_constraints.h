@@ -18,7 +18,7 @@ void reduction_constraints(Visit&& visit) {
                   .unit = "N.m",
                   .source = "millwright_derivations, torque through a reduction",
                   .requirement = "reduction_service_factor",
-                  .worst = WorstPhase::torque},
+                  .worst = WorstPhase::output_torque},
       [](const auto& d) { return d.reduction.torque_is_rated; },
       [](const auto& d) { return d.require(Requirement::reduction_service_factor) * d.output_torque; },
       [](const auto& d) { return d.reduction.rated_torque; });

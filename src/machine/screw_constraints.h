@@ -141,7 +141,7 @@ void sliding_screw_constraints(Visit&& visit) {
                   .unit = "MPa.m/s",
                   .source = "thomson_pv",
                   .requirement = "pv_factor",
-                  .worst = WorstPhase::force},
+                  .worst = WorstPhase::driven_force},
       when_sliding,
       [](const auto& d) { return ps::pressure_velocity(bearing_pressure(d, d.driven_force), sliding_speed(d)); },
       [](const auto& d) { return d.require(pv_factor) * d.screw.pv_limit; });

@@ -90,6 +90,7 @@ struct ScrewDrive {
   T input_power{};                ///< W, drive input that the supply must be ready for
   T largest_force{}, largest_torque{}, screw_torque{}, peak_speed{}, load_torque{}, rms_torque{};
   T driven_force{};       ///< the largest while it moves; largest_force is that of standing, too
+  T standing_torque{};    ///< at the screw, under the force of standing; only where there is one
   T screw_speed{};        ///< of screw and nut against each other, the largest
   T steady_torque{};      ///< at the screw, without acceleration
   T output_torque{};      ///< the largest at the output of the reduction; only where it has one
@@ -199,9 +200,8 @@ void ScrewDrive<T>::derive_phases(const T& turning) {
     const T load = standing_load(cycle, dimension::force);
     const T still = in_unit<T>(0.0, dimension::angular_acceleration);
     most_force.take(load);
-    most_torque.take(
-        torque(load, rotating_inertia, still, drag, reduction.ratio_or_one(), reduction.efficiency_or_one()));
-    if (reduction.present) most_output_torque.take(torque(load, turning, still, screw.drag_torque, one, one));
+    standing_torque = named("T_st", torque(load, turning, still, screw.drag_torque, one, one));
+    if (reduction.present) most_output_torque.take(standing_torque);
   }
   largest_force = named("F", most_force.value());
   largest_torque = named("T", most_torque.value());

@@ -23,7 +23,7 @@ void coupling_constraints(Visit&& visit) {
                   .unit = "N.m",
                   .source = "ktr_couplings, shock factor",
                   .requirement = "coupling_shock_factor",
-                  .worst = WorstPhase::torque},
+                  .worst = WorstPhase::coupling_torque},
       when_coupled,
       [](const auto& d) { return coupling_torque(d); },
       [](const auto& d) { return d.coupling.rated_torque; });

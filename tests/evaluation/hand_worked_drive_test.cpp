@@ -195,6 +195,37 @@ output_power_factor = 1.0
   CHECK(find(d, "C-BS-PREMAX") == nullptr);  // a lead nut
 }
 
+TEST_CASE("What a screw and its coupling bear at rest, worked by hand, and the phases that are named") {
+  machine::Problem problem = one_axis({.mechanism = lead_screw});
+  machine::Move& held = problem.axes[0].moves.emplace_back();
+  held.name = "held";
+  held.profile = machine::measured_profile(std::vector{0.0, 0.2, 1.0, 1.2, 1.3, 3.0},
+                                           std::vector{0.0, 0.01, 0.01, 0.0, 0.0, 0.0},
+                                           std::vector{0.0, 0.0, 0.0, 0.0, -400.0, 400.0});
+  const Design d = worked(problem, lead_screw_parts, "P36-350", 0.2);
+  const auto check = [&](const std::string& id) {
+    const Check* c = find(d, id);
+    INFO(id);
+    REQUIRE(c != nullptr);
+    return *c;
+  };
+  // 400 N and friction; the torque that this asks of the screw goes through the coupling whole, twice for shocks. While
+  // it moves 50 N, friction and 0.15 m/s2.
+  const double m = 20.25, friction = 4.0 + 0.05 * m * g, force = friction + 400.0;
+  const double moving = friction + 50.0 + m * 0.15;
+  const double lambda = std::atan(0.004 / (pi * 0.014)), angle = std::atan(0.1 / std::cos(15.0 * pi / 180.0));
+  const double torque = force * 0.004 / (2.0 * pi) * std::tan(lambda + angle) / std::tan(lambda);
+  CHECK(check("C-SCR-BUCK").value == Approx(force).epsilon(1e-9));
+  CHECK(check("C-SCR-BUCK").phase == "standstill");
+  CHECK(check("C-CP-TORQUE").value == Approx(2.0 * torque).epsilon(1e-9));
+  CHECK(check("C-CP-TORQUE").phase == "standstill");
+  const double area = pi * 0.014 * 0.002 * 8.0, sliding = 0.03 / 0.004 * std::hypot(pi * 0.014, 0.004);
+  CHECK(check("C-SCR-PB").value == Approx(force / area * 1e-6).epsilon(1e-9));
+  CHECK(check("C-SCR-PV").value == Approx(moving / area * 1e-6 * sliding).epsilon(1e-9));
+  CHECK(check("C-SCR-PV").phase == "move 1, accelerate");
+  CHECK(check("C-ST-TORQUE").phase == "move 1, accelerate");
+}
+
 TEST_CASE("What a problem does not ask for is not checked") {
   const Design d = worked(one_axis({.mechanism = lead_screw}), lead_screw_parts, "P36-350", 0.2);
   for (const char* id : {"C-SCR-EFF", "C-BS-LEAD", "C-BS-STIFF", "C-CP-WINDUP", "C-ACC-THERM", "C-ST-POWER"}) {
