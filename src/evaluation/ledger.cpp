@@ -79,6 +79,20 @@ concept HasMotor = requires(const Element& e) {
   e.motor.rated_current;
 };
 
+/// Whether a quantity is largest under the force at which the axis stands (machine::standing_load).
+template <class Element>
+bool stands_at_worst(const Element& element, WorstPhase worst) {
+  if (!(element.cycle.standing_force > 0.0)) return false;
+  if (worst == WorstPhase::force) return element.largest_force > element.driven_force;
+  if (worst == WorstPhase::output_torque) return element.standing_torque >= element.output_torque;
+  if constexpr (HasCoupling<Element>) {
+    if (worst == WorstPhase::coupling_torque)
+      return element.require(machine::Requirement::coupling_shock_factor) * element.standing_torque >=
+             machine::coupling_torque(element);
+  }
+  return false;
+}
+
 /// The phase in which the quantity of a constraint is largest, or what of the cycle it is about.
 template <class Element>
 std::string worst_phase(const Element& element, WorstPhase worst) {
@@ -98,17 +112,8 @@ std::string worst_phase(const Element& element, WorstPhase worst) {
     if (worst == WorstPhase::load) return of_largest(element.carriage_loads);
   }
   if constexpr (HasPhases<Element>) {
-    const bool held = element.cycle.standing_force > 0.0;
-    if (worst == WorstPhase::force && element.largest_force > element.driven_force) return "standstill";
+    if (stands_at_worst(element, worst)) return "standstill";
     if (worst == WorstPhase::force || worst == WorstPhase::driven_force) return of_largest(element.axial_forces);
-    if (worst == WorstPhase::output_torque && held && element.standing_torque >= element.output_torque)
-      return "standstill";
-    if constexpr (HasCoupling<Element>) {
-      if (worst == WorstPhase::coupling_torque && held &&
-          element.require(machine::Requirement::coupling_shock_factor) * element.standing_torque >=
-              machine::coupling_torque(element))
-        return "standstill";
-    }
     if (worst == WorstPhase::torque || worst == WorstPhase::output_torque || worst == WorstPhase::coupling_torque)
       return of_largest(element.motor_torques);
     if (worst == WorstPhase::torque_ratio) return of_largest(element.torque_ratios);
