@@ -375,6 +375,13 @@ std::string ImportFields::currency_of_row(const SheetRows& row, const ImportFiel
                               [](const auto& each) { return declaration(each.first).name == "currency"; });
              constant != mapping_.constants.end()) {
     said = constant->second;
+    const auto beside = column_beside_constant(mapping_, constant->first);
+    const std::string other = beside ? currency_of(row.cell(*beside)) : std::string();
+    if (!other.empty() && other != "?" && !said.empty() && other != said)
+      refuse(row,
+             *beside,
+             fmt::format("{}, but the currency is said to be {} for all rows", other, said),
+             "leave the constant out: the table has the currency of each row");
   }
   const auto price = std::find_if(mapping_.columns.begin(), mapping_.columns.end(), [](const SourceColumn& each) {
     return each.target && declaration(*each.target).kind == Kind::money;

@@ -101,6 +101,9 @@ std::vector<const SourceColumn*> assumed_units(const ImportMapping& mapping);
 /// though that prices nothing. Empty if nothing says it, and where a price stands in the row: a bare figure has none.
 std::string currency_without_price(const SheetRows& row, const ImportMapping& mapping);
 
+/// The column of the table that by its name holds what a constant states for all rows; it is kept as x_NAME.
+std::optional<std::size_t> column_beside_constant(const ImportMapping& mapping, Column target);
+
 inline bool is_number_column(Column column) {
   return declaration(column).kind == Kind::number || declaration(column).kind == Kind::money;
 }

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "catalogue/import_mapping.h"
+#include "catalogue/import_names.h"
 #include "catalogue/import_unit.h"
 
 namespace millwright::catalogue {
@@ -103,6 +104,15 @@ std::string currency_without_price(const SheetRows& row, const ImportMapping& ma
       if (found.empty() && currency != "?") found = currency;
   }
   return found;
+}
+
+std::optional<std::size_t> column_beside_constant(const ImportMapping& mapping, Column target) {
+  constexpr double surely = 0.9;
+  for (std::size_t i = 0; i < mapping.columns.size(); ++i) {
+    const SourceColumn& column = mapping.columns[i];
+    if (!column.target && !column.companion && name_match(words_of(column.header), target) >= surely) return i;
+  }
+  return std::nullopt;
 }
 
 }  // namespace millwright::catalogue

@@ -78,6 +78,12 @@ TEST_CASE("A row whose price is not known is in the currency of the others") {
     CHECK(std::isnan(table.price(1).piece));
     for (int row = 0; row < table.rows(); ++row) CHECK(table.price(row).currency == "EUR");
   }
+  // What is stated for all rows does not go over what the table says of one.
+  const std::string beside = top + "Price,Currency\nA,1,1.8,1.2,2.8,20,USD\nA,2,1.8,1.2,2.8,21,EUR\n";
+  CHECK(import_csv(beside).table(Family::steppers).price(1).currency == "EUR");
+  const Imported stated = import_csv(beside, asking({{"currency", "USD"}}));
+  CHECK_FALSE(stated.good);
+  CHECK(stated.says("EUR, but the currency is said to be USD for all rows"));
   // A price that says none has none.
   const Imported bare = import_csv(top + "Price\nA,1,1.8,1.2,2.8,20 EUR\nA,2,1.8,1.2,2.8,21\n");
   CHECK_FALSE(bare.good);
