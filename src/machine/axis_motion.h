@@ -26,6 +26,7 @@
 #include <vector>
 
 #include "machine/constraint.h"
+#include "machine/largest.h"
 #include "machine/problem.h"
 #include "mechanics/actuation.h"
 #include "scalar/scalars.h"
@@ -105,6 +106,7 @@ struct Cycle {
   T weight{};                            ///< N, its size: a counterbalance that outweighs the load pulls upwards
   T friction_force{};                    ///< N
   T process_force{};                     ///< N, the largest
+  double standing_time = 0.0;            ///< s, of total_time
   double standing_force = 0.0;           ///< N, the process's largest while the axis stands, of measured profiles
 };
 
@@ -242,13 +244,16 @@ class CycleBuilder {
         for (std::size_t i = 0; i < parts.size(); ++i) cycle_.mirrored.push_back({first + i, cruise, cruise + 1 + i});
       cycle_.total_time = cycle_.total_time + (2.0 * ramp + constant_time) + si<T>(move.dwell, dimension::time);
       cycle_.travelled = cycle_.travelled + distance;
+      cycle_.standing_time += move.dwell;
     }
   }
 
   void add_profile(const Move& move) {
     using namespace scalar;
     const MeasuredProfile& profile = *move.profile;
+    double moving = 0.0;
     for (const ProfilePhase& phase : profile.phases) {
+      moving += phase.duration;
       const T weight = phase.backwards ? -cycle_.gravity_force : cycle_.gravity_force;
       add_phase(
           si<T>(phase.acceleration, of_.acceleration),
@@ -270,6 +275,7 @@ class CycleBuilder {
     cycle_.process_force = larger(cycle_.process_force, si<T>(profile.largest_force, of_.force));
     cycle_.standing_force = std::max(cycle_.standing_force, profile.standing_force);
     cycle_.total_time = cycle_.total_time + si<T>(profile.time + move.dwell, dimension::time);
+    cycle_.standing_time += std::max(profile.time - moving, 0.0) + move.dwell;
     cycle_.travelled = cycle_.travelled + si<T>(profile.travelled, of_.distance);
   }
 
@@ -358,42 +364,6 @@ inline constexpr bool shows_everything =
 template <class T>
 bool wants_everything(const Requirements& require) {
   return shows_everything<T> || require.enforces_any();
-}
-
-/// The largest of what is taken. Bounds and derivatives go through `larger`; a traced value keeps only the winner, so
-/// that a calculation sheet shows the phase that governs and not a chain of comparisons.
-template <class T>
-class Largest {
- public:
-  void take(const T& value) {
-    using namespace scalar;
-    if constexpr (!std::is_same_v<T, Traced>) {
-      largest_ = largest_ ? T(larger(*largest_, value)) : value;
-    } else if (!largest_ || value.value > largest_->value) {
-      largest_ = value;
-    }
-  }
-  /// Something must have been taken.
-  [[nodiscard]] const T& value() const { return *largest_; }
-
- private:
-  std::optional<T> largest_;
-};
-
-/// The largest of a list, which must not be empty.
-template <class T>
-T largest(const std::vector<T>& values) {
-  Largest<T> result;
-  for (const T& value : values) result.take(value);
-  return result.value();
-}
-
-/// The smallest of a list, as `largest`.
-template <class T>
-T smallest(const std::vector<T>& values) {
-  Largest<T> negative;
-  for (const T& value : values) negative.take(-value);
-  return -negative.value();
 }
 
 }  // namespace millwright::machine

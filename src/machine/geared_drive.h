@@ -52,7 +52,7 @@ struct GearedDrive {
   T efficiency{};        ///< from the motor to the travel
   std::vector<T> axial_forces, motor_torques, angular_speeds, torque_ratios;
   T input_power{};  ///< W, drive input that the supply must be ready for
-  T largest_force{}, largest_torque{}, peak_speed{}, load_torque{}, rms_torque{}, holding_force{};
+  T largest_force{}, largest_torque{}, peak_speed{}, load_torque{}, holding_force{};
   T driven_force{};       ///< the largest while it moves; largest_force is that of standing, too
   T standing_torque{};    ///< at the output, under the force of standing; only where there is one
   T peak_acceleration{};  ///< of the motor, rad/s^2
@@ -111,7 +111,6 @@ void GearedDrive<T>::derive_phases(const T& output_inertia) {
   make_room(cycle.phases.size(), axial_forces, motor_torques, angular_speeds, torque_ratios);
   const T no_torque = in_unit<T>(0.0, dimension::torque);
   const T ratio = reduction.ratio_or_one();
-  T sum = in_unit<T>(0.0, dimension::torque * dimension::torque * dimension::time);
   for (const Phase<T>& phase : cycle.phases) {
     axial_forces.push_back(absolute(phase.force));
     angular_speeds.push_back(reduction.at_motor(phase.speed / radius));
@@ -122,7 +121,6 @@ void GearedDrive<T>::derive_phases(const T& output_inertia) {
     const T alpha = reduction.at_motor(output_alpha);
     motor_torques.back() = named(
         "T_m", act::belt_motor_torque(phase.force, radius, efficiency, rotating_inertia, alpha, no_torque, ratio));
-    sum = sum + square(motor_torques.back()) * phase.duration;
     if (!phase.may_govern) continue;
     const T needed = absolute(motor_torques.back());
     most_acceleration.take(alpha);
@@ -147,7 +145,6 @@ void GearedDrive<T>::derive_phases(const T& output_inertia) {
   }
   largest_force = named("F_t", most_force.value());
   largest_torque = named("T", most_torque.value());
-  rms_torque = named("T_rms", sqrt(sum / cycle.total_time));
   if (reduction.present) output_torque = named("T_2", most_output_torque.value());
 }
 

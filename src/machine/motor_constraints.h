@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Constraints of motor, driver and accuracy that every drive has. They are generic over the drive's design, which
-// offers motor, cycle, torque_ratios, load_torque, load_inertia, rms_torque, peak_speed and the functions
+// offers motor, cycle, torque_ratios, load_torque, load_inertia, peak_speed and the functions
 // back_driving_torque, power_off_torque, speed_limit, resolution, reversal_error, error_budget
 // and friction_torque.
 #pragma once
@@ -106,7 +106,7 @@ void motor_constraints(Visit&& visit) {
                   .requirement = "rms_torque_factor",
                   .worst = WorstPhase::cycle},
       always,
-      [](const auto& d) { return d.rms_torque; },
+      [](const auto& d) { return rms_torque(d); },
       [](const auto& d) { return d.require(rms_torque_factor) * d.motor.holding_torque; });
   visit(
       Declaration{.id = "C-ST-STEPRATE",

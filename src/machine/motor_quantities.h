@@ -38,6 +38,24 @@ auto start_stop_speed(const Drive& d) {
   return T(larger(speed, in_unit<T>(1e-9, dimension::angular_speed)));
 }
 
+/// Root mean square of the motor's torque over the cycle [N.m], [sander, eq. 25; millwright_derivations]. While the
+/// axis stands, the motor holds what would drive it back: the weight, and the largest force of measured profiles at
+/// rest. A brake, which may engage with power off only, takes none of it; a self-locking screw all.
+template <class Drive>
+auto rms_torque(const Drive& d) {
+  using namespace scalar;
+  using T = std::remove_cvref_t<decltype(d.peak_speed)>;
+  T sum = in_unit<T>(0.0, dimension::torque * dimension::torque * dimension::time);
+  for (std::size_t i = 0; i < d.motor_torques.size(); ++i)
+    sum = sum + square(d.motor_torques[i]) * d.cycle.phases[i].duration;
+  if (d.cycle.standing_time > 0.0 && (has_gravity_along(d.data->motion) || d.cycle.standing_force > 0.0)) {
+    const T force = d.cycle.weight + in_unit<T>(d.cycle.standing_force, motion_dimensions(d.data->motion.rotary).force);
+    const T held = named("T_h", back_driving_torque(d, force));
+    sum = sum + square(held) * in_unit<T>(d.cycle.standing_time, dimension::time);
+  }
+  return T(named("T_rms", sqrt(sum / d.cycle.total_time)));
+}
+
 /// Winding above ambient temperature [K] with the resistance it has at the permitted temperature: so it exceeds the
 /// permitted rise exactly when the heat balance does, which need not be solved. Full current all the time, iron loss
 /// over the cycle.

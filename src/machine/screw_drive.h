@@ -88,7 +88,7 @@ struct ScrewDrive {
   std::vector<T> angular_speeds;  ///< per phase, the largest
   std::vector<T> torque_ratios;   ///< |T| / available torque at that speed, per phase that may govern, else 0
   T input_power{};                ///< W, drive input that the supply must be ready for
-  T largest_force{}, largest_torque{}, screw_torque{}, peak_speed{}, load_torque{}, rms_torque{};
+  T largest_force{}, largest_torque{}, screw_torque{}, peak_speed{}, load_torque{};
   T driven_force{};       ///< the largest while it moves; largest_force is that of standing, too
   T standing_torque{};    ///< at the screw, under the force of standing; only where there is one
   T screw_speed{};        ///< of screw and nut against each other, the largest
@@ -206,10 +206,6 @@ void ScrewDrive<T>::derive_phases(const T& turning) {
   largest_force = named("F", most_force.value());
   largest_torque = named("T", most_torque.value());
   if (reduction.present) output_torque = named("T_2", most_output_torque.value());
-  T sum = in_unit<T>(0.0, dimension::torque * dimension::torque * dimension::time);
-  for (std::size_t i = 0; i < motor_torques.size(); ++i)
-    sum = sum + square(motor_torques[i]) * cycle.phases[i].duration;
-  rms_torque = named("T_rms", sqrt(sum / cycle.total_time));
 }
 
 template <class T>

@@ -224,6 +224,13 @@ TEST_CASE("What a screw and its coupling bear at rest, worked by hand, and the p
   CHECK(check("C-SCR-PV").value == Approx(moving / area * 1e-6 * sliding).epsilon(1e-9));
   CHECK(check("C-SCR-PV").phase == "move 1, accelerate");
   CHECK(check("C-ST-TORQUE").phase == "move 1, accelerate");
+  // The thread locks itself: the motor holds nothing of the 400 N, so that longer at rest is cooler.
+  held.dwell = 5.0;
+  const Design longer = worked(problem, lead_screw_parts, "P36-350", 0.2);
+  REQUIRE(find(longer, "C-ST-RMS") != nullptr);
+  const double cycle = 10.2 + 2.0 + 3.0;
+  CHECK(find(longer, "C-ST-RMS")->value * std::sqrt((cycle + 5.0) / cycle) ==
+        Approx(check("C-ST-RMS").value).epsilon(1e-9));
 }
 
 TEST_CASE("What a problem does not ask for is not checked") {
@@ -416,8 +423,8 @@ TEST_CASE("The nut without preload, and a preload that is too high") {
   CHECK_FALSE(tight.satisfied());
 }
 
-TEST_CASE("What a belt drive is reported for, worked by hand") {
-  const machine::Problem problem = problem_of_text(R"(
+namespace {
+constexpr const char* belt_axis = R"(
 [currency]
 USD = 1.0
 [supply]
@@ -440,12 +447,14 @@ dwell = "0.5 s"
 position_error = "0.5 mm"
 motor_radial_load = "15 N"
 start_rate = "400 Hz"
-)");
-  const Design d =
-      worked(problem,
-             {{"belt", "GT3-9"}, {"pulley_drive", "G20-5"}, {"pulley_idle", "I20"}, {"motor", "M17"}, {"driver", "D2"}},
-             "P24-100",
-             0.2);
+)";
+const Parts belt_parts = {
+    {"belt", "GT3-9"}, {"pulley_drive", "G20-5"}, {"pulley_idle", "I20"}, {"motor", "M17"}, {"driver", "D2"}};
+}  // namespace
+
+TEST_CASE("What a belt drive is reported for, worked by hand") {
+  const machine::Problem problem = problem_of_text(belt_axis);
+  const Design d = worked(problem, belt_parts, "P24-100", 0.2);
   // As in hand_worked_elements_test.
   const double span = 0.6, r = 0.01, m = 2.0 + 0.02 * (2.0 * span + pi / 2.0 * 0.04), v = 0.5, a = 2.5;
   const double friction = 1.0 + 0.02 * m * g, force = m * a + friction + 5.0, turning = 0.02 * v * v;
@@ -468,6 +477,27 @@ start_rate = "400 Hz"
   expect(d, "C-ACC-MICRO", friction * r / 0.95, static_torque * std::sin(pi / 32.0));
   expect(d, "C-DR-CURRENT", 2.0, 2.0);
   expect(d, "C-PSU-CURRENT", 2.0 * 2.0 / 3.0, 4.2);
+}
+
+TEST_CASE("What a motor holds at rest counts in its RMS torque, worked by hand") {
+  machine::Problem problem = problem_of_text(belt_axis);
+  machine::Move& move = problem.axes[0].moves[0];
+  move = {};
+  move.name = "pressed";
+  move.profile = machine::measured_profile(
+      std::vector{0.0, 0.2, 0.8, 1.0, 2.0}, std::vector{0.0, 0.5, 0.5, 0.0, 0.0}, std::vector(5, 6.0));
+  move.dwell = 0.5;
+  const Design d = worked(problem, belt_parts, "P24-100", 0.2);
+  const double r = 0.01, m = 2.0 + 0.02 * (2.0 * 0.6 + pi / 2.0 * 0.04), a = 2.5;
+  const double friction = 1.0 + 0.02 * m * g, rotating = 90e-7 * a / r;
+  const double starting = (m * a + friction + 6.0) * r / 0.95 + rotating;
+  const double steady = (friction + 6.0) * r / 0.95;
+  const double braking = (-m * a + friction + 6.0) * r / 0.95 - rotating;
+  REQUIRE(-m * a + friction + 6.0 > 0.0);
+  // A second of the recording and the dwell: 6 N come back through the belt, nothing of the friction.
+  const double held = 6.0 * r * 0.95;
+  const double heat = starting * starting * 0.2 + steady * steady * 0.6 + braking * braking * 0.2 + held * held * 1.5;
+  expect(d, "C-ST-RMS", std::sqrt(heat / 2.5), 0.5);
 }
 
 TEST_CASE("A motor as weak as its load cannot start") {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 #include "catch.h"
 #include "evaluation/machine_stages.h"
@@ -385,6 +386,16 @@ TEST_CASE("A vertical axis on a ball screw, worked by hand") {
   expect(d, "C-ST-TORQUE", torque / 0.84, 0.7);
   CHECK(check_of(d, "C-ST-TORQUE").phase.find("up, accelerate") != std::string::npos);
   expect(d, "C-ST-80", (weight + drag + 50.0) * per_newton, 0.96);
+
+  // RMS: up and down, and twice a dwell of 2 s in which the motor holds the weight through the screw.
+  double heat = std::pow(weight * lead * back / (2.0 * pi), 2) * 4.0;
+  for (const double direction : {1.0, -1.0})
+    for (const auto& [acceleration, seconds] : {std::pair{a, 0.2}, std::pair{0.0, 9.8}, std::pair{-a, 0.2}}) {
+      const double force = phase(acceleration, direction);
+      const double through = force > 0.0 ? force * per_newton : force * lead * back / (2.0 * pi);
+      heat += std::pow(through + rotating * acceleration * 2.0 * pi / lead, 2) * seconds;
+    }
+  expect(d, "C-ST-RMS", std::sqrt(heat / 24.4), 1.2);
 
   // At rest: weight and process backwards through the screw; with power off the weight less the drag.
   expect(d, "C-ST-HOLD", (weight + 50.0) * lead * back / (2.0 * pi), 0.5 * 1.2 / std::sqrt(2.0));
