@@ -3,6 +3,7 @@
 // right-hand sides use <cmath> and nothing of the project.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "evaluation/hand_worked.h"
@@ -129,6 +130,26 @@ TEST_CASE("A lead screw behind a belt reduction worked by hand") {
 
   CHECK(d.cost == Approx(20.0 * cut + 8.0 + 16.0 + 20.0 + 10.0 + 4.0 + 28.0 + 15.0));
   CHECK(d.mass == Approx(1.2 * cut + 0.25 + 0.7 + 0.3 + 0.2 + 0.1 + 0.6 + 0.4));
+}
+
+TEST_CASE("A brake on the motor holds a screw through its reduction, worked by hand") {
+  std::string text = screw_axis(
+      "screw = [\"lead_screws\"], reduction = { ratio = 2, efficiency = 0.9, inertia = \"3e-6 kg.m2\", torque = \"3 "
+      "N.m\", speed = \"3000 rpm\", mass = \"0.6 kg\", price = \"28 USD\" }");
+  const auto put = [&](const std::string& old, const std::string& now) {
+    text.replace(text.find(old), old.size(), now);
+  };
+  put("stroke =", "direction = \"vertical\"\nstroke =");
+  put("microsteps = 4", "microsteps = 4, brake_torque = \"0.05 N.m\"");
+  const MachineModel model(problem_of_text(text), parts());
+  const Design d = design_of(model, {{"x", "drive", {{"Tr16x4", "Tr16x4 nut"}, {"M23", "D4"}, {"F6"}, {"S6"}}, {0.2}}});
+  // The thread locks itself by less than 1.3; of what comes through with a friction that is less by that factor, half
+  // reaches the motor, less the losses of the reduction.
+  const double slope = 0.004 / (pi * 0.014), friction = 0.1 / std::cos(15.0 * pi / 180.0), weight = 20.25 * g;
+  const double through =
+      (weight - 4.0) * 0.004 / (2.0 * pi) * std::tan(std::atan(slope) - std::atan(friction / 1.3)) / slope;
+  REQUIRE(through > 0.0);
+  expect(d, "drive", "C-SCR-LOCK", std::max(through * 0.9 / 2.0, 1e-3) / 0.05 / 1.3, 1.0 / 1.3);
 }
 
 // A gearbox on the motor; the coupling joins its shaft to the screw.
