@@ -69,12 +69,6 @@ concept HasCarriages = requires(const Element& e) {
 };
 
 template <class Element>
-concept HasCoupling = requires(const Element& e) {
-  e.coupling;
-  e.standing_torque;
-};
-
-template <class Element>
 concept HasMotor = requires(const Element& e) {
   e.motor.rated_current;
 };
@@ -85,11 +79,6 @@ bool stands_at_worst(const Element& element, WorstPhase worst) {
   if (!(element.cycle.standing_force > 0.0)) return false;
   if (worst == WorstPhase::force) return element.largest_force > element.driven_force;
   if (worst == WorstPhase::output_torque) return element.standing_torque >= element.output_torque;
-  if constexpr (HasCoupling<Element>) {
-    if (worst == WorstPhase::coupling_torque)
-      return element.require(machine::Requirement::coupling_shock_factor) * element.standing_torque >=
-             machine::coupling_torque(element);
-  }
   return false;
 }
 
@@ -114,8 +103,7 @@ std::string worst_phase(const Element& element, WorstPhase worst) {
   if constexpr (HasPhases<Element>) {
     if (stands_at_worst(element, worst)) return "standstill";
     if (worst == WorstPhase::force || worst == WorstPhase::driven_force) return of_largest(element.axial_forces);
-    if (worst == WorstPhase::torque || worst == WorstPhase::output_torque || worst == WorstPhase::coupling_torque)
-      return of_largest(element.motor_torques);
+    if (worst == WorstPhase::torque || worst == WorstPhase::output_torque) return of_largest(element.motor_torques);
     if (worst == WorstPhase::torque_ratio) return of_largest(element.torque_ratios);
     if (worst == WorstPhase::speed) return of_largest(element.angular_speeds);
   }

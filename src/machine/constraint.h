@@ -32,7 +32,6 @@ enum class WorstPhase {
   driven_force,
   torque,
   output_torque,
-  coupling_torque,
   torque_ratio,
   speed,
   load,

@@ -93,7 +93,7 @@ struct ScrewDrive {
   T standing_torque{};    ///< at the screw, under the force of standing; only where there is one
   T screw_speed{};        ///< of screw and nut against each other, the largest
   T steady_torque{};      ///< at the screw, without acceleration
-  T output_torque{};      ///< the largest at the output of the reduction; only where it has one
+  T output_torque{};      ///< the largest that turns the screw; only behind a reduction or a coupling
   T peak_acceleration{};  ///< of the motor, rad/s^2
   T holding_force{};      ///< static, along the travel
   T rotating_inertia{};   ///< of all that turns, at the motor
@@ -190,8 +190,8 @@ void ScrewDrive<T>::derive_phases(const T& turning) {
     most_force.take(axial_forces.back());
     most_torque.take(needed);
     torque_ratios.back() = needed / larger(available_torque(omega), in_unit<T>(1e-9, dimension::torque));
-    // The same balance at the output: without rotor and reduction.
-    if (reduction.present)
+    // The same balance behind reduction and coupling: without the rotor.
+    if (reduction.present || data->has_coupling)
       most_output_torque.take(absolute(torque(phase.force, turning, output_alpha, screw.drag_torque, one, one)));
   }
   peak_acceleration = named("α", most_acceleration.value());
@@ -201,11 +201,11 @@ void ScrewDrive<T>::derive_phases(const T& turning) {
     const T still = in_unit<T>(0.0, dimension::angular_acceleration);
     most_force.take(load);
     standing_torque = named("T_st", torque(load, turning, still, screw.drag_torque, one, one));
-    if (reduction.present) most_output_torque.take(standing_torque);
+    if (reduction.present || data->has_coupling) most_output_torque.take(standing_torque);
   }
   largest_force = named("F", most_force.value());
   largest_torque = named("T", most_torque.value());
-  if (reduction.present) output_torque = named("T_2", most_output_torque.value());
+  if (reduction.present || data->has_coupling) output_torque = named("T_2", most_output_torque.value());
 }
 
 template <class T>

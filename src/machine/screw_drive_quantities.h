@@ -291,18 +291,6 @@ T torsional_stiffness_at_motor(const ScrewDrive<T>& d) {
   return d.reduction.reflected(torsional_stiffness(d));
 }
 
-/// Torque that the coupling must bear [N.m]: the motor's at the output of the reduction, shared between the inertias
-/// before and behind the coupling; or all of what is held while the axis stands.
-template <class T>
-T coupling_torque(const ScrewDrive<T>& d) {
-  using namespace scalar;
-  const T at_output =
-      d.reduction.present ? T(d.largest_torque * d.reduction.ratio * d.reduction.efficiency) : d.largest_torque;
-  const T factor = d.require(Requirement::coupling_shock_factor);
-  const T driven = mechanics::coupling::required_torque(at_output, d.motor_side_inertia(), d.output_inertia, factor);
-  return d.cycle.standing_force > 0.0 ? T(larger(driven, T(factor * d.standing_torque))) : driven;
-}
-
 /// Lead error [m] over the stated travel (error_budget.h).
 template <class T>
 T lead_error(const ScrewDrive<T>& d) {

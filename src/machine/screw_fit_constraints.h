@@ -21,11 +21,11 @@ void coupling_constraints(Visit&& visit) {
                   .title = "Coupling torque",
                   .symbol = "T_c",
                   .unit = "N.m",
-                  .source = "ktr_couplings, shock factor",
+                  .source = "ktr_couplings, shock factor; millwright_derivations, balance behind the coupling",
                   .requirement = "coupling_shock_factor",
-                  .worst = WorstPhase::coupling_torque},
+                  .worst = WorstPhase::output_torque},
       when_coupled,
-      [](const auto& d) { return coupling_torque(d); },
+      [](const auto& d) { return d.require(coupling_shock_factor) * d.output_torque; },
       [](const auto& d) { return d.coupling.rated_torque; });
   visit(
       Declaration{.id = "C-CP-RES",

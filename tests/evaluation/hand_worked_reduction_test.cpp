@@ -173,8 +173,8 @@ TEST_CASE("A ball screw behind a gearbox worked by hand") {
   expect(d, "drive", "C-ST-INERTIA", (2e-6 + load) * 1e4, 10.0 * 280e-7 * 1e4);
   // The load drives: screw and gearbox both lose on the way back to the motor.
   expect(d, "drive", "C-ST-HOLD", 50.0 * lead / (2.0 * pi) * eta_r * eta_g / i, 0.5 * 1.2 / std::sqrt(2.0));
-  // The torque of the motor at the output, and of that the share of what is behind the coupling.
-  expect(d, "drive", "C-CP-TORQUE", 2.0 * torque * i * eta_g * load / (280e-7 + 2e-6 + load), 2.0);
+  // All that turns the screw goes through the coupling.
+  expect(d, "drive", "C-CP-TORQUE", 2.0 * (force * per_newton + turning * alpha), 2.0);
   expect(d, "drive", "F-COUPLING-MOTOR", 8.0, 8.0);
   expect(d, "drive", "F-COUPLING-MOTOR-MIN", 3.0, 8.0);
   expect(d, "drive", "F-COUPLING-SPEED", 360.0, 6000.0);
