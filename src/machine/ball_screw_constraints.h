@@ -3,6 +3,7 @@
 // Constraints of a ball screw, each declared once (see constraint.h).
 #pragma once
 
+#include "machine/ball_screw_life.h"
 #include "machine/motor_constraints.h"
 #include "machine/screw_drive_quantities.h"
 

@@ -33,61 +33,6 @@ T sliding_speed(const ScrewDrive<T>& d) {
   return mechanics::power_screw::sliding_speed(d.screw_speed, d.screw.mean_diameter, d.screw.lead);
 }
 
-/// Cubic mean over the cycle of the load of the raceway that governs [N].
-template <class T>
-T ball_screw_mean_load(const ScrewDrive<T>& d) {
-  using namespace scalar;
-  namespace bs = mechanics::ball_screw;
-  const std::vector<Phase<T>>& phases = d.cycle.phases;
-  const auto angular_speed = [&](const Phase<T>& phase) {
-    return mechanics::power_screw::angular_speed(phase.mean_speed, d.screw.lead);
-  };
-  if constexpr (Enclosing<T>) {
-    T weighted = T(0.0), turns = T(0.0);
-    std::vector<bool> counted(phases.size(), false);
-    // The two ramps of a move together: see ball_screw_cycle.h.
-    for (const MirroredPhases& pair : d.cycle.mirrored) {
-      const Phase<T>& up = phases[pair.accelerate];
-      const T ramp = angular_speed(up) * up.duration;
-      const T inertia = d.moved_mass * up.acceleration;
-      const T& steady = phases[pair.cruise].force;
-      weighted = weighted + ramp * bs::cubed_ramp_loads(steady, inertia, d.screw.preload, d.data->preloaded);
-      turns = turns + 2.0 * ramp;
-      counted[pair.accelerate] = counted[pair.brake] = true;
-    }
-    for (std::size_t i = 0; i < phases.size(); ++i) {
-      if (counted[i]) continue;
-      const T turned = angular_speed(phases[i]) * phases[i].duration;
-      const T load = bs::raceway_load(T(absolute(phases[i].force)), d.screw.preload, d.data->preloaded);
-      weighted = weighted + turned * cube(load);
-      turns = turns + turned;
-    }
-    return cbrt(weighted / turns);
-  } else {
-    std::vector<T> forces, speeds, durations;
-    make_room(phases.size(), forces, speeds, durations);
-    for (std::size_t i = 0; i < phases.size(); ++i) {
-      forces.push_back(bs::raceway_load(d.axial_forces[i], d.screw.preload, d.data->preloaded));
-      speeds.push_back(angular_speed(phases[i]));
-      durations.push_back(phases[i].duration);
-    }
-    return bs::mean_load(std::span<const T>(forces), std::span<const T>(speeds), std::span<const T>(durations));
-  }
-}
-
-/// Life of the ball screw [s]: cubic mean load over the cycle (with preload), at the mean speed of the cycle, dwells
-/// included.
-template <class T>
-T ball_screw_life(const ScrewDrive<T>& d) {
-  using namespace scalar;
-  namespace bs = mechanics::ball_screw;
-  const T mean_load = named("F_m", ball_screw_mean_load(d));
-  const T revolutions =
-      named("L", bs::life_revolutions(d.screw.dynamic_rating, mean_load, d.require(Requirement::fatigue_load_factor)));
-  const T mean_speed = named("ω_m", d.cycle.travelled * 2.0 * pi<T>() / d.screw.lead / d.cycle.total_time);
-  return bs::life_time(revolutions, mean_speed);
-}
-
 /// Largest load of one raceway [N], preload included.
 template <class T>
 T static_load(const ScrewDrive<T>& d) {

@@ -80,4 +80,33 @@ Dual<Interval, N> cubed_ramp_loads(const Dual<Interval, N>& steady_force,
   return result;
 }
 
+/// Of a preloaded nut the cubed loads of both raceways (N^3) over the two ramps of a move, those of the loaded side
+/// `weight` times, which is at least 1. With h(F) = 3 (weight F_1^2 dF_1/dF - F_2^2 |dF_2/dF|), which is positive and
+/// rises, in place of g it rises with both forces, as above; with the preload by at most the slope 1 of either load.
+template <int N>
+Dual<Interval, N> uneven_ramp_loads(const Dual<Interval, N>& steady_force,
+                                    const Dual<Interval, N>& inertia_force,
+                                    const Dual<Interval, N>& preload,
+                                    const Interval& weight) {
+  const Dual<Interval, N> steady = absolute(steady_force), inertia = absolute(inertia_force);
+  const Interval& p = preload.value;
+  const Interval fast = steady.value + inertia.value, slow = absolute(steady.value - inertia.value);
+  const auto other = [&](const Interval& f) { return unloaded_side_force(f, p); };
+  // The slope of F_2 is that of F_1 less 1: at most 1 - 1.5/2^1.5 down.
+  const auto excess = [&](const Interval& f) {
+    const Interval falling(0.0, (3.0 * square(other(f)) * (1.0 - 1.5 / (2.0 * std::sqrt(2.0)))).upper);
+    return Interval(weight * detail::cubed_load_slope(f, p, true) - falling);
+  };
+  const Interval by_force(0.0, (excess(fast) + excess(slow)).upper);
+  const auto squares = [&](const Interval& f) {
+    return Interval(weight * square(loaded_side_force(f, p)) + square(other(f)));
+  };
+  const Interval by_preload(0.0, (3.0 * (squares(fast) + squares(slow))).upper);
+  Dual<Interval, N> result(weight * cubed_ramp_loads(steady.value, inertia.value, p, true) + cube(other(fast)) +
+                           cube(other(slow)));
+  for (std::size_t i = 0; i < result.slope.size(); ++i)
+    result.slope[i] = by_force * (steady.slope[i] + inertia.slope[i]) + by_preload * preload.slope[i];
+  return result;
+}
+
 }  // namespace millwright::mechanics::ball_screw
