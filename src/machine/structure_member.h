@@ -262,18 +262,21 @@ void StructureMember<T>::derive_portal() {
   const T& second_moment = section.strong_second_moment;
   // Beam and columns are of one section.
   const T ratio = named("κ", T(data->member.column_height / data->member.length));
-  // In its middle the beam is taken as supported; its corners bend by the load on it (its own weight lumped in its
-  // middle, which is safe) and by the sway.
+  // In its middle the beam is taken as supported; its corners bend by the load on it, which may stand anywhere, by its
+  // own weight (lumped in its middle, which is safe) and by the sway.
   moment = named("M", moment_of(force, own));
   deflection = named("δ", deflection_of(force, own, second_moment, section.height));
-  const T on_beam = force + own * length();
-  const T hanging = named("M_g", col::portal_corner_moment_of_beam_load(on_beam, length(), ratio));
+  const T beam = own * length();
+  const T of_beam = named("M_b", col::portal_corner_moment_of_beam_load(beam, length(), ratio));
   const T swaying = named("M_s", col::portal_corner_moment(lateral, rise, ratio));
-  const T corner = named("M_c", hanging + swaying);
-  const T foot = named("M_f", 0.5 * hanging + col::portal_foot_moment(lateral, rise, ratio));
+  const T corner = named("M_c", col::portal_corner_moment_of_moving_load(force, length(), ratio) + of_beam + swaying);
+  const T foot = named("M_f",
+                       col::portal_foot_moment_of_moving_load(force, length(), ratio) + 0.5 * of_beam +
+                           col::portal_foot_moment(lateral, rise, ratio));
   stress = named("σ", sec::bending_stress_of_modulus(larger(moment, corner), section.strong_section_modulus));
-  // The corners' moments make a couple in the columns, which presses on one and pulls the other.
-  axial_force = named("N", 0.5 * on_beam + own * rise + 2.0 * swaying / length());
+  // The load may stand over one of the columns. The corners' moments of the sway make a couple in them, which presses
+  // on one and pulls the other.
+  axial_force = named("N", force + 0.5 * beam + own * rise + 2.0 * swaying / length());
   column_stress = named("σ_c",
                         sec::direct_stress(axial_force, section.area) +
                             sec::bending_stress_of_modulus(larger(corner, foot), section.strong_section_modulus));

@@ -113,6 +113,33 @@ T portal_corner_moment_of_beam_load(const T& force, const T& beam_span, const T&
   return force * beam_span / (4.0 * (stiffness_ratio + 2.0));
 }
 
+namespace detail {
+/// F L/2 times the largest x (1 - x) (even + odd (1 - 2x)) of a force at x L: what its clamped-end moments that are
+/// alike and those that differ turn into. At the smaller root of the derivative, a quadratic.
+template <class T>
+T largest_portal_moment(const T& force, const T& beam_span, const T& even, const T& odd) {
+  const T root = sqrt(square(even) + 3.0 * square(odd));
+  const T place = (even + 3.0 * odd - root) / (6.0 * odd);
+  return force * beam_span / 2.0 * place * (1.0 - place) * (even + odd * (1.0 - 2.0 * place));
+}
+}  // namespace detail
+
+/// Largest moment at the upper corners of a portal with clamped feet under a force that may stand anywhere on its beam
+/// (N·m); the frame sways away from a force beside the middle. Valid: plane frame, axial strain neglected.
+/// [millwright_derivations, definition]
+template <class T>
+T portal_corner_moment_of_moving_load(const T& force, const T& beam_span, const T& stiffness_ratio) {
+  return detail::largest_portal_moment(
+      force, beam_span, T(2.0 / (stiffness_ratio + 2.0)), T(1.0 / (6.0 * stiffness_ratio + 1.0)));
+}
+
+/// The same at the clamped feet (N·m). [millwright_derivations, definition]
+template <class T>
+T portal_foot_moment_of_moving_load(const T& force, const T& beam_span, const T& stiffness_ratio) {
+  return detail::largest_portal_moment(
+      force, beam_span, T(1.0 / (stiffness_ratio + 2.0)), T(1.0 / (6.0 * stiffness_ratio + 1.0)));
+}
+
 /// Buckling load of a stocky column by the Johnson parabola, from area and radius of gyration (N). Outside its range it
 /// falls and turns negative; critical_load changes over. Valid: straight, centrally loaded; slenderness below the
 /// transition √(2 C π² E / σ_y). [fdm_printer, eq. 11; khurmi_gupta2005, chapter 16]

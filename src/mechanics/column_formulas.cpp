@@ -121,6 +121,32 @@ void define_column(FormulaList& list) {
 
   define(
       list,
+      {.name = "column.portal_corner_moment_of_moving_load",
+       .symbol = "M_c",
+       .unit = "N.m",
+       .title = "Largest moment at the upper corners of a portal under a force anywhere on its beam",
+       .source = "millwright_derivations, definition",
+       .validity = "plane frame, axial strain neglected"},
+      [](const auto&... x) { return column::portal_corner_moment_of_moving_load(x...); },
+      quantity("force", "F", "N", "force anywhere on the beam").rising(),
+      quantity("beam_span", "L", "m", "beam span").rising(),
+      quantity("stiffness_ratio", "κ", "1", "(I_b/L)/(I_c/h)").typical(0.1, 10).falling());
+
+  define(
+      list,
+      {.name = "column.portal_foot_moment_of_moving_load",
+       .symbol = "M_f",
+       .unit = "N.m",
+       .title = "Largest moment at the feet of a portal under a force anywhere on its beam",
+       .source = "millwright_derivations, definition",
+       .validity = "plane frame, axial strain neglected"},
+      [](const auto&... x) { return column::portal_foot_moment_of_moving_load(x...); },
+      quantity("force", "F", "N", "force anywhere on the beam").rising(),
+      quantity("beam_span", "L", "m", "beam span").rising(),
+      quantity("stiffness_ratio", "κ", "1", "(I_b/L)/(I_c/h)").typical(0.1, 10).falling());
+
+  define(
+      list,
       {.name = "column.johnson_load_of_radius",
        .symbol = "P_cr",
        .unit = "N",

@@ -98,4 +98,32 @@ TEST_CASE("portal moments agree with the slope-deflection equations solved by ha
   CHECK(column::portal_corner_moment_of_beam_load(f, l, ratio) == Approx(4.0 * ic * turn / h).epsilon(1e-12));
 }
 
+TEST_CASE("moments of a portal under a moving load are the largest of all its positions") {
+  const double f = 100.0, h = 0.35, l = 0.7, ic = 1.2e-6;
+  for (const double ratio : {0.01, 0.2, 1.0, 8.0}) {
+    CAPTURE(ratio);
+    const double ib = ratio * ic / h * l;
+    // Corners a and b turn, the beam shifts by d (all times E): two corners in balance and no lateral force.
+    const double own = 4.0 * ic / h + 4.0 * ib / l, cross = 2.0 * ib / l, shift = 6.0 * ic / (h * h);
+    double corner = 0.0, foot = 0.0;
+    for (int n = 0; n <= 2000; ++n) {
+      const double x = n / 2000.0, clamped_a = f * l * x * (1 - x) * (1 - x), clamped_b = -f * l * x * x * (1 - x);
+      // own a + cross b - shift d = clamped_a, cross a + own b - shift d = clamped_b, a + b = 4 d/h.
+      const double unlike = (clamped_a - clamped_b) / (own - cross);
+      const double alike = (clamped_a + clamped_b) / (own + cross - 0.5 * shift * h);
+      const double d = alike * h / 4.0;
+      for (const double turn : {0.5 * (alike + unlike), 0.5 * (alike - unlike)}) {
+        corner = std::max(corner, std::abs(4.0 * ic * turn / h - shift * d));
+        foot = std::max(foot, std::abs(2.0 * ic * turn / h - shift * d));
+      }
+    }
+    CHECK(column::portal_corner_moment_of_moving_load(f, l, ratio) == Approx(corner).epsilon(2e-6));
+    CHECK(column::portal_corner_moment_of_moving_load(f, l, ratio) >= corner * (1.0 - 1e-12));
+    CHECK(column::portal_foot_moment_of_moving_load(f, l, ratio) == Approx(foot).epsilon(2e-6));
+    CHECK(column::portal_foot_moment_of_moving_load(f, l, ratio) >= foot * (1.0 - 1e-12));
+    CHECK(column::portal_corner_moment_of_moving_load(f, l, ratio) >
+          column::portal_corner_moment_of_beam_load(f, l, ratio));
+  }
+}
+
 }  // namespace column_test
