@@ -13,42 +13,49 @@
 
 namespace millwright::machine {
 
+/// The forces of the cycle: the two ramps of a move together where the cycle is mirrored (ball_screw_cycle.h), as
+/// `ramps(turned in one of them, steady force, inertia force)`, and every other phase as `phase(turned, force)`.
+template <class T, class Ramps, class Single>
+void visit_nut_forces(const ScrewDrive<T>& d, Ramps ramps, Single single) {
+  const std::vector<Phase<T>>& phases = d.cycle.phases;
+  const auto turned = [&](const Phase<T>& phase) {
+    return T(mechanics::power_screw::angular_speed(phase.mean_speed, d.screw.lead) * phase.duration);
+  };
+  std::vector<bool> counted(phases.size(), false);
+  for (const MirroredPhases& pair : d.cycle.mirrored) {
+    const Phase<T>& up = phases[pair.accelerate];
+    ramps(turned(up), phases[pair.cruise].force, T(d.moved_mass * up.acceleration));
+    counted[pair.accelerate] = counted[pair.brake] = true;
+  }
+  for (std::size_t i = 0; i < phases.size(); ++i)
+    if (!counted[i]) single(turned(phases[i]), phases[i].force);
+}
+
 /// Cubic mean over the cycle of the load of the raceway that governs [N].
 template <class T>
 T ball_screw_mean_load(const ScrewDrive<T>& d) {
   using namespace scalar;
   namespace bs = mechanics::ball_screw;
-  const std::vector<Phase<T>>& phases = d.cycle.phases;
-  const auto angular_speed = [&](const Phase<T>& phase) {
-    return mechanics::power_screw::angular_speed(phase.mean_speed, d.screw.lead);
-  };
   if constexpr (Enclosing<T>) {
     T weighted = T(0.0), turns = T(0.0);
-    std::vector<bool> counted(phases.size(), false);
-    // The two ramps of a move together: see ball_screw_cycle.h.
-    for (const MirroredPhases& pair : d.cycle.mirrored) {
-      const Phase<T>& up = phases[pair.accelerate];
-      const T ramp = angular_speed(up) * up.duration;
-      const T inertia = d.moved_mass * up.acceleration;
-      const T& steady = phases[pair.cruise].force;
-      weighted = weighted + ramp * bs::cubed_ramp_loads(steady, inertia, d.screw.preload, d.data->preloaded);
-      turns = turns + 2.0 * ramp;
-      counted[pair.accelerate] = counted[pair.brake] = true;
-    }
-    for (std::size_t i = 0; i < phases.size(); ++i) {
-      if (counted[i]) continue;
-      const T turned = angular_speed(phases[i]) * phases[i].duration;
-      const T load = bs::raceway_load(T(absolute(phases[i].force)), d.screw.preload, d.data->preloaded);
-      weighted = weighted + turned * cube(load);
-      turns = turns + turned;
-    }
+    visit_nut_forces(
+        d,
+        [&](const T& turned, const T& steady, const T& inertia) {
+          weighted = weighted + turned * bs::cubed_ramp_loads(steady, inertia, d.screw.preload, d.data->preloaded);
+          turns = turns + 2.0 * turned;
+        },
+        [&](const T& turned, const T& force) {
+          weighted = weighted + turned * cube(bs::raceway_load(T(absolute(force)), d.screw.preload, d.data->preloaded));
+          turns = turns + turned;
+        });
     return cbrt(weighted / turns);
   } else {
+    const std::vector<Phase<T>>& phases = d.cycle.phases;
     std::vector<T> forces, speeds, durations;
     make_room(phases.size(), forces, speeds, durations);
     for (std::size_t i = 0; i < phases.size(); ++i) {
       forces.push_back(bs::raceway_load(d.axial_forces[i], d.screw.preload, d.data->preloaded));
-      speeds.push_back(angular_speed(phases[i]));
+      speeds.push_back(mechanics::power_screw::angular_speed(phases[i].mean_speed, d.screw.lead));
       durations.push_back(phases[i].duration);
     }
     return bs::mean_load(std::span<const T>(forces), std::span<const T>(speeds), std::span<const T>(durations));
@@ -97,11 +104,6 @@ template <class T>
 scalar::Interval combined_load_range(const ScrewDrive<T>& d) {
   using namespace scalar;
   namespace bs = mechanics::ball_screw;
-  const std::vector<Phase<T>>& phases = d.cycle.phases;
-  const auto turned = [&](std::size_t i) {
-    return Interval(range_of(mechanics::power_screw::angular_speed(phases[i].mean_speed, d.screw.lead)) *
-                    range_of(phases[i].duration));
-  };
   const auto at = [&](double Interval::*end) {
     const auto end_of = [&](const Interval& x) { return Interval(x.*end); };
     const Interval preload = end_of(range_of(d.screw.preload));
@@ -111,16 +113,14 @@ scalar::Interval combined_load_range(const ScrewDrive<T>& d) {
       other = other + weight * cube(other_raceway_load(absolute(force), preload));
       turns = turns + weight;
     };
-    std::vector<bool> counted(phases.size(), false);
-    for (const MirroredPhases& pair : d.cycle.mirrored) {
-      const Interval steady = end_of(absolute(range_of(phases[pair.cruise].force)));
-      const Interval inertia = end_of(range_of(d.moved_mass) * range_of(phases[pair.accelerate].acceleration));
-      add(turned(pair.accelerate), steady + inertia);
-      add(turned(pair.accelerate), steady - inertia);
-      counted[pair.accelerate] = counted[pair.brake] = true;
-    }
-    for (std::size_t i = 0; i < phases.size(); ++i)
-      if (!counted[i]) add(turned(i), end_of(absolute(range_of(phases[i].force))));
+    visit_nut_forces(
+        d,
+        [&](const T& turned, const T& steady, const T& inertia) {
+          const Interval b = end_of(absolute(range_of(steady))), c = end_of(range_of(inertia));
+          add(range_of(turned), b + c);
+          add(range_of(turned), b - c);
+        },
+        [&](const T& turned, const T& force) { add(range_of(turned), end_of(absolute(range_of(force)))); });
     return Interval(pow(pow(loaded / turns, 10.0 / 9.0) + pow(other / turns, 10.0 / 9.0), 0.3));
   };
   return {at(&Interval::lower).lower, at(&Interval::upper).upper};
@@ -136,21 +136,13 @@ scalar::Dual<scalar::Interval, N> combined_load(const ScrewDrive<scalar::Dual<sc
   const Interval range = combined_load_range(d);
   const Interval loaded = cube(ball_screw_mean_load(d).value), other = cube(other_raceway_mean_load(d).value);
   const Interval weight = pow(loaded / other, 1.0 / 9.0);
-  const std::vector<Phase<T>>& phases = d.cycle.phases;
   T weighted(0.0), turns(0.0);
-  const auto add = [&](const Phase<T>& phase, const T& steady, const T& inertia) {
-    const T turned = mechanics::power_screw::angular_speed(phase.mean_speed, d.screw.lead) * phase.duration;
+  const auto add = [&](const T& turned, const T& steady, const T& inertia) {
     weighted = weighted + turned * mechanics::ball_screw::uneven_ramp_loads(steady, inertia, d.screw.preload, weight);
     turns = turns + 2.0 * turned;
   };
-  std::vector<bool> counted(phases.size(), false);
-  for (const MirroredPhases& pair : d.cycle.mirrored) {
-    const Phase<T>& up = phases[pair.accelerate];
-    add(up, phases[pair.cruise].force, d.moved_mass * up.acceleration);
-    counted[pair.accelerate] = counted[pair.brake] = true;
-  }
-  for (std::size_t i = 0; i < phases.size(); ++i)
-    if (!counted[i]) add(phases[i], phases[i].force, T(0.0));
+  // A phase by itself is half of two ramps without inertia.
+  visit_nut_forces(d, add, [&](const T& turned, const T& force) { add(T(0.5 * turned), force, T(0.0)); });
   T load(range);
   const Interval factor = pow(other, 1.0 / 9.0) / (3.0 * pow(range, 7.0 / 3.0));
   const T mean = weighted / turns;

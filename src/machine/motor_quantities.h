@@ -3,6 +3,9 @@
 // Quantities of a motor that one or two constraints of any drive need and that are more than one formula.
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "machine/axis_motion.h"
 #include "machine/frequency.h"
 #include "machine/motor.h"
@@ -45,15 +48,15 @@ template <class Drive>
 auto rms_torque(const Drive& d) {
   using namespace scalar;
   using T = std::remove_cvref_t<decltype(d.peak_speed)>;
-  T sum = in_unit<T>(0.0, dimension::torque * dimension::torque * dimension::time);
-  for (std::size_t i = 0; i < d.motor_torques.size(); ++i)
-    sum = sum + square(d.motor_torques[i]) * d.cycle.phases[i].duration;
-  if (d.cycle.standing_time > 0.0 && (has_gravity_along(d.data->motion) || d.cycle.standing_force > 0.0)) {
+  std::vector<T> torques = d.motor_torques, durations;
+  make_room(torques.size() + 1, torques, durations);
+  for (const auto& phase : d.cycle.phases) durations.push_back(phase.duration);
+  if (d.cycle.standing_time > 0.0) {
     const T force = d.cycle.weight + in_unit<T>(d.cycle.standing_force, motion_dimensions(d.data->motion.rotary).force);
-    const T held = named("T_h", back_driving_torque(d, force));
-    sum = sum + square(held) * in_unit<T>(d.cycle.standing_time, dimension::time);
+    torques.push_back(named("T_h", back_driving_torque(d, force)));
+    durations.push_back(in_unit<T>(d.cycle.standing_time, dimension::time));
   }
-  return T(named("T_rms", sqrt(sum / d.cycle.total_time)));
+  return T(named("T_rms", mechanics::stepper::rms_torque(std::span<const T>(torques), std::span<const T>(durations))));
 }
 
 /// Winding above ambient temperature [K] with the resistance it has at the permitted temperature: so it exceeds the

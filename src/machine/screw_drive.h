@@ -110,6 +110,8 @@ struct ScrewDrive {
 
   /// Shaft that the coupling clamps on the side of the motor [m].
   [[nodiscard]] const T& output_shaft() const { return reduction.present ? reduction.shaft : motor_shaft; }
+  /// Whether something between motor and screw bears what turns the screw.
+  [[nodiscard]] bool is_driven_through() const { return reduction.present || data->has_coupling; }
   /// Inertia on the side of the motor before the elastic parts: its rotor and the reduction's [kg.m2].
   [[nodiscard]] T motor_side_inertia() const { return reduction.with_own(motor.rotor_inertia); }
   /// Travel of a turn of the motor [m].
@@ -191,7 +193,7 @@ void ScrewDrive<T>::derive_phases(const T& turning) {
     most_torque.take(needed);
     torque_ratios.back() = needed / larger(available_torque(omega), in_unit<T>(1e-9, dimension::torque));
     // The same balance behind reduction and coupling: without the rotor.
-    if (reduction.present || data->has_coupling)
+    if (is_driven_through())
       most_output_torque.take(absolute(torque(phase.force, turning, output_alpha, screw.drag_torque, one, one)));
   }
   peak_acceleration = named("α", most_acceleration.value());
@@ -201,11 +203,11 @@ void ScrewDrive<T>::derive_phases(const T& turning) {
     const T still = in_unit<T>(0.0, dimension::angular_acceleration);
     most_force.take(load);
     standing_torque = named("T_st", torque(load, turning, still, screw.drag_torque, one, one));
-    if (reduction.present || data->has_coupling) most_output_torque.take(standing_torque);
+    if (is_driven_through()) most_output_torque.take(standing_torque);
   }
   largest_force = named("F", most_force.value());
   largest_torque = named("T", most_torque.value());
-  if (reduction.present || data->has_coupling) output_torque = named("T_2", most_output_torque.value());
+  if (is_driven_through()) output_torque = named("T_2", most_output_torque.value());
 }
 
 template <class T>

@@ -211,4 +211,35 @@ TEST_CASE("The two ramps of a move load a ball screw more, the greater the stead
   }
 }
 
+TEST_CASE("Both raceways over the two ramps of a move bear more, the greater the steady and the inertia force") {
+  using millwright::scalar::Dual;
+  std::mt19937 random(21);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  for (int i = 0; i < 3000; ++i) {
+    const double p = 50.0 + 2000.0 * share(random), p_width = 200.0 * share(random);
+    const double b = -300.0 + 3000.0 * share(random), b_width = 500.0 * share(random);
+    const double c = 3000.0 * share(random), c_width = 500.0 * share(random), w = 1.0 + 3.0 * share(random);
+    const Interval weight(w, w + share(random));
+    Dual<Interval> steady{Interval(b, b + b_width)}, inertia{Interval(c, c + c_width)},
+        preload{Interval(p, p + p_width)};
+    (i % 3 == 0 ? steady : i % 3 == 1 ? inertia : preload).slope[0] = Interval(1.0);
+    const auto range = ball_screw::uneven_ramp_loads(steady, inertia, preload, weight);
+    if (i % 3 != 0 || b >= 0.0) CHECK(range.slope[0].lower >= 0.0);
+    for (int k = 0; k < 8; ++k) {
+      Dual<double> f{b + b_width * share(random)}, a{c + c_width * share(random)}, q{p + p_width * share(random)};
+      (i % 3 == 0 ? f : i % 3 == 1 ? a : q).slope[0] = 1.0;
+      const double times = weight.lower + (weight.upper - weight.lower) * share(random);
+      Dual<double> sum{0.0};
+      for (const Dual<double>& force : {absolute(f + a), absolute(f - a)})
+        sum = sum + times * cube(ball_screw::loaded_side_force(force, q)) +
+              cube(ball_screw::unloaded_side_force(force, q));
+      CHECK(range.value.lower <= sum.value * (1.0 + 1e-12));
+      CHECK(range.value.upper >= sum.value * (1.0 - 1e-12));
+      const double slack = 1e-9 * std::abs(sum.slope[0]);
+      CHECK(range.slope[0].lower <= sum.slope[0] + slack);
+      CHECK(range.slope[0].upper >= sum.slope[0] - slack);
+    }
+  }
+}
+
 }  // namespace screw_test
