@@ -78,12 +78,16 @@ void member_strength_constraints(Visit&& visit) {
                   .place = WorstPlace::most_bent},
       [](const auto& d) { return d.is(d.data->member.kind == MemberKind::round_shaft); },
       [](const auto& d) {
-        const auto one = decltype(d.mass)(1.0);
+        // A shaft that stands bears what is put on it once, and gradually.
+        const auto factor = [&](Requirement of_rotating) {
+          using Factor = decltype(d.require(of_rotating));
+          return d.data->member.rotating ? d.require(of_rotating) : Factor(1.0);
+        };
         return mechanics::shaft::required_diameter_von_mises(
             d.resultant_moment(),
             in_unit_like(d.mass, d.data->member.torque / d.data->member.count, dimension::torque),
-            one,
-            one,
+            factor(shaft_bending_factor),
+            factor(shaft_torsion_factor),
             mechanics::material::allowable_stress(d.yield_strength(), d.require(shaft_safety_factor)));
       },
       [](const auto& d) { return d.diameter; });

@@ -90,6 +90,8 @@ enum class Requirement : std::size_t {
   column_factor,
   weld_stress,
   shaft_safety_factor,
+  shaft_bending_factor,
+  shaft_torsion_factor,
   bushing_slope,
   bushing_slope_self_aligning,
   bushing_binding_factor,

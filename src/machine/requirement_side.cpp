@@ -57,6 +57,8 @@ Kind kind_of(Requirement requirement) {
     case Requirement::guide_shaft_safety_factor:
     case Requirement::frame_safety_factor:
     case Requirement::shaft_safety_factor:
+    case Requirement::shaft_bending_factor:
+    case Requirement::shaft_torsion_factor:
     case Requirement::bushing_binding_factor:
     case Requirement::fatigue_safety_factor:
     case Requirement::bolt_proof_safety:

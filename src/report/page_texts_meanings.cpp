@@ -113,6 +113,8 @@ const std::vector<Saying>& meanings() {
       {"compressive load over buckling load of a column", "beban tekan terhadap beban tekuk kolom"},
       {"allowable shear stress on a weld throat", "tegangan geser izin pada leher las"},
       {"yield strength over equivalent stress of a shaft", "kekuatan luluh terhadap tegangan ekuivalen poros"},
+      {"shock factor on the bending moment of a rotating shaft", "faktor kejut pada momen lentur poros berputar"},
+      {"shock factor on the torque of a rotating shaft", "faktor kejut pada torsi poros berputar"},
       {"slope of a round guide shaft at its bushings", "kemiringan poros pemandu bundar pada busnya"},
       {"the same where the bushings align themselves", "sama, bila bus menyesuaikan diri"},
       {"bearing length over that at which bushings jam", "panjang tumpuan terhadap panjang saat bus macet"},

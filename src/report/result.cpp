@@ -55,6 +55,10 @@ std::vector<RequirementLine> used_requirements(const machine::Problem& problem, 
   };
   for (const evaluation::Check& check : design.checks) {
     if (!check.requirement.empty()) used.insert({check.requirement, check.axis});
+    if (check.id == "C-SH-DIAM") {
+      used.insert({"shaft_bending_factor", check.axis});
+      used.insert({"shaft_torsion_factor", check.axis});
+    }
     // A limit may be the larger of two that need different factors: the calculation has both.
     if (check.requirement == "brake_factor")
       used.insert({check.id == "C-SCR-LOCK" ? "self_locking_factor" : "detent_factor", check.axis});

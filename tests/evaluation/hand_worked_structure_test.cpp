@@ -197,12 +197,12 @@ TEST_CASE("Natural frequencies of members worked by hand") {
 }
 
 TEST_CASE("Fatigue of rotating shafts worked by hand") {
-  const auto shaft = [](const char* material, const char* more) {
-    return model_with(
-        fmt::format("kind = \"shaft\"\nmaterial = \"{}\"\nlength = \"400 mm\"\n"
-                    "diameter = [\"10 mm\", \"30 mm\"]\nlateral_force = \"90 N\"\n{}",
-                    material,
-                    more));
+  const auto shaft = [](const char* material, const char* more, const char* require = "") {
+    return model_with(fmt::format("kind = \"shaft\"\nmaterial = \"{}\"\nlength = \"400 mm\"\n"
+                                  "diameter = [\"10 mm\", \"30 mm\"]\nlateral_force = \"90 N\"\n{}",
+                                  material,
+                                  more),
+                      require);
   };
   const double d = 0.02, L = 0.4, Z = pi / 32.0 * d * d * d;
   const auto moment = [&](double density) {
@@ -215,11 +215,20 @@ TEST_CASE("Fatigue of rotating shafts worked by hand") {
     const double limit = 4.51 * std::pow(400.0, -0.265) * size * reliability * 200e6;
     const double mean = std::sqrt(3.0) * 30.0 / (2.0 * Z);
     expect(design, "part", "C-SH-FAT", 1.5, 1.0 / (moment(8000.0) / Z / limit + mean / 400e6));
-    expect(design,
-           "part",
-           "C-SH-DIAM",
-           std::cbrt(32.0 / (pi * 80e6) * std::sqrt(std::pow(moment(8000.0), 2) + 0.75 * 900.0)) * 1e3,
-           20.0);
+    // Steady loads on a rotating shaft: 1.5 times the moment, the torque as it is (Khurmi and Gupta, table 14.2).
+    const auto required = [&](double moment_factor, double torque_factor) {
+      const double torque = torque_factor * 30.0;
+      return std::cbrt(32.0 / (pi * 80e6) * std::hypot(moment_factor * moment(8000.0), std::sqrt(0.75) * torque)) * 1e3;
+    };
+    expect(design, "part", "C-SH-DIAM", required(1.5, 1.0), 20.0);
+    const auto expected = [&](const char* more, const char* require, double diameter) {
+      const MachineModel model = shaft("steel", more, require);
+      expect(design_of(model, {{"x", "part", {}, {d}}}), "part", "C-SH-DIAM", diameter, 20.0);
+    };
+    expected("torque = \"30 N.m\"\nrotating = true",
+             "shaft_bending_factor = 2\nshaft_torsion_factor = 1.5",
+             required(2.0, 1.5));
+    expected("torque = \"30 N.m\"", "", required(1.0, 1.0));
   }
   SECTION("another metal, ground, with a notch: its endurance limit as measured") {
     const Design design = design_of(shaft("alloy", "rotating = true\nsurface = \"ground\"\nnotch_factor = 1.5"),
