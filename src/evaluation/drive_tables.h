@@ -50,7 +50,8 @@ struct MotorRanges {
   };
   std::vector<Curve> curves;
   bool model_may_govern = false;
-  scalar::Interval mass;  ///< kg, of the motor
+  scalar::Interval mass;     ///< kg, of the motor
+  double model_share = 1.0;  ///< as in AtVoltages
 };
 
 /// What motors with their drivers have at each supply voltage of the problem: the same for many of them.
@@ -59,6 +60,9 @@ struct AtVoltages {
   /// Published, per voltage, null where the model governs; empty where it does at all of them.
   std::vector<std::shared_ptr<const mechanics::PullOutCurve>> curves = {};
   std::vector<MotorRanges> ranges = {};  ///< per voltage; empty where every figure is what it is
+  /// Beyond the end of a curve the model counts as an estimate: so much of it that the margin of a published torque
+  /// leaves what that of an estimate would.
+  double model_share = 1.0;
 };
 
 /// A motor with a driver at each supply voltage of the problem.

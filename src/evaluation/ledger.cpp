@@ -234,19 +234,43 @@ struct DriveInputs {
   }
 };
 
+/// Speed [rad/s] and available torque [N.m] of a motor in the phase that asks for most of the torque that is there; 0
+/// for what has no motor.
+struct GoverningPhase {
+  double speed = 0.0, available = 0.0;
+};
+
+template <class Element>
+GoverningPhase governing_phase(const Element& element) {
+  if constexpr (HasMotor<Element>) {
+    const auto worst = std::max_element(element.torque_ratios.begin(), element.torque_ratios.end());
+    if (worst != element.torque_ratios.end()) {
+      const double speed = element.angular_speeds[static_cast<std::size_t>(worst - element.torque_ratios.begin())];
+      return {speed, element.available_torque(speed)};
+    }
+  }
+  return {};
+}
+
 /// Marks a motor, and the torque checks, whose torque at speed is the winding model's and not a published curve's.
 template <class DriveStage>
 void mark_estimated_torque(const DriveStage& stage,
                            const solver::StageChoice& choice,
                            solver::Row voltage,
+                           const GoverningPhase& governing,
                            Design& design) {
-  if (stage.motors().pairs()[choice.rows[DriveStage::motor_slot]].curve_at(voltage) != nullptr) return;
+  const auto* const curve = stage.motors().pairs()[choice.rows[DriveStage::motor_slot]].curve_at(voltage);
+  const bool beyond = curve != nullptr && governing.speed >= curve->end();
+  if (curve != nullptr && !(beyond && governing.available < curve->points().back().torque)) return;
   const std::string axis = stage.name().substr(0, stage.name().find('.'));
   for (PartLine& part : design.parts)
     if (part.axis == axis && part.slot == "motor") part.estimate = true;
   for (Check& check : design.checks)
     if (check.axis == axis && check.id == "C-ST-TORQUE") {
-      check.note = "torque at speed is an estimate from the winding: no published curve at this voltage and current";
+      check.note =
+          beyond
+              ? "beyond the end of the published curve torque is an estimate from the winding: the share of one counts"
+              : "torque at speed is an estimate from the winding: no published curve at this voltage and current";
       check.requirement = machine::requirements()[static_cast<std::size_t>(stage.data().require.margin_of_model())].key;
     }
 }
@@ -295,6 +319,11 @@ void add_dimensions(const StageEntry& entry, const solver::StageChoice& choice, 
     design.dimensions.push_back({entry.axis, prefix + each.name, choice.variables[v++], unit_of_variable(each.name)});
 }
 
+void state_voltage(double voltage, Design& design) {
+  design.supply_voltage = voltage;
+  design.dimensions.push_back({"machine", "supply_voltage", voltage, "V"});
+}
+
 void name_currency(Design& design) {
   for (Check& check : design.checks)
     if (check.id == "C-SYS-COST") check.unit = design.currency;
@@ -308,8 +337,8 @@ Design MachineModel::design(const solver::Build& found, bool with_worksheet) con
   design.currency = problem_.currency;
   for (const machine::Quantity quantity : problem_.counted) design.counted.push_back({quantity, 0.0});
   if (prefers()) design.preference = {*problem_.preference, 0.0};
-  design.supply_voltage = problem_.supply_voltages[build.shared.empty() ? 0 : build.shared.front()];
-  design.dimensions.push_back({"machine", "supply_voltage", design.supply_voltage, "V"});
+  const solver::Row voltage = build.shared.empty() ? 0 : build.shared.front();
+  state_voltage(problem_.supply_voltages[voltage], design);
   std::vector<double> state = solver_problem_.first_state;
   DriveInputs inputs;
   ValidityLedger outside;
@@ -324,12 +353,14 @@ Design MachineModel::design(const solver::Build& found, bool with_worksheet) con
         .shared = build.shared, .rows = rows, .inherited = state, .variables = choice.variables};
     solver::Answer<double> answer;
     entry.as_stage().evaluate({build.shared, state, choice.rows, choice.variables}, answer);
+    GoverningPhase governing;
     for (CountedTotal& each : design.counted) each.value += answer.resources[resource(each.quantity)];
     std::visit(
         [&](const auto& stage) {
           using Kind = std::remove_cvref_t<decltype(*stage)>;
           auto element = watched_element(*stage, selection, entry, outside);
           if constexpr (HasMotor<decltype(element)>) inputs.take(problem_, entry.axis, element);
+          governing = governing_phase(element);
           if constexpr (std::is_same_v<Kind, SupplyStage>) inputs.give(element);
           if constexpr (std::is_same_v<Kind, WholeStage>) {
             bill.charge_orders();
@@ -339,24 +370,18 @@ Design MachineModel::design(const solver::Build& found, bool with_worksheet) con
           CheckVisitor visitor(element, entry, design.checks, outside);
           constraints_of<Kind>()(visitor);
           if constexpr (std::is_same_v<Kind, WholeStage>) name_currency(design);
-          if (worksheet)
-            add_worksheet(
-                *stage, element, entry, {choice.rows, build.shared.empty() ? 0 : build.shared.front()}, *worksheet);
+          if (worksheet) add_worksheet(*stage, element, entry, {choice.rows, voltage}, *worksheet);
           if constexpr (std::is_same_v<Kind, MemberStage>) {
             if (stage->tables().empty()) bill.add_custom_member(entry, element);
           }
         },
         entry.stage);
     bill.add_parts(entry, choice.rows);
-    const solver::Row voltage = build.shared.empty() ? 0 : build.shared.front();
-    std::visit(
-        [&](const auto& stage) {
-          if constexpr (requires { stage->motors(); }) mark_estimated_torque(*stage, choice, voltage, design);
-        },
-        entry.stage);
     add_dimensions(entry, choice, design);
     std::visit(
         [&](const auto& stage) {
+          if constexpr (requires { stage->motors(); })
+            mark_estimated_torque(*stage, choice, voltage, governing, design);
           if constexpr (requires { stage->tell_flange(selection, answer.handed_on); })
             stage->tell_flange(selection, answer.handed_on);
         },

@@ -175,6 +175,7 @@ class MotorPairs {
         axis_(axis),
         voltages_(voltages),
         modelled_(std::make_shared<const AtVoltages>(AtVoltages{voltages})),
+        model_share_(axis.require(axis.require.margin_of_model()) / axis.require(machine::Requirement::torque_margin)),
         driver_table_(catalogue.table(Family::drivers)),
         curve_table_(catalogue.table(Family::stepper_curves)),
         drivers_(driver_table_, axis, voltages, prices),
@@ -246,6 +247,7 @@ class MotorPairs {
     const auto range = [&](const char* name) { return motors_.range(column(Family::steppers, name), motor.row); };
     MotorRanges of_pair;
     of_pair.mass = range("mass");
+    of_pair.model_share = model_share_;
     machine::MotorFigures<Interval>& f = of_pair.figures;
     f = motor_figures(motors_, motor.row, range);
     f.asked_current = axis_.motor.currents.empty()
@@ -290,6 +292,7 @@ class MotorPairs {
   /// Of the motor that is added, by what it is driven with. Its drivers often have the same curves.
   std::shared_ptr<const AtVoltages> with_curves(double current) {
     AtVoltages at{voltages_};
+    at.model_share = model_share_;
     for (const double v : voltages_) {
       const auto* const curve = governing(*motor_curves_, v, current);
       at.curves.push_back(curve == nullptr ? nullptr : made_of(curve->second));
@@ -310,7 +313,8 @@ class MotorPairs {
   const machine::Axis& axis_;
   const std::vector<double>& voltages_;
   std::shared_ptr<const AtVoltages> modelled_;  ///< of motors without curves
-  std::shared_ptr<const AtVoltages> curved_;    ///< of the last one with some
+  double model_share_;
+  std::shared_ptr<const AtVoltages> curved_;  ///< of the last one with some
   const Table& driver_table_;
   const Table& curve_table_;
   DriverChoices drivers_;

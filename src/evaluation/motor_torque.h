@@ -32,7 +32,8 @@ machine::MotorFigures<T> model_figures(const MotorPair& pair, std::size_t voltag
   return f;
 }
 
-/// Available torque of one motor: its published curve where that governs, else (and above the curve) the winding model.
+/// Available torque of one motor: its published curve where that governs, else the winding model; beyond the curve the
+/// share of the model that counts there (AtVoltages), no more than the curve's last torque.
 template <class T>
 T available_torque(const MotorPair& pair, std::size_t voltage, const T& angular_speed) {
   using namespace scalar;
@@ -46,9 +47,9 @@ T available_torque(const MotorPair& pair, std::size_t voltage, const T& angular_
   // The curve may end above the model: there the torque jumps down.
   return step_below(
       angular_speed,
-      in_unit<T>(curve->last_speed(), dimension::angular_speed),
+      in_unit<T>(curve->end(), dimension::angular_speed),
       [&] { return (*curve)(angular_speed); },
-      [&] { return smaller(model(), last); });
+      [&] { return smaller(T(pair.at->model_share * model()), last); });
 }
 
 /// The same over the figures of one motor that are intervals.
@@ -69,12 +70,12 @@ T available_torque(const MotorRanges& ranges, const T& angular_speed) {
   const auto take = [&](const T& torque) { result = result ? hull(*result, torque) : torque; };
   if (ranges.model_may_govern) take(model());
   for (const MotorRanges::Curve& curve : ranges.curves)
-    for (const mechanics::PullOutCurve* end : {&curve.lowest, &curve.highest})
+    for (const mechanics::PullOutCurve* bound : {&curve.lowest, &curve.highest})
       take(step_below(
           angular_speed,
-          T(end->last_speed()),
-          [&] { return (*end)(angular_speed); },
-          [&] { return smaller(model(), T(end->points().back().torque)); }));
+          T(bound->end()),
+          [&] { return (*bound)(angular_speed); },
+          [&] { return smaller(T(ranges.model_share * model()), T(bound->points().back().torque)); }));
   return result.value();
 }
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <optional>
 
 #include "evaluation/traced_elements.h"
 
@@ -54,7 +55,8 @@ inline constexpr FigureName reduction_names[] = {{"i", "ratio of the reduction",
 /// Torques of the published curve, each a given figure: the sheet has the curve's name, not its points.
 struct CurveReader {
   GivenFigures& given;
-  std::map<double, scalar::Traced> known;  ///< by speed [rad/s]
+  std::map<double, scalar::Traced> known = {};  ///< by speed [rad/s]
+  std::optional<scalar::Traced> share = std::nullopt;
 
   scalar::Traced operator()(double speed, double torque) {
     if (const auto place = known.find(speed); place != known.end()) return place->second;
@@ -62,6 +64,14 @@ struct CurveReader {
     const std::string meaning =
         fmt::format("torque of the published curve at {}", scalar::format(speed, scalar::Unit::of("rpm"), 4));
     return known[speed] = given.take({symbol.c_str(), meaning.c_str(), "N.m"}, torque);
+  }
+
+  /// What counts beyond its end, of the torque that the winding is estimated to have.
+  scalar::Traced past_the_end(const scalar::Traced& model, double model_share) {
+    if (!share)
+      share =
+          given.take({"k_e", "share of the estimated torque that counts beyond the published curve", "1"}, model_share);
+    return *share * model;
   }
 };
 
@@ -98,12 +108,17 @@ void trace_motor(
   to.motor_mass = given.take({"m_m", "mass of the motor", "kg"}, from.motor_mass);
   const auto available = from.available_torque;
   const mechanics::PullOutCurve* curve = pair.curve_at(chosen.voltage);
-  to.available_torque = [figures, read_off = CurveReader{given, {}}, curve, available, current = to.motor.current](
-                            const Traced& omega) mutable -> Traced {
-    if (curve != nullptr && omega.value < curve->last_speed()) return read_off(omega.value, available(omega.value));
+  to.available_torque = [figures,
+                         read_off = CurveReader{given},
+                         curve,
+                         available,
+                         current = to.motor.current,
+                         share = pair.at->model_share](const Traced& omega) mutable -> Traced {
+    if (curve != nullptr && omega.value < curve->end()) return read_off(omega.value, available(omega.value));
     const Traced model = machine::modelled_torque(figures, current, omega);
     if (curve == nullptr) return scalar::named("T_av", model);
-    return scalar::named("T_av", smaller(model, read_off(curve->last_speed(), curve->points().back().torque)));
+    const Traced last = read_off(curve->last_speed(), curve->points().back().torque);
+    return scalar::named("T_av", smaller(read_off.past_the_end(model, share), last));
   };
   to.reduction.present = from.reduction.present;
   to.reduction.torque_is_rated = from.reduction.torque_is_rated;

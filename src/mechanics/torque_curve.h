@@ -31,6 +31,9 @@ class PullOutCurve {
   const std::vector<Point>& points() const { return points_; }
   double first_speed() const { return points_.front().speed; }
   double last_speed() const { return points_.back().speed; }
+  /// Up to here the maker claims something: the last speed, as far as rounding can tell, so that a motion at the very
+  /// speed of the last point is on the curve.
+  double end() const { return last_speed() * (1.0 + 1e-9); }
 
   double operator()(double speed) const;
   /// Every torque on the range of speeds.

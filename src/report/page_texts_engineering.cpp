@@ -46,6 +46,8 @@ const std::vector<Saying>& sayings() {
       {"twist of screw and coupling", "puntiran ulir dan kopling"},
       {"torque at speed is an estimate from the winding: no published curve at this voltage and current",
        "torsi pada putaran adalah perkiraan dari lilitan: tidak ada kurva terbitan pada tegangan dan arus ini"},
+      {"beyond the end of the published curve torque is an estimate from the winding: the share of one counts",
+       "di luar ujung kurva terbitan torsi adalah perkiraan dari lilitan: yang dihitung bagian suatu perkiraan"},
       {"torque of the published curve at {} rpm", "torsi kurva terbitan pada {} rpm"},
       {"Cutting force along the axis, every tooth in the cut at its thickest chip",
        "Gaya potong sepanjang sumbu, setiap gigi yang memotong pada geram paling tebalnya"},

@@ -243,6 +243,8 @@ const std::vector<Saying>& meanings() {
       {"height of the section", "tinggi penampang"},
       {"width of the section", "lebar penampang"},
       {"mass per length", "massa per panjang"},
+      {"share of the estimated torque that counts beyond the published curve",
+       "bagian torsi perkiraan yang dihitung di luar kurva terbitan"},
       {"torsion constant of the section", "konstanta puntir penampang"},
       {"nominal diameter of the screw", "diameter nominal baut"},
       {"tensile stress area", "luas tegangan tarik"},

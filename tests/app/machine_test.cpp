@@ -219,8 +219,16 @@ TEST_CASE("A front that ramps move is covered to the tolerance asked for") {
   const Workshop shop;
   const auto front_to = [&](const std::string& tolerance, const std::string& percent) {
     const std::string feeder = MILLWRIGHT_SOURCE_DIR "/problems/bar-feeder.toml";
-    const Outcome outcome = shop.run(
-        {"pareto", feeder, "--minimise", "cost,energy", "--front-tolerance", tolerance, "--json", "front.json"});
+    const Outcome outcome = shop.run({"pareto",
+                                      feeder,
+                                      "--set",
+                                      "axis.x.moves[1].speed=400 mm/s",
+                                      "--minimise",
+                                      "cost,energy",
+                                      "--front-tolerance",
+                                      tolerance,
+                                      "--json",
+                                      "front.json"});
     REQUIRE(outcome.exit_code == 0);
     CHECK(outcome.prints("Proved: the front is covered to " + percent + " %"));
     const Json front = Json::parse(shop.read("front.json"));
@@ -428,6 +436,26 @@ TEST_CASE("What has to be known about a failing check is said below it") {
   const Outcome failing = shop.run({"check", sander + ".toml", sander + "-bom.csv"});
   CHECK(failing.exit_code == 1);
   CHECK(failing.prints("  C-ST-TORQUE: torque at speed is an estimate from the winding: no published\n"));
+}
+
+// The curve of this motor ends at 1200 rpm: 450 mm/s on a lead of 40 mm behind 2:1 are 1350 rpm, 350 mm/s 1050.
+TEST_CASE("Beyond the end of a published curve the check says what counts there") {
+  const Workshop shop;
+  const std::string feeder = MILLWRIGHT_SOURCE_DIR "/problems/bar-feeder";
+  std::string bill = shop.read(feeder + "-bom.csv");
+  const std::string motor = "SOYO (Pololu),SY57STH76-2804A";
+  REQUIRE(bill.find(motor) != std::string::npos);
+  shop.write("b.csv", bill.replace(bill.find(motor), motor.size(), "StepperOnline,23HE45-4204S"));
+  const Outcome beyond = shop.run({"check", feeder + ".toml", "b.csv"});
+  CHECK(beyond.exit_code == 1);
+  CHECK(beyond.prints("  C-ST-TORQUE: beyond the end of the published curve torque is an estimate from\n"));
+  const Outcome within =
+      shop.run({"check", feeder + ".toml", "b.csv", "--set", "axis.x.moves[1].speed='350 mm/s'", "--full"});
+  CHECK(within.prints("C-ST-TORQUE"));
+  const Json json = Json::parse(shop.run({"check", feeder + ".toml", "b.csv", "--json", "-"}).out);
+  for (const Json& check : json.at("checks"))
+    if (check.at("id") == "C-ST-TORQUE") CHECK(check.at("requirement") == "torque_margin_estimate");
+  CHECK_FALSE(within.prints("beyond the end of the published curve"));
 }
 
 // With the ramps that were chosen given, nothing else can be chosen: no build of these may be cheaper, and none dearer.

@@ -276,6 +276,41 @@ TEST_CASE("Without enough voltage for the published curve only the model counts,
   CHECK(seen);
 }
 
+TEST_CASE("Beyond the end of a published curve the model counts with the margin of an estimate") {
+  // Where the problem states one margin for both, the model counts whole: at 1200 rpm the curve ends with 0.3 N.m.
+  machine::Problem stated = one_axis("horizontal", "lead_screws");
+  stated.axes[0].require.set(machine::Requirement::torque_margin, 0.7);
+  const evaluation::MachineModel whole(stated, parts()), less(one_axis("horizontal", "lead_screws"), parts());
+  const auto motors = [](const evaluation::MachineModel& model) -> const evaluation::MotorSet& {
+    return std::get<std::unique_ptr<evaluation::ScrewDriveStage>>(model.entries().front().stage)->motors();
+  };
+  REQUIRE(motors(whole).pairs().size() == motors(less).pairs().size());
+  int ended = 0;
+  for (solver::Row row = 0; row < motors(less).pairs().size(); ++row)
+    for (std::size_t v = 0; v < 2; ++v) {
+      if (motors(less).pairs()[row].curve_at(v) == nullptr) continue;
+      const solver::RowsAlive alive{std::span(&row, 1)};
+      CHECK(motors(less).reading<double>(alive, v).torque_margin == 0.7);
+      const auto torque = [&](const evaluation::MachineModel& model, double rpm) {
+        return motors(model).torque<double>(alive, v, rpm * pi / 30.0);
+      };
+      for (const double on_the_curve : {1100.0, 1200.0, 1200.0 * (1.0 + 1e-14)})
+        CHECK(torque(less, on_the_curve) == torque(whole, on_the_curve));
+      for (double rpm = 1250.0; rpm < 6000.0; rpm += 250.0) {
+        CAPTURE(row, v, rpm);
+        const double model = torque(whole, rpm);  // of which 0.5 may be asked, as 0.7 of what is said to be there
+        if (model < 0.3) {
+          ++ended;
+          CHECK(0.7 * torque(less, rpm) == Approx(0.5 * model));
+        } else {
+          CHECK(torque(less, rpm) <= 0.3);
+          CHECK(torque(less, rpm) >= 0.3 * 5.0 / 7.0);
+        }
+      }
+    }
+  CHECK(ended > 10);
+}
+
 TEST_CASE("A torque margin that the problem states holds for curve and model") {
   machine::Problem problem = one_axis("horizontal", "lead_screws");
   problem.axes[0].require.set(machine::Requirement::torque_margin, 0.6);
