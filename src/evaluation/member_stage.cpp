@@ -67,9 +67,16 @@ void MemberStage::take_material(const catalogue::Table& materials, const PriceBo
   else if (data_.member.sections.empty() && std::isnan(data_.price_per_mass))
     missing_ = fmt::format("material '{}' has no price per mass in a currency of the problem", name);
   data_.shear_modulus = materials.number(column(Family::materials, "shear_modulus"), row);
-  if (place_.tool && missing_.empty() && std::isnan(data_.shear_modulus))
-    missing_ = fmt::format("material '{}' lacks its shear modulus, which [tool] needs", name);
+  const std::vector<std::string>& families = data_.member.sections;
+  const bool has_its_own = families.size() == 1 && families.front() == "extrusions";
+  if ((place_.tool || asks_for_twist()) && !has_its_own && missing_.empty() && std::isnan(data_.shear_modulus))
+    missing_ = fmt::format(
+        "material '{}' lacks its shear modulus, which {} needs", name, place_.tool ? "[tool]" : "frame_twist");
   if (data_.member.rotating && missing_.empty()) take_fatigue(materials, row);
+}
+
+bool MemberStage::asks_for_twist() const {
+  return data_.member.torque > 0.0 && data_.require.known(machine::Requirement::frame_twist);
 }
 
 /// The endurance limit of steel follows from its tensile strength; of other metals it must have been measured.
@@ -89,7 +96,11 @@ void MemberStage::take_sections(const catalogue::Catalogue& catalogue, const Pri
   const bool turned_by_tool =
       place_.tool && place_.tool->height_arm + place_.tool->across_arm + place_.tool->along_arm > 0.0;
   const bool twisted = turned_by_tool || m.torque > 0.0;
-  const std::size_t needed = twisted ? machine::section_reading_fields : machine::section_readings_needed;
+  // Beside what all need J, and for an angle of twist G, which stands behind it.
+  const std::size_t needed = turned_by_tool || asks_for_twist() ? machine::section_reading_fields
+                             : twisted                          ? machine::section_readings_needed + 1
+                                                                : machine::section_readings_needed;
+  const SectionGrade steel{data_.elastic_modulus, data_.yield_strength, data_.shear_modulus};
   // A portal frame is cut of one length: two columns and a beam.
   const bool portal = m.kind == MemberKind::portal_frame;
   const double piece = portal ? m.length + 2.0 * m.column_height : m.length;
@@ -104,15 +115,16 @@ void MemberStage::take_sections(const catalogue::Catalogue& catalogue, const Pri
         continue;
       const std::span<const catalogue::Column> soft(&torsion, twisted ? 0 : 1);
       std::vector<catalogue::Column> missing;
-      const auto readings = figures.readings(row, FigureReader(t, row, missing, soft));
+      const auto readings = figures.readings(row, steel, FigureReader(t, row, missing, soft));
       const double length = m.count * piece;
       CandidateDraft candidate = candidate_of(
           {{m.name, family, row, m.count, piece, prices.cut(t, row, pieces), t.number(mass, row) * length}}, 0.0);
       if (t.has_ranges())
-        candidate.ranges = candidate_ranges(figures.readings(row, [&](catalogue::Column c) { return t.range(c, row); }),
-                                            candidate.price,
-                                            {},
-                                            length * t.range(mass, row));
+        candidate.ranges =
+            candidate_ranges(figures.readings(row, steel, [&](catalogue::Column c) { return t.range(c, row); }),
+                             candidate.price,
+                             {},
+                             length * t.range(mass, row));
       if (!table.admits(candidate, std::span(readings).first(needed), missing)) continue;
       table.add(std::move(candidate), readings);
     }

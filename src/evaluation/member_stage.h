@@ -28,6 +28,7 @@ class MemberStage final : public ElementStage<MemberStage> {
 
  private:
   void take_material(const catalogue::Table& materials, const PriceBook& prices);
+  [[nodiscard]] bool asks_for_twist() const;
   void take_fatigue(const catalogue::Table& materials, int row);
   void take_sections(const catalogue::Catalogue& catalogue, const PriceBook& prices);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a member reads of a catalogue's section, as numbers or as ranges.
+// What a member reads of a catalogue's section, as numbers or as ranges. A steel section is rolled of the grade that
+// the member's material names; an extrusion is of the alloy of its row.
 //
 // An angle's second moments are tabulated about axes parallel to its legs, which are not its principal ones: a load
 // along a leg bends it askew, further and to the side, and loads together may act across its weak principal axis. With
@@ -20,6 +21,13 @@
 
 namespace millwright::evaluation {
 
+/// What the material of a member lends to its section [Pa].
+struct SectionGrade {
+  double elastic_modulus = 0.0, yield_strength = 0.0, shear_modulus = 0.0;
+};
+
+/// E = 2 (1 + v) G, Poisson's ratio of aluminium alloys 0.33.
+inline constexpr double aluminium_modulus_ratio = 2.66;
 inline constexpr double angle_least_second_moment = 0.41;
 inline constexpr double angle_bending_modulus = 0.77;
 
@@ -28,9 +36,10 @@ class SectionFigures {
  public:
   explicit SectionFigures(const catalogue::Table& table) : table_(table), family_(table.family()) {}
 
-  /// In the order of machine::visit_section_reading; `figure` reads a column of the row, as a number or as an interval.
+  /// In the order of machine::visit_section_reading; `steel` is the grade of steel sections; `figure` reads a column of
+  /// the row, as a number or as an interval.
   template <class Figure>
-  [[nodiscard]] auto readings(int row, Figure figure) const {
+  [[nodiscard]] auto readings(int row, const SectionGrade& steel, Figure figure) const {
     using T = decltype(figure(mass_per_length));
     const T strong = figure(second_moment_x_);
     const T weak = figure(second_moment_y_);
@@ -42,17 +51,23 @@ class SectionFigures {
     const T over_width = modulus(row, figure, section_modulus_y_, weak, width, !angle && !channel);
     const double stressed = angle ? angle_bending_modulus : 1.0;
     const T least = (angle ? angle_least_second_moment : 1.0) * scalar::smaller(strong, weak);
-    return std::array<T, machine::section_reading_fields>{figure(area_),
-                                                          angle ? least : strong,
-                                                          angle ? least : weak,
-                                                          least,
-                                                          stressed * over_height,
-                                                          stressed * over_width,
-                                                          height,
-                                                          width,
-                                                          figure(mass_per_length),
-                                                          torsion_width(row, figure, height, width),
-                                                          figure(torsion_constant)};
+    const bool extruded = family_ == catalogue::Family::extrusions;
+    const T elastic_modulus = extruded ? figure(of("elastic_modulus")) : T(steel.elastic_modulus);
+    return std::array<T, machine::section_reading_fields>{
+        figure(area_),
+        angle ? least : strong,
+        angle ? least : weak,
+        least,
+        stressed * over_height,
+        stressed * over_width,
+        height,
+        width,
+        figure(mass_per_length),
+        elastic_modulus,
+        extruded ? figure(of("yield_strength")) : T(steel.yield_strength),
+        torsion_width(row, figure, height, width),
+        figure(torsion_constant),
+        extruded ? T(elastic_modulus / aluminium_modulus_ratio) : T(steel.shear_modulus)};
   }
 
  private:

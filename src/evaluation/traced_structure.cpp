@@ -31,8 +31,11 @@ constexpr FigureName section_names[] = {{"A", "area of the section", "mm2"},
                                         {"h", "height of the section", "mm"},
                                         {"b", "width of the section", "mm"},
                                         {"m_l", "mass per length", "kg/m"},
+                                        {"E", "elastic modulus", "GPa"},
+                                        {"σ_y", "yield strength", "MPa"},
                                         {"c_t", "width by which torsion shears the section", "mm"},
-                                        {"J", "torsion constant of the section", "mm^4"}};
+                                        {"J", "torsion constant of the section", "mm^4"},
+                                        {"G", "shear modulus", "GPa"}};
 constexpr FigureName bolt_names[] = {{"d", "nominal diameter of the screw", "mm"},
                                      {"A_s", "tensile stress area", "mm2"},
                                      {"S_p", "proof strength", "MPa"},

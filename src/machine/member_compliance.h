@@ -30,11 +30,7 @@ T bending_compliance(const StructureMember<T>& d, const T& second_moment) {
 template <class T>
 T twisting_compliance(const StructureMember<T>& d) {
   const T unit = scalar::in_unit<T>(1.0, scalar::dimension::torque);
-  const T whole = mechanics::section::twist(unit,
-                                            d.length(),
-                                            scalar::in_unit<T>(d.data->shear_modulus, scalar::dimension::pressure),
-                                            d.section.torsion_constant) /
-                  unit;
+  const T whole = mechanics::section::twist(unit, d.length(), d.shear_modulus(), d.section.torsion_constant) / unit;
   return d.data->member.support == BeamSupport::cantilever ? whole : T(0.25 * whole);
 }
 

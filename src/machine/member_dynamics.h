@@ -17,7 +17,7 @@ T twist(const StructureMember<T>& d) {
   const double part = m.support == BeamSupport::cantilever ? 1.0 : 0.5;
   return mechanics::section::twist(in_unit<T>(part * m.torque / m.count, dimension::torque),
                                    part * d.length(),
-                                   in_unit<T>(d.data->shear_modulus, dimension::pressure),
+                                   d.shear_modulus(),
                                    d.section.torsion_constant);
 }
 

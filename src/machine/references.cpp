@@ -38,6 +38,30 @@ void check_screws(const Axis& axis,
   }
 }
 
+/// Steel sections are rolled of the grade that the material names; extrusions are of the alloy of their row, and beside
+/// steel sections take no notice of it. A material that contradicts its sections would be computed as one or the other.
+void check_material_of_sections(const Axis& axis,
+                                const Member& member,
+                                std::string_view material_class,
+                                text::Diagnostics& diagnostics) {
+  const auto cut_of = [&](const char* family) {
+    return std::find(member.sections.begin(), member.sections.end(), family) != member.sections.end();
+  };
+  if (material_class.empty()) return;  // not said in the user's own catalogue
+  const bool steel = cut_of("steel_sections"), extruded = !steel && cut_of("extrusions");
+  const auto is = [&](const char* metal) { return material_class.find(metal) != std::string_view::npos; };
+  if (!(steel && !is("steel")) && !(extruded && !is("alumin"))) return;
+  diagnostics.error(member.where,
+                    fmt::format("axis '{}', {}: {} are not of {} ({})",
+                                axis.name,
+                                member.name,
+                                steel ? "steel_sections" : "extrusions",
+                                text::in_quotes(member.material),
+                                text::printable(material_class, 20)),
+                    steel ? "name the grade of steel: S235JR; extrusions beside them keep the alloy of their row"
+                          : "name an aluminium alloy: Al 6063-T5; computed is the alloy of each extrusion's row");
+}
+
 /// Says once of each currency without a rate how many parts it takes from the choice: nobody would miss them in an
 /// answer that is proved for the others.
 void note_unpriced(const Problem& problem, const catalogue::Catalogue& catalogue, text::Diagnostics& diagnostics) {
@@ -102,7 +126,11 @@ bool check_references(const Problem& problem, const catalogue::Catalogue& catalo
         continue;
       }
       const catalogue::Found found = materials.find(member.material);
-      if (found) continue;
+      if (found) {
+        const catalogue::Column kind = catalogue::column(catalogue::Family::materials, "class");
+        check_material_of_sections(axis, member, materials.text(kind, found.rows.front()), diagnostics);
+        continue;
+      }
       diagnostics.error(member.where,
                         fmt::format("axis '{}', {}: {}", axis.name, member.name, found.error),
                         found.hint.empty() ? "'millwright catalogue list materials' shows what there is" : found.hint);

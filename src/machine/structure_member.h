@@ -33,8 +33,10 @@ struct SectionReading {
   T least_second_moment{};  ///< about whichever axis: a column buckles and a beam swings that way
   T strong_section_modulus{}, weak_section_modulus{};
   T height{}, width{}, mass_per_length{};
-  T torsion_width{};     ///< times torque over torsion constant: the largest shear stress, or more
-  T torsion_constant{};  ///< NaN where the catalogue has none
+  T elastic_modulus{}, yield_strength{};  ///< of what it is made of
+  T torsion_width{};                      ///< times torque over torsion constant: the largest shear stress, or more
+  T torsion_constant{};                   ///< NaN where the catalogue has none
+  T shear_modulus{};                      ///< NaN where the catalogue has none
 };
 
 template <class Reading, class Visit>
@@ -48,12 +50,15 @@ void visit_section_reading(Reading& r, Visit&& visit) {
                       &r.height,
                       &r.width,
                       &r.mass_per_length,
+                      &r.elastic_modulus,
+                      &r.yield_strength,
                       &r.torsion_width,
-                      &r.torsion_constant})
+                      &r.torsion_constant,
+                      &r.shear_modulus})
     visit(*field);
 }
-inline constexpr std::size_t section_reading_fields = 11;
-inline constexpr std::size_t section_readings_needed = 10;  ///< the last is for what twists only
+inline constexpr std::size_t section_reading_fields = 14;
+inline constexpr std::size_t section_readings_needed = 12;  ///< the last two are for what twists only
 
 /// A plate wider than this times its span does not help a load in its middle any more: its deflection there tends to
 /// 0.01695 F L²/D, that of a strip of 1.229 L [timoshenko_plates, Table 23].
@@ -104,10 +109,15 @@ struct StructureMember {
            (carried_mass + scalar::in_unit<T>(data->riding_mass, scalar::dimension::mass));
   }
   [[nodiscard]] T elastic_modulus() const {
-    return scalar::in_unit<T>(data->elastic_modulus, scalar::dimension::pressure);
+    return has_section() ? section.elastic_modulus
+                         : scalar::in_unit<T>(data->elastic_modulus, scalar::dimension::pressure);
   }
   [[nodiscard]] T yield_strength() const {
-    return scalar::in_unit<T>(data->yield_strength, scalar::dimension::pressure);
+    return has_section() ? section.yield_strength
+                         : scalar::in_unit<T>(data->yield_strength, scalar::dimension::pressure);
+  }
+  [[nodiscard]] T shear_modulus() const {
+    return has_section() ? section.shear_modulus : scalar::in_unit<T>(data->shear_modulus, scalar::dimension::pressure);
   }
   /// Of both planes: what a round section feels.
   [[nodiscard]] T resultant_moment() const {
@@ -117,6 +127,11 @@ struct StructureMember {
   void derive();
 
  private:
+  /// Cut of a section of the catalogue, which says what it is made of; not of the material by itself.
+  [[nodiscard]] bool has_section() const {
+    const MemberKind kind = data->member.kind;
+    return kind == MemberKind::section_beam || kind == MemberKind::column || kind == MemberKind::portal_frame;
+  }
   void take_section();
   T deflection_of(const T& point, const T& distributed, const T& second_moment, const T& bent_height) const;
   T moment_of(const T& point, const T& distributed) const;

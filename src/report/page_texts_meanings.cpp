@@ -245,6 +245,8 @@ const std::vector<Saying>& meanings() {
       {"mass per length", "massa per panjang"},
       {"share of the estimated torque that counts beyond the published curve",
        "bagian torsi perkiraan yang dihitung di luar kurva terbitan"},
+      {"elastic modulus", "modulus elastisitas"},
+      {"shear modulus", "modulus geser"},
       {"torsion constant of the section", "konstanta puntir penampang"},
       {"nominal diameter of the screw", "diameter nominal baut"},
       {"tensile stress area", "luas tegangan tarik"},

@@ -373,8 +373,11 @@ void check_member(
                length(0.06),
                length(0.03),
                {8.0, dimension::mass_per_length},
+               {206e9, dimension::pressure},
+               {235e6, dimension::pressure},
                length(0.02),
-               {2e-8, dimension::second_moment_of_area}};
+               {2e-8, dimension::second_moment_of_area},
+               {80e9, dimension::pressure}};
   d.carried_mass = mass(20.0);
   d.diameter = length(0.02);
   d.width = length(0.02);

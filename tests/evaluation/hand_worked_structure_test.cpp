@@ -61,12 +61,17 @@ Hung hung(double P, double L, double h) {
 }  // namespace
 
 TEST_CASE("A portal frame of a T-slot profile worked by hand") {
-  const std::string portal =
-      "kind = \"portal_frame\"\nmaterial = \"alloy\"\nsections = [\"extrusions\"]\nlength = \"700 mm\"\n"
-      "height = \"350 mm\"\nlateral_force = \"60 N\"";
+  // The material is that of steel sections: a profile is of the alloy of its row.
+  const auto [material, sections] =
+      GENERATE(std::pair{"alloy", "\"extrusions\""}, std::pair{"steel", "\"steel_sections\", \"extrusions\""});
+  const std::string portal = fmt::format(
+      "kind = \"portal_frame\"\nmaterial = \"{}\"\nsections = [{}]\nlength = \"700 mm\"\n"
+      "height = \"350 mm\"\nlateral_force = \"60 N\"",
+      material,
+      sections);
   const Design d =
       design_of(model_with(portal, "frame_natural_frequency = \"30 Hz\"\n"), {{"x", "part", {{"slot4080"}}, {}}});
-  // Profile 80 x 40 upright: A 1000 mm2, I 600 000 and 160 000 mm4, 2.7 kg/m; E 70 GPa, yield 250 MPa.
+  // Profile 80 x 40 upright: A 1000 mm2, I 600 000 and 160 000 mm4, 2.7 kg/m; E 70 GPa, yield 200 MPa.
   const double E = 70e9, I = 6e-7, A = 1e-3, L = 0.7, h = 0.35, own = 2.7 * g, H = 60.0;
   // Slope-deflection, divided by EI. The beam's weight in its middle turns the corners by t: (4/h + 2/L) t = Q L/8.
   const double turn = own * L * L / 8.0 / (4.0 / h + 2.0 / L);
@@ -80,11 +85,11 @@ TEST_CASE("A portal frame of a T-slot profile worked by hand") {
   const double middle = weight * L / 4.0 + own * L * L / 8.0;
   const double axial = weight + own * L / 2.0 + own * h + 2.0 * swaying / L;
   expect(d, "part", "C-FR-SWAY", s / (E * I) * 1e3, 0.35);
-  expect(d, "part", "C-FR-STRESS", std::max(middle, corner) * 0.04 / I * 1e-6, 125.0);
-  expect(d, "part", "C-FR-COLUMN", (axial / A + std::max(corner, foot) * 0.04 / I) * 1e-6, 125.0);
+  expect(d, "part", "C-FR-STRESS", std::max(middle, corner) * 0.04 / I * 1e-6, 100.0);
+  expect(d, "part", "C-FR-COLUMN", (axial / A + std::max(corner, foot) * 0.04 / I) * 1e-6, 100.0);
   expect(d, "part", "C-FR-DEFL", (weight * L * L * L / 48.0 + 5.0 * own * std::pow(L, 4) / 384.0) / (E * I) * 1e3, 0.7);
-  // Free to sway, fixity 0.25: slenderness 0.35/12.65 mm = 27.7 is below 37.2, so Johnson, about the weak axis.
-  const double johnson = A * 250e6 * (1.0 - 250e6 * h * h * A / (4.0 * 0.25 * pi * pi * E * 1.6e-7));
+  // Free to sway, fixity 0.25: slenderness 0.35/12.65 mm = 27.7 is below 41.6, so Johnson, about the weak axis.
+  const double johnson = A * 200e6 * (1.0 - 200e6 * h * h * A / (4.0 * 0.25 * pi * pi * E * 1.6e-7));
   expect(d, "part", "C-FR-BUCK", axial, johnson / 3.0);
   const double swinging = carried + 2.7 * (L + 2.0 * 13.0 / 35.0 * h);
   expect(d, "part", "C-FR-FREQ", 30.0, std::sqrt(H / (s / (E * I)) / swinging) / (2.0 * pi));

@@ -18,13 +18,14 @@ using machine::StructureMember;
 
 namespace {
 
-machine::SectionReading<double> section_of(const std::string& part_number) {
-  const catalogue::Table& table = shipped_catalogue().table(Family::steel_sections);
+machine::SectionReading<double> section_of(const std::string& part_number, Family family = Family::steel_sections) {
+  const catalogue::Table& table = shipped_catalogue().table(family);
   const auto found = table.find(part_number);
   REQUIRE(found.rows.size() == 1);
   const int row = found.rows.front();
+  const evaluation::SectionGrade grade{206e9, 235e6, 79e9};
   const auto readings =
-      evaluation::SectionFigures(table).readings(row, [&](catalogue::Column c) { return table.number(c, row); });
+      evaluation::SectionFigures(table).readings(row, grade, [&](catalogue::Column c) { return table.number(c, row); });
   machine::SectionReading<double> section;
   std::size_t field = 0;
   machine::visit_section_reading(section, [&](double& x) {
@@ -50,6 +51,18 @@ StructureMember<double> member_of(machine::MemberData& data, machine::MemberKind
 }
 
 }  // namespace
+
+// item 5 40x20 is of EN AW-6060 T66: 70 GPa, 195 MPa; Poisson's ratio 0.33.
+TEST_CASE("A steel section is of the grade of its member, an extrusion of its own alloy") {
+  const auto steel = section_of("UPN 80");
+  CHECK(steel.elastic_modulus == 206e9);
+  CHECK(steel.yield_strength == 235e6);
+  CHECK(steel.shear_modulus == 79e9);
+  const auto extruded = section_of("Profile 5 40x20", Family::extrusions);
+  CHECK(extruded.elastic_modulus == Approx(70e9));
+  CHECK(extruded.yield_strength == Approx(195e6));
+  CHECK(extruded.shear_modulus == Approx(70e9 / (2.0 * 1.33)));
+}
 
 TEST_CASE("An angle buckles about its weak principal axis") {
   // I_v of the tables [mm^4].

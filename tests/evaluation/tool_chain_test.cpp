@@ -172,10 +172,10 @@ TEST_CASE("Guides, screws and members give way as worked by hand") {
   beam_data.member.kind = machine::MemberKind::section_beam;
   beam_data.member.length = 0.6;
   beam_data.member.count = 2.0;
-  beam_data.elastic_modulus = 206e9;
-  beam_data.shear_modulus = 80e9;
   machine::StructureMember<double> beam;
   beam.data = &beam_data;
+  beam.section.elastic_modulus = 206e9;
+  beam.section.shear_modulus = 80e9;
   beam.section.strong_second_moment = 4e-8;
   beam.section.weak_second_moment = 2e-8;
   beam.section.torsion_constant = 3e-8;
@@ -200,6 +200,8 @@ TEST_CASE("Guides, screws and members give way as worked by hand") {
   plate_data.member.support = machine::BeamSupport::supported;
   plate_data.member.count = 1.0;
   plate_data.member.plate_width = 0.1;
+  plate_data.elastic_modulus = 206e9;
+  plate_data.shear_modulus = 80e9;
   machine::StructureMember<double> plate;
   plate.data = &plate_data;
   plate.thickness = 0.01;

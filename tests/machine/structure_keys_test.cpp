@@ -283,4 +283,27 @@ TEST_CASE("A bolted joint needs no material, and its screws must be in the catal
   CHECK(said("property_classes = \"8.9\"\n").find("property_classes: no screw '8.9'") != std::string::npos);
 }
 
+TEST_CASE("A material that contradicts the sections cut of it is an error") {
+  text::Diagnostics loading;
+  const auto catalogue = catalogue::Catalogue::load({MILLWRIGHT_SOURCE_DIR "/catalogues"}, loading);
+  REQUIRE(loading.error_count() == 0);
+  const auto said = [&](const std::string& keys) {
+    text::Diagnostics diagnostics;
+    const bool good = machine::check_references(sound_with(beam, keys), catalogue, diagnostics);
+    CHECK(good == (diagnostics.count() == 0));
+    return text::format(diagnostics);
+  };
+  const std::string both = replaced(beam, "\"steel_sections\"", "\"steel_sections\", \"extrusions\"");
+  CHECK(said(both).empty());
+  CHECK(said(portal).empty());
+  CHECK(said(plate).empty());
+  CHECK(said(replaced(portal, "Al 6063-T5", "S235JR")).find("extrusions are not of 'S235JR' (steel)") !=
+        std::string::npos);
+  for (const std::string& keys : {beam, both}) {
+    const std::string aluminium = said(replaced(keys, "S235JR", "Al 6061-T6"));
+    CHECK(aluminium.find("axis 'x', beam: steel_sections are not of 'Al 6061-T6' (aluminium)") != std::string::npos);
+    CHECK(aluminium.find("name the grade of steel") != std::string::npos);
+  }
+}
+
 }  // namespace structure_keys_test
