@@ -184,10 +184,12 @@ T power_off_torque(const GearedDrive<T>& d) {
                              T(larger(d.cycle.weight - d.cycle.friction_force, in_unit<T>(0.0, d.dimensions().force))));
 }
 
-/// Torque that friction costs the motor before anything moves [N.m].
+/// Torque that friction costs the motor before anything moves [N.m]: that of the guides, and half of what the weight
+/// makes belt and reduction ask more going up than they give back going down.
 template <class T>
 T friction_torque(const GearedDrive<T>& d) {
-  return driving_torque(d, d.cycle.friction_force);
+  const T& weight = d.cycle.weight;
+  return driving_torque(d, d.cycle.friction_force) + 0.5 * (driving_torque(d, weight) - back_driving_torque(d, weight));
 }
 
 /// Speed of the axis at the controller's highest pulse rate, and at that of the reduction [m/s, rad/s].
@@ -230,14 +232,20 @@ T reduction_windup(const GearedDrive<T>& d) {
   return d.reduction.compliance * steady * d.radius;
 }
 
-/// Error of the motor under load [m, rad]: how far its rotor lags.
+/// How far the rotor lags under a torque of the motor, as travel [m, rad].
 template <class T>
-T motor_lag(const GearedDrive<T>& d) {
+T motor_lag(const GearedDrive<T>& d, const T& torque) {
   using namespace scalar;
-  return mechanics::accuracy::load_lag(smaller(d.load_torque, d.motor.static_torque),
+  return mechanics::accuracy::load_lag(smaller(torque, d.motor.static_torque),
                                        d.motor.static_torque,
                                        d.motor.rotor_teeth,
                                        2.0 * pi<T>() * d.travel_of_motor());
+}
+
+/// What friction holds back in the motor, beside reversal_error [m, rad]. On reversal it is lost twice.
+template <class T>
+T turning_give_under_friction(const GearedDrive<T>& d) {
+  return motor_lag(d, friction_torque(d));
 }
 
 /// Adds what all geared drives have [m, rad]: reversal, wind-up of a reduction, lag of the motor, and at random 5 % of
@@ -248,7 +256,7 @@ void add_gear_errors(const GearedDrive<T>& d, const T& reversal, ErrorBudget<T>&
   const T travel = 2.0 * pi<T>() * d.travel_of_motor();
   budget.add_systematic("reversal", named("e_r", reversal));
   if (d.reduction.present) budget.add_systematic("wind-up", named("e_w", reduction_windup(d)));
-  budget.add_systematic("motor lag", named("e_s", motor_lag(d)));
+  budget.add_systematic("motor lag", named("e_s", motor_lag(d, d.load_torque)));
   budget.add_random("step", named("e_t", 0.05 * travel / (4.0 * d.motor.rotor_teeth)));
   budget.add_random("resolution", named("e_q", 0.5 * resolution(d)));
 }

@@ -2,8 +2,8 @@
 //
 // Constraints of motor, driver and accuracy that every drive has. They are generic over the drive's design, which
 // offers motor, cycle, torque_ratios, load_torque, load_inertia, peak_speed and the functions
-// back_driving_torque, power_off_torque, speed_limit, resolution, reversal_error, error_budget
-// and friction_torque.
+// back_driving_torque, power_off_torque, speed_limit, resolution, reversal_error, turning_give_under_friction,
+// error_budget and friction_torque.
 #pragma once
 
 #include <numbers>
@@ -295,7 +295,7 @@ void accuracy_constraints(Visit&& visit) {
                   .requirement = "lost_motion",
                   .place = WorstPlace::nut_softest},
       [](const auto& d) { return d.data->require.known(lost_motion) ? Applies::yes : Applies::no; },
-      [](const auto& d) { return reversal_error(d); },
+      [](const auto& d) { return reversal_error(d) + 2.0 * turning_give_under_friction(d); },
       [](const auto& d) { return d.require(lost_motion, dimension::length); });
   visit(
       Declaration{.id = "C-ACC-MICRO",

@@ -54,7 +54,7 @@ void rotary_constraints(Visit&& visit) {
                   .source = "millwright_derivations, lost motion",
                   .requirement = "lost_angle"},
       [](const auto& d) { return d.data->require.known(lost_angle) ? Applies::yes : Applies::no; },
-      [](const auto& d) { return reversal_error(d); },
+      [](const auto& d) { return reversal_error(d) + 2.0 * turning_give_under_friction(d); },
       [](const auto& d) { return d.require(lost_angle); });
 }
 

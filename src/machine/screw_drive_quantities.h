@@ -188,17 +188,22 @@ T axial_give(const ScrewDrive<T>& d, const T& force) {
   });
 }
 
-/// Torque that friction costs the motor before anything moves [N.m]: of guides and nut, and half of what the weight
+/// Torque that friction costs the screw before anything moves [N.m]: of guides and nut, and half of what the weight
 /// makes the thread ask more going up than it gives back going down.
 template <class T>
-T friction_torque(const ScrewDrive<T>& d) {
+T friction_torque_at_screw(const ScrewDrive<T>& d) {
   using namespace scalar;
   const T& weight = d.cycle.weight;
   const T raising = mechanics::ball_screw::drive_torque(weight, d.screw.lead, d.screw.efficiency);
   const T lowering = mechanics::ball_screw::backdriving_torque(weight, d.screw.lead, d.screw.reverse_efficiency);
-  const T at_screw = mechanics::ball_screw::drive_torque(d.cycle.friction_force, d.screw.lead, d.screw.efficiency) +
-                     0.5 * (raising - lowering) + d.screw.drag_torque;
-  return d.reduction.driving(at_screw);
+  return mechanics::ball_screw::drive_torque(d.cycle.friction_force, d.screw.lead, d.screw.efficiency) +
+         0.5 * (raising - lowering) + d.screw.drag_torque;
+}
+
+/// The same at the motor [N.m].
+template <class T>
+T friction_torque(const ScrewDrive<T>& d) {
+  return d.reduction.driving(friction_torque_at_screw(d));
 }
 
 /// Travel of the nut until its thread is worn thin [m], under the mean force over the travel: wear grows with pressure
@@ -242,15 +247,37 @@ T lead_error(const ScrewDrive<T>& d) {
   return counted_travel(d.data->require, d.data->stroke, true) / rated_travel * d.screw.lead_error_300;
 }
 
+/// Twist of screw and coupling under a torque at the screw [rad].
+template <class T>
+T twist_of_screw(const ScrewDrive<T>& d, const T& torque) {
+  const T twist = mechanics::power_screw::torsional_windup(
+      torque, d.screw.supported_length, d.screw.shear_modulus, d.screw.root_diameter);
+  return d.data->has_coupling ? T(twist + mechanics::coupling::windup(torque, d.coupling.stiffness)) : twist;
+}
+
 /// Position error from the twist of coupling, screw and reduction under the load torque [m]. A screw that stands while
 /// its nut turns twists as well: its clamped end holds the torque of the nut.
 template <class T>
 T windup_error(const ScrewDrive<T>& d) {
-  T twist = mechanics::power_screw::torsional_windup(
-      d.steady_torque, d.screw.supported_length, d.screw.shear_modulus, d.screw.root_diameter);
-  if (d.data->has_coupling) twist = twist + mechanics::coupling::windup(d.steady_torque, d.coupling.stiffness);
+  T twist = twist_of_screw(d, d.steady_torque);
   if (d.reduction.present) twist = twist + d.reduction.compliance * d.steady_torque;
   return mechanics::power_screw::windup_error(twist, d.screw.lead);
+}
+
+/// How far the rotor lags under a torque of the motor, as travel [m].
+template <class T>
+T motor_lag(const ScrewDrive<T>& d, const T& torque) {
+  using namespace scalar;
+  return mechanics::accuracy::load_lag(
+      smaller(torque, d.motor.static_torque), d.motor.static_torque, d.motor.rotor_teeth, d.lead_of_motor());
+}
+
+/// What friction holds back between motor and nut, beside reversal_error [m]: the rotor's lag, the twist of screw and
+/// coupling. On reversal it is lost twice.
+template <class T>
+T turning_give_under_friction(const ScrewDrive<T>& d) {
+  return motor_lag(d, friction_torque(d)) +
+         mechanics::power_screw::windup_error(twist_of_screw(d, friction_torque_at_screw(d)), d.screw.lead);
 }
 
 /// Growth of the screw over the stated travel against the frame [m].
@@ -269,10 +296,8 @@ template <class T>
 T reversal_error(const ScrewDrive<T>& d) {
   const T axial = d.screw.backlash + 2.0 * axial_give(d, d.cycle.friction_force);
   if (!d.reduction.present) return axial;
-  const T friction = mechanics::ball_screw::drive_torque(d.cycle.friction_force, d.screw.lead, d.screw.efficiency) +
-                     d.screw.drag_torque;
-  return axial + mechanics::transmission::linear_backlash(
-                     T(d.reduction.backlash + 2.0 * d.reduction.compliance * friction), d.screw.lead);
+  const T wound_up = d.reduction.compliance * friction_torque_at_screw(d);
+  return axial + mechanics::transmission::linear_backlash(T(d.reduction.backlash + 2.0 * wound_up), d.screw.lead);
 }
 
 /// Errors of the axis [m].
@@ -285,11 +310,7 @@ ErrorBudget<T> error_budget(const ScrewDrive<T>& d, UnderForce under_force = Und
   if (under_force == UnderForce::yes && has_process_force(d.data->motion))
     budget.add_systematic("under force", named("e_F", axial_give(d, d.cycle.process_force)));
   budget.add_systematic("wind-up", named("e_w", windup_error(d)));
-  const T torque = smaller(d.load_torque, d.motor.static_torque);
-  budget.add_systematic(
-      "motor lag",
-      named("e_s",
-            mechanics::accuracy::load_lag(torque, d.motor.static_torque, d.motor.rotor_teeth, d.lead_of_motor())));
+  budget.add_systematic("motor lag", named("e_s", motor_lag(d, d.load_torque)));
   budget.add_systematic("thermal growth", named("e_th", thermal_growth(d)));
   budget.add_random("step", named("e_t", 0.05 * d.lead_of_motor() / (4.0 * d.motor.rotor_teeth)));
   budget.add_random("resolution", named("e_q", 0.5 * resolution(d)));
