@@ -218,14 +218,18 @@ void bolted_joint_constraints(Visit&& visit) {
       });
   visit(
       Declaration{.id = "C-BOLT-SHEAR",
-                  .title = "Shear of fitted bolts",
-                  .symbol = "τ",
+                  .title = "Shear of fitted bolts, with their tension",
+                  .symbol = "τ_e",
                   .unit = "MPa",
                   .source = "shigley, chapter 8; khurmi_gupta2005, chapter 11",
                   .requirement = "bolt_shear_safety_factor"},
       [](const auto& d) { return d.data->member.bolts.fitted ? Applies::yes : Applies::no; },
-      // The thread may lie in the joint: its stress area is the safe one.
-      [](const auto& d) { return bt::shear_stress(d.shear, d.bolt.stress_area, decltype(d.force)(1.0)); },
+      // The thread may lie in the joint: its stress area is the safe one. What pulls at the screw counts with it,
+      // (sigma/sigma_a)^2 + (tau/tau_a)^2 <= 1 with sigma_a = sqrt(3) tau_a.
+      [=](const auto& d) {
+        const auto shear = bt::shear_stress(at_least_a_newton(d.shear), d.bolt.stress_area, decltype(d.force)(1.0));
+        return sqrt(square(shear) + square(d.tension / d.bolt.stress_area) / 3.0);
+      },
       [](const auto& d) {
         return mechanics::material::von_mises_shear_yield(d.bolt.yield_strength) / d.require(bolt_shear_safety_factor);
       });

@@ -80,7 +80,7 @@ const std::vector<Saying>& sayings() {
       {"Proof load of the screws", "Beban uji baut"},
       {"Opening of the joint", "Terbukanya sambungan"},
       {"Slip of the joint", "Gelincir sambungan"},
-      {"Shear of fitted bolts", "Geser baut pas"},
+      {"Shear of fitted bolts, with their tension", "Geser baut pas, dengan tariknya"},
       {"Core stress, von Mises", "Tegangan inti ulir, von Mises"},
       {"Slope of the guide shaft at its bushings", "Kemiringan poros pemandu pada busnya"},
       {"Bearing length against jamming of the bushings", "Panjang tumpuan terhadap macetnya bus"},

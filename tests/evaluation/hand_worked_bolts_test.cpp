@@ -57,6 +57,16 @@ TEST_CASE("Fitted bolts under an eccentric load are sheared") {
   const double turning = weight * 0.05 / 0.01;
   const double worst = std::hypot(turning * 0.04, weight / 4.0 + turning * 0.03);
   expect(d, "flange", "C-BOLT-SHEAR", worst / 36e-6 * 1e-6, 640.0 / std::sqrt(3.0) / 2.0);
+  // With a lever arm the upper row is pulled at as well: both stresses together, each over what is permitted of it.
+  const Design pulled = design_of(
+      joint(pattern + "fitted = true\neccentricity = \"50 mm\"\nlever_arm = \"150 mm\"\nedge_distance = \"20 mm\"\n"),
+      {{"x", "flange", {{"M8 8.8"}}, {}}});
+  const double tension = weight * 0.15 * 0.1 / (2.0 * (0.02 * 0.02 + 0.1 * 0.1));
+  const double of_tension = tension / 36e-6 / (640e6 / 2.0), of_shear = worst / 36e-6 / (640e6 / std::sqrt(3.0) / 2.0);
+  const auto& check = *std::find_if(pulled.checks.begin(), pulled.checks.end(), [](const evaluation::Check& each) {
+    return each.id == "C-BOLT-SHEAR";
+  });
+  CHECK(check.utilisation == Approx(std::hypot(of_tension, of_shear)).epsilon(1e-9));
   // 10 N.m with a nut factor of 0.2 give 10/(0.2*0.008) = 6250 N; nothing pulls, so one newton is taken.
   expect(d, "flange", "C-BOLT-PROOF", 1.15, 21600.0 / 6250.0);
   expect(d, "flange", "C-BOLT-SEP", 1.5, 6250.0 / 0.75);
