@@ -90,6 +90,9 @@ void refuse_others(QuantityReader& q, MemberKind kind) {
   only({weld, bolts}, {"lever_arm"}, "\"weld\" or \"bolts\"");
   only({section_beam, column, portal_frame}, {"sections", "section_kinds"}, "\"beam\", \"column\" or \"portal_frame\"");
   only({round_shaft, rectangular_bar, section_beam}, {"torque"}, "\"shaft\", \"bar\" or \"beam\"");
+  only({round_shaft, rectangular_bar, plate, section_beam, portal_frame, bolts},
+       {"lateral_force"},
+       "\"shaft\", \"bar\", \"plate\", \"beam\", \"portal_frame\" or \"bolts\"");
   only({bolts},
        {"holds",
         "rows",

@@ -56,7 +56,9 @@ class ProfileReader {
       const auto [lowest, highest] = std::minmax_element(motion.begin(), motion.end());
       profile.extent = *highest - *lowest;
     }
-    return gets_going(profile) ? std::optional(std::move(profile)) : std::nullopt;
+    if (!gets_going(profile)) return std::nullopt;
+    warn_of_motion_at_ends(speeds, profile.peak_speed);
+    return profile;
   }
 
  private:
@@ -173,6 +175,24 @@ class ProfileReader {
       return false;
     }
     return true;
+  }
+
+  /// What brings the axis to the first speed and what stops it from the last one is in no force of the recording. A log
+  /// of positions has a little speed where it stands.
+  void warn_of_motion_at_ends(const std::vector<double>& speeds, double peak_speed) {
+    constexpr double noise = 0.02;
+    const auto warn = [&](std::size_t row, const char* words, const char* missing) {
+      if (std::abs(speeds[row]) <= noise * peak_speed) return;
+      diagnostics_.warning(
+          table_.row_span(row),
+          fmt::format("the recording {} in motion, at {:.3g} % of its largest speed: what {} the axis is in no torque",
+                      words,
+                      100.0 * std::abs(speeds[row]) / peak_speed,
+                      missing),
+          "record from standstill to standstill, with a few samples at rest");
+    };
+    warn(0, "begins", "starts");
+    warn(speeds.size() - 1, "ends", "stops");
   }
 
   bool gets_going(const MeasuredProfile& profile) {

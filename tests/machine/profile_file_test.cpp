@@ -120,6 +120,24 @@ TEST_CASE("A table's profile is one of angles and torques") {
   CHECK(profile.largest_force == Approx(1.0));
 }
 
+TEST_CASE("A recording that begins or ends in motion is warned of") {
+  const auto warned = [](const std::string& profile) {
+    const Outcome outcome = read_files(lift, profile);
+    CHECK(outcome.diagnostics.error_count() == 0);
+    REQUIRE(outcome.problem);
+    return text::format(outcome.diagnostics);
+  };
+  const std::string ends = warned("time [s],speed [mm/s]\n0,0\n0.1,100\n0.2,80\n");
+  CHECK(ends.find("z.csv:4:") != std::string::npos);
+  CHECK(ends.find("the recording ends in motion, at 80 % of its largest speed: what stops the axis") !=
+        std::string::npos);
+  CHECK(ends.find("begins") == std::string::npos);
+  const std::string begins = warned("time [s],speed [mm/s]\n0,-50\n0.1,-100\n0.2,0\n");
+  CHECK(begins.find("z.csv:2:") != std::string::npos);
+  CHECK(begins.find("the recording begins in motion, at 50 %") != std::string::npos);
+  CHECK(warned("time [s],speed [mm/s]\n0,1\n0.1,100\n0.2,-1\n").empty());
+}
+
 TEST_CASE("A wrong profile is refused at its place") {
   check_profile("«»time [s],position [mm]\n0,0\n1,5\n", "has 2 samples");
   check_profile("«»position [mm],force [N]\n0,0\n1,5\n2,6\n", "no column 'time'");
@@ -156,8 +174,8 @@ TEST_CASE("A profile that is not there, or does not fit the axis, is refused in 
   CHECK(said(lift, good, "other.csv").find("z.csv") != std::string::npos);
   CHECK(said(replaced(lift, "\"z.csv\"", "7"), good).find("name of a file") != std::string::npos);
   CHECK(said(replaced(lift, "\"z.csv\"", "\"\""), good).find("name of a file") != std::string::npos);
-  CHECK(said(lift, "time [s],position [mm]\n0,-80\n1,0\n2,80\n3,80\n").find("160 mm is longer than the stroke") !=
-        std::string::npos);
+  CHECK(said(lift, "time [s],position [mm]\n0,-80\n1,-80\n2,-80\n3,0\n4,80\n5,80\n6,80\n")
+            .find("160 mm is longer than the stroke") != std::string::npos);
   CHECK(said(replaced(lift, "name = \"measured\"\nprofile", "\nforce = \"3 N\"\nprofile"), good).find("force") !=
         std::string::npos);
 }

@@ -19,6 +19,12 @@ const std::string beam =
     "kind = \"beam\"\nlength = \"500 mm\"\nmaterial = \"S235JR\"\nsections = [\"steel_sections\"]\n";
 const std::string plate =
     "kind = \"plate\"\nlength = \"300 mm\"\nmaterial = \"S235JR\"\nwidth = \"400 mm\"\nthickness = \"10 mm\"\n";
+const std::string column =
+    "kind = \"column\"\nlength = \"500 mm\"\nmaterial = \"S235JR\"\nsections = [\"steel_sections\"]\n";
+const std::string weld =
+    "kind = \"weld\"\nmaterial = \"S235JR\"\nleg = [\"2 mm\", \"5 mm\"]\njoint_width = \"20 mm\"\njoint_depth = \"20 "
+    "mm\"\n"
+    "lever_arm = \"60 mm\"\n";
 const std::string portal =
     "kind = \"portal_frame\"\nlength = \"700 mm\"\nmaterial = \"Al 6063-T5\"\nheight = \"350 mm\"\nsections = "
     "[\"extrusions\"]\n";
@@ -203,6 +209,8 @@ TEST_CASE("What is wrong in plates, portal frames and shafts is said at its plac
       {beam, portal + "«width» = \"1 mm\"\n", "width: this kind of member has none", "\"bar\" or \"plate\""},
       {beam, portal + "«support» = \"fixed\"\n", "support: this kind of member has none", "clamped at its feet"},
       {beam, plate + "«torque» = \"1 N.m\"\n", "torque: this kind of member has none", "\"shaft\""},
+      {beam, column + "«lateral_force» = \"1 N\"\n", "lateral_force: this kind of member has none", "\"portal_frame\""},
+      {beam, weld + "«lateral_force» = \"1 N\"\n", "lateral_force: this kind of member has none", "\"bolts\""},
       {beam, beam + "«rotating» = true\n", "rotating: this kind of member has none", "\"shaft\""},
       {beam, replaced(portal, "\"extrusions\"", "«\"extrusion\"»"), "sections: 'extrusion' has none", "'extrusions'"},
       {beam, shaft + "«notch_factor» = 1.5\n", "notch_factor: counts only for a shaft that turns", "rotating = true"},
