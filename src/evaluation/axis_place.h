@@ -7,6 +7,7 @@
 #include <array>
 #include <optional>
 
+#include "machine/carried_forces.h"
 #include "machine/drive_energy.h"
 #include "machine/error_budget.h"
 #include "machine/tool_chain.h"
@@ -32,6 +33,7 @@ struct AxisPlace {
   std::size_t load_state = 0;
   std::optional<std::size_t> parent_load_state;
   std::optional<machine::ToolPlace> tool;  ///< where compliance counts
+  machine::CarriedForces carried_forces;   ///< on its guides
   ToolStates states;                       ///< what is counted at the tool; empty where nothing is
   CountedResources counted;
   /// Where joints of screws hold its motors or carriages: what one of them has to bear.

@@ -22,7 +22,9 @@ GuideStage::GuideStage(const machine::Axis& axis,
     : data_{.choice = *axis.guide,
             .motion = motion_of(axis),
             .require = axis.require,
-            .riding_mass = machine::riding_mass_allowance(axis)},
+            .riding_mass = machine::riding_mass_allowance(axis),
+            .on_face = machine::rails_on_face(axis),
+            .carried = place.carried_forces},
       place_(place),
       acceleration_time_(axis.acceleration_time) {
   name_ = axis.name + ".guide";

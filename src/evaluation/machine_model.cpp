@@ -335,6 +335,7 @@ void MachineModel::add_axis(std::size_t index, const PriceBook& prices) {
     place.tool = machine::tool_place(problem_, index);
     place.states = tool_states(problem_);
   }
+  if (axis.guide) place.carried_forces = machine::carried_forces(problem_, index);
   for (StageEntry& entry :
        axis_stages(axis, place, problem_.supply_voltages, catalogue_, prices, solver_problem_.first_state))
     entries_.push_back(std::move(entry));

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "machine/axis_motion.h"
+#include "machine/carried_forces.h"
 #include "machine/constraint.h"
 #include "machine/motor_constraints.h"
 #include "machine/tool_chain.h"
@@ -47,11 +48,20 @@ void visit_guide_reading(Reading& r, Visit&& visit) {
 inline constexpr std::size_t guide_reading_fields = 13;
 inline constexpr std::size_t guide_readings_needed = 11;  ///< the next is for a soft check only
 
+/// Whether the rails of an axis that is not vertical stand on a face. An inclined axis leans on a direction only if it
+/// is known which one it travels in.
+inline bool rails_on_face(const Axis& axis) {
+  const bool known = axis.direction == Direction::horizontal || (axis.direction == Direction::inclined && axis.along);
+  return known && axis.normal && *axis.normal != upright;
+}
+
 struct GuideData {
   GuideChoice choice;
   MotionData motion;
   Requirements require;
   double riding_mass = 0.0;  ///< kg, allowance for the nut or belt, chosen after the guide
+  bool on_face = false;      ///< weight draws across the rails, not on them
+  CarriedForces carried = {};
 };
 
 /// Round guide shafts are hardened bearing steel; E as in the materials table, and the core's yield as of the C45 it is
@@ -70,7 +80,8 @@ struct GuideSystem {
   T moved_mass{};
   Cycle<T> cycle;
   std::vector<T> carriage_loads;  ///< N, on the most loaded carriage, phase by phase; empty if it is the same in all
-  T largest_load{}, static_load{}, life_load{}, shaft_force{};
+  T largest_load{}, static_load{}, life_load{};
+  T shaft_force{}, sloping_force{};  ///< N, on one round shaft, that bend it or its slope as far
 
   [[nodiscard]] T require(Requirement requirement, const scalar::Dimension& dimension = scalar::dimension::none) const {
     return scalar::in_unit<T>(data->require(requirement), dimension);
@@ -91,26 +102,41 @@ void GuideSystem<T>::derive() {
   // On a slope one part of the weight presses on the guides and the other pulls along them.
   const double steep = std::sin(data->motion.inclination);
   const double level = std::abs(std::cos(data->motion.inclination));
-  const T pressing = level < 1e-9 ? none : level * weight;
+  const T across = level < 1e-9 ? none : level * weight;
+  const auto carried = [&](const char* symbol, double newtons) {
+    return newtons == 0.0 ? none : T(named(symbol, in_unit<T>(newtons, dimension::force)));
+  };
+  const T from_above = carried("F_n", data->carried.pressing);
+  const T from_aside = carried("F_q", data->carried.sideways);
+  const T pressing = data->on_face ? none : across;
+  const T sideways = data->on_face ? across : none;
   const T pulling = steep < 1e-9 ? none : steep * weight;
   // What pulls, and the mass where it accelerates, turns the slide by its height above the line of the drive; on a
   // steep axis an offset along x is the distance from the rails and such a lever too.
   const double height = std::max(std::abs(c.load_height), steep < 1e-9 ? 0.0 : std::abs(c.load_offset_x));
-  const T steady_pitch = named("M_y",
-                               pressing * length(std::abs(c.load_offset_x)) + pulling * length(height) +
-                                   cycle.process_force * length(std::abs(c.force_height)));
-  const T roll = named("M_x", pressing * length(std::abs(c.load_offset_y)));
-  const T steady_yaw = named("M_z", pulling * length(std::abs(c.load_offset_y)));
+  const T steady_pitch =
+      named("M_y",
+            pressing * length(std::abs(c.load_offset_x)) + pulling * length(height) +
+                cycle.process_force * length(std::abs(c.force_height)) + from_above * length(data->carried.along_arm));
+  const T roll =
+      named("M_x",
+            pressing * length(std::abs(c.load_offset_y)) + sideways * length(std::abs(c.load_height)) +
+                from_above * length(data->carried.across_arm) + from_aside * length(data->carried.height_arm));
+  const T steady_yaw =
+      named("M_z",
+            pulling * length(std::abs(c.load_offset_y)) + sideways * length(std::abs(c.load_offset_x)) +
+                from_aside * length(data->carried.along_arm));
+  const T on_rails = pressing + from_above, across_rails = sideways + from_aside;
   const auto load = [&](const T& inertia) {
     const T pitch = steady_pitch + inertia * length(height);
     const T yaw = steady_yaw + inertia * length(std::abs(c.load_offset_y));
     if (c.carriages > 1.0)
       return gd::largest_carriage_load(
-          pressing, roll, pitch, none, yaw, length(c.carriage_spacing), length(c.rail_spacing));
+          on_rails, roll, pitch, across_rails, yaw, length(c.carriage_spacing), length(c.rail_spacing));
     const std::array<T, 3> moments{roll, pitch, yaw};
     const std::array<T, 3> ratings{guide.roll_moment_rating, guide.pitch_moment_rating, guide.yaw_moment_rating};
     return gd::equivalent_load_with_moments(
-        pressing, none, std::span<const T>(moments), std::span<const T>(ratings), guide.static_rating);
+        on_rails, across_rails, std::span<const T>(moments), std::span<const T>(ratings), guide.static_rating);
   };
   // A carriage that carries nothing lives for ever: one newton keeps the life finite and harmless.
   const T one = in_unit<T>(1.0, dimension::force);
@@ -128,17 +154,27 @@ void GuideSystem<T>::derive() {
     life_load = named("P_m", cbrt(damage / cycle.travelled));
   }
   static_load = larger(largest_load, one);
-  T pitch = steady_pitch;
-  if (height != 0.0) {
+  T turning = steady_pitch + steady_yaw;
+  if (height != 0.0 || c.load_offset_y != 0.0) {
     Largest<T> inertia;
     for (const Phase<T>& phase : cycle.phases) inertia.take(moved_mass * absolute(phase.acceleration));
-    pitch = pitch + inertia.value() * length(height);
+    turning = turning + inertia.value() * length(height + std::abs(c.load_offset_y));
   }
-  // Beside what presses on the shafts, the pitching moment loads them with the couple of its two bushings; one force at
-  // midspan is safe.
-  T pushing = pressing + cycle.process_force;
-  if (c.carriages > 1.0) pushing = pushing + pitch / length(c.carriage_spacing);
-  shaft_force = named("F_s", pushing / c.rails);
+  // What presses on a shaft is halved by its two bushings; a rolling moment presses one shaft down and lifts the other.
+  // A moment about an axis across the travel, upright or sideways, is a couple of forces on its bushings: over its
+  // whole way it bends a shaft of the length L no more than M (L - s)/L, and by no more than M L^2/(9 sqrt 3 EI), which
+  // 4 M/L more of force in the middle exceeds. The slope of a bushing in the middle is M L/(12 EI) at most.
+  T even = (across + cycle.process_force + from_above + from_aside) / c.rails;
+  T bent = even;
+  sloping_force = even;
+  if (c.carriages > 1.0) {
+    even = even + roll / length(c.rail_spacing);
+    const T couple = named("M_s", turning / c.rails);
+    bent = even + 4.0 * couple / guide.rail_length;
+    sloping_force = even + couple / length(c.carriage_spacing);
+  }
+  shaft_force = named("F_s", bent);
+  sloping_force = named("F_φ", sloping_force);
 }
 
 /// Whether bushings run freely on their shafts: reported, not enforced.
@@ -158,7 +194,7 @@ void guide_bushing_constraints(Visit&& visit) {
                   .place = WorstPlace::mid_span},
       [](const auto& d) { return d.unsupported_shaft; },
       [](const auto& d) {
-        return gd::shaft_slope(d.shaft_force,
+        return gd::shaft_slope(d.sloping_force,
                                d.guide.rail_length,
                                in_unit_like(d.life_load, d.data->choice.carriage_spacing, dimension::length),
                                in_unit_like(d.life_load, guide_shaft_modulus, dimension::pressure),

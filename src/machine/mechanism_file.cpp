@@ -285,8 +285,11 @@ GuideChoice read_guide(const Node& node, const std::string& title, Diagnostics& 
                     "mm",
                     0.0,
                     Sign::any);
-  guide.load_height =
-      q.quantity_or({"load_height", "of the moved mass above the line of the drive"}, "mm", 0.0, Sign::any);
+  guide.load_height = q.quantity_or(
+      {"load_height", "of the moved mass above the line of the drive; before the rails where they stand on a face"},
+      "mm",
+      0.0,
+      Sign::any);
   guide.force_height =
       q.quantity_or({"force_height", "of the process force above the carriages"}, "mm", 0.0, Sign::any);
   read_tool_at(table, q, guide, diagnostics);

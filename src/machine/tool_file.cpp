@@ -30,8 +30,11 @@ void read_axis_directions(TableReader& table, Axis& axis, Diagnostics& diagnosti
                                    {"along",
                                     "direction of the machine in which the axis travels; follows from a name x or y, "
                                     "and where the axis is vertical"});
-  axis.normal = read_direction_name(
-      table, {"normal", "direction of the machine in which its guides press; z where the axis is horizontal"});
+  axis.normal = read_direction_name(table,
+                                    {"normal",
+                                     "direction of the machine in which its guides press; z where the axis is "
+                                     "horizontal, unless its rails stand on a "
+                                     "face"});
   if (axis.along && axis.direction != Direction::inclined && (*axis.along == upright) != vertical)
     diagnostics.error(table.find("along")->span(),
                       fmt::format("along: axis '{}' is {}", axis.name, vertical ? "vertical" : "horizontal"),

@@ -188,6 +188,50 @@ TEST_CASE("Guides worked by hand") {
            L * 1e3 / 3000.0);
     expect(d, "guide", "C-GD-STRESS", F / 2.0 * a * 32.0 / (pi * std::pow(0.016, 3)) * 1e-6, 345.0 / 3.0);
   }
+  SECTION("moments press on one shaft, and with a couple on the two bushings of each") {
+    const std::string bushings =
+        "{ kinds = [\"linear ball bush\"], rails = 2, carriages = 4, carriage_spacing = \"100 mm\", rail_spacing = "
+        "\"200 mm\", load_offset_x = \"20 mm\", load_offset_y = \"30 mm\", force_height = \"50 mm\" }";
+    const double moved = 20.0 + 0.4 + belt_allowance, W = moved * g, inertia = moved * speed / 0.05;
+    const double L = 0.5 + 0.02 + 0.1 + 0.04, a = (L - 0.1) / 2.0;
+    const auto stress = [&](const char* direction, double F) {
+      const Design d = design_of(MachineModel(problem_of_text(axis_text(direction, bushings, "")), parts()),
+                                 {{"x", "guide", {{"LB16"}}, {}}});
+      expect(d, "guide", "C-GD-STRESS", F / 2.0 * a * 32.0 / (pi * std::pow(0.016, 3)) * 1e-6, 345.0 / 3.0);
+    };
+    // What turns the slide pushes one bushing of each shaft up and the other down: M (L - s)/L where it bends most.
+    const double turning = 50.0 * 0.05 + W * 0.02 + inertia * 0.03;
+    const double even = (W + 50.0) / 2.0 + W * 0.03 / 0.2, couple = turning / 2.0 / 0.1;
+    const auto turned = [&](double moment) { return moment / 2.0 * (L - 0.1) / L / ((L - 0.1) / 4.0); };
+    stress("horizontal", even + turned(turning));
+    // Upright, the weight pulls along: 20 mm before the rails, 30 mm beside their middle.
+    stress("vertical", 50.0 / 2.0 + turned(turning + inertia * 0.02 + W * 0.03));
+    // The beam on two supports with half of the even load at each bushing, the couple added on the left one: at no
+    // place of the slide is more moment there than it is sized for.
+    for (double left = 0.01; left < L - 0.11; left += 0.01) {
+      const double first = even / 2.0 + couple, second = even / 2.0 - couple;
+      const double support = (first * (L - left) + second * (L - left - 0.1)) / L;
+      const double at_first = support * left, at_second = at_first + (support - first) * 0.1;
+      CHECK(std::max(at_first, at_second) <= (even + turned(turning)) / 2.0 * a);
+    }
+  }
+  SECTION("on a face the weight draws across the rails, and rolls by what it hangs before them") {
+    const std::string before = four.substr(0, four.size() - 1) + ", load_height = \"80 mm\" }";
+    const Design d =
+        design_of(MachineModel(problem_of_text(axis_text("horizontal\"\nnormal = \"y", before, "")), parts()),
+                  {{"x", "guide", {{"R12"}}, {}}});
+    const double P = G / 4.0 + G * 0.08 / 0.4 + (50.0 * 0.05 + G * 0.02) / 0.2;
+    const double ramping = P + m * speed / 0.05 * (0.08 + 0.03) / 0.2;
+    expect(d, "guide", "C-GD-STATIC", 2.0 * ramping, 5000.0);
+    expect(d, "guide", "C-GD-LIFE", 10000.0, life_hours(3000.0, mean(P, ramping), 0.2));
+    const std::string one = "{ rails = 1, carriages = 1, load_height = \"80 mm\" }";
+    const Design single =
+        design_of(MachineModel(problem_of_text(axis_text("horizontal\"\nnormal = \"y", one, "")), parts()),
+                  {{"x", "guide", {{"R20"}}, {}}});
+    const double weight = (20.0 + 0.4 + belt_allowance) * g;
+    const double turned = weight / g * speed / 0.05 * 0.08 / 200.0;
+    expect(single, "guide", "C-GD-STATIC", 2.0 * (weight + 25000.0 * (weight * 0.08 / 250.0 + turned)), 25000.0);
+  }
   SECTION("a single carriage takes the moments itself") {
     const std::string one =
         "{ rails = 1, carriages = 1, load_offset_x = \"20 mm\", load_offset_y = \"30 mm\", force_height = \"50 mm\" }";
