@@ -3,30 +3,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <vector>
 
+#include "machine/carrying.h"
 #include "machine/tool_chain.h"
 
 namespace millwright::machine {
 
 namespace {
 
-bool carries(const Problem& problem, std::size_t index, std::size_t other) {
-  for (std::optional<std::size_t> at = problem.axes[other].carried_by; at; at = problem.axes[*at].carried_by)
-    if (*at == index) return true;
-  return false;
-}
-
 double largest_process_force(const Axis& axis) {
   double result = 0.0;
   for (const Move& move : axis.moves)
     result = std::max(result, move.profile ? move.profile->largest_force : std::abs(move.force));
   return result;
-}
-
-std::optional<std::size_t> direction_of(const Axis& axis) {
-  if (!axis.along && axis.direction == Direction::vertical) return upright;
-  return axis.along;
 }
 
 }  // namespace
@@ -36,11 +26,10 @@ CarriedForces carried_forces(const Problem& problem, std::size_t index) {
   CarriedForces result;
   for (std::size_t other = 0; other < problem.axes.size(); ++other) {
     const Axis& above = problem.axes[other];
-    if (is_rotary(above) || !carries(problem, index, other)) continue;
-    const double force = largest_process_force(above);
-    const std::optional<std::size_t> direction = direction_of(above);
-    if (direction && direction == direction_of(axis)) continue;
-    (direction && direction == axis.normal ? result.pressing : result.sideways) += force;
+    const std::vector<std::size_t> below = carriers(problem, other);
+    if (other == index || is_rotary(above) || std::find(below.begin(), below.end(), index) == below.end()) continue;
+    if (above.along && above.along == axis.along) continue;
+    (above.along && above.along == axis.normal ? result.pressing : result.sideways) += largest_process_force(above);
   }
   const GuideChoice& guide = *axis.guide;
   result.along_arm = std::abs(guide.load_offset_x);

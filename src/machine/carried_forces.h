@@ -20,8 +20,8 @@ struct CarriedForces {
 };
 
 /// The largest process force of each linear axis that `index` carries, directly or not, all at once. One whose
-/// direction in the machine is not known is taken as pressing where it is vertical and the guides lie flat, else as
-/// sideways. One along the travel itself is the drive's. The axis must have guides.
+/// direction in the machine is not known is taken as sideways. One along the travel itself is the drive's. The axis
+/// must have guides.
 CarriedForces carried_forces(const Problem& problem, std::size_t index);
 
 }  // namespace millwright::machine

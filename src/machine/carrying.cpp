@@ -118,6 +118,12 @@ void link_axes(const Node& axes, Problem& problem, Diagnostics& diagnostics) {
   Forest(axes, problem, diagnostics).link();
 }
 
+std::vector<std::size_t> carriers(const Problem& problem, std::size_t axis) {
+  std::vector<std::size_t> result{axis};
+  while (problem.axes[result.back()].carried_by) result.push_back(*problem.axes[result.back()].carried_by);
+  return result;
+}
+
 double stated_mass(const Problem& problem, std::size_t axis) {
   double mass = problem.axes[axis].structure_mass + problem.axes[axis].payload_mass;
   for (std::size_t i = 0; i < problem.axes.size(); ++i)

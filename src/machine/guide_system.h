@@ -164,16 +164,14 @@ void GuideSystem<T>::derive() {
   // A moment about an axis across the travel, upright or sideways, is a couple of forces on its bushings: over its
   // whole way it bends a shaft of the length L no more than M (L - s)/L, and by no more than M L^2/(9 sqrt 3 EI), which
   // 4 M/L more of force in the middle exceeds. The slope of a bushing in the middle is M L/(12 EI) at most.
-  T even = (across + cycle.process_force + from_above + from_aside) / c.rails;
-  T bent = even;
-  sloping_force = even;
+  shaft_force = sloping_force = (across + cycle.process_force + from_above + from_aside) / c.rails;
   if (c.carriages > 1.0) {
-    even = even + roll / length(c.rail_spacing);
+    const T even = shaft_force + roll / length(c.rail_spacing);
     const T couple = named("M_s", turning / c.rails);
-    bent = even + 4.0 * couple / guide.rail_length;
+    shaft_force = even + 4.0 * couple / guide.rail_length;
     sloping_force = even + couple / length(c.carriage_spacing);
   }
-  shaft_force = named("F_s", bent);
+  shaft_force = named("F_s", shaft_force);
   sloping_force = named("F_φ", sloping_force);
 }
 

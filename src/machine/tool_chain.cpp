@@ -4,18 +4,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "machine/carrying.h"
+
 namespace millwright::machine {
-
-namespace {
-
-/// An axis and all that carry it, from it to the base.
-std::vector<std::size_t> carriers(const Problem& problem, std::size_t index) {
-  std::vector<std::size_t> result{index};
-  while (problem.axes[result.back()].carried_by) result.push_back(*problem.axes[result.back()].carried_by);
-  return result;
-}
-
-}  // namespace
 
 /// Axes between the carriages and the tool move it over them. Where the work rides on the axis instead, the tool stands
 /// in space: the axis's own travel, that of what carries it and that of all tool axes count.

@@ -53,9 +53,15 @@ std::vector<RequirementLine> used_requirements(const machine::Problem& problem, 
       return axis.name == name && axis.motor.brake_torque > 0.0;
     });
   };
+  const auto turns = [&](const evaluation::Check& check) {
+    for (const machine::Axis& axis : problem.axes)
+      for (const machine::Member& member : axis.members)
+        if (axis.name == check.axis && member.name == check.element) return member.rotating;
+    return false;
+  };
   for (const evaluation::Check& check : design.checks) {
     if (!check.requirement.empty()) used.insert({check.requirement, check.axis});
-    if (check.id == "C-SH-DIAM") {
+    if (check.id == "C-SH-DIAM" && turns(check)) {
       used.insert({"shaft_bending_factor", check.axis});
       used.insert({"shaft_torsion_factor", check.axis});
     }

@@ -53,6 +53,16 @@ void check_all(const std::vector<Case>& cases) {
 
 Approx near(double x) { return Approx(x).epsilon(1e-12); }
 
+/// What is said of a member with these keys beside the shipped catalogues.
+std::string said_of_references(const std::string& keys) {
+  text::Diagnostics loading, diagnostics;
+  static const auto catalogue = catalogue::Catalogue::load({MILLWRIGHT_SOURCE_DIR "/catalogues"}, loading);
+  REQUIRE(loading.error_count() == 0);
+  const bool good = machine::check_references(sound_with(beam, keys), catalogue, diagnostics);
+  CHECK(good == (diagnostics.count() == 0));
+  return text::format(diagnostics);
+}
+
 }  // namespace
 
 TEST_CASE("Plates and portal frames are read") {
@@ -274,15 +284,7 @@ TEST_CASE("What is wrong in bushings and cuts is said at its place") {
 }
 
 TEST_CASE("A bolted joint needs no material, and its screws must be in the catalogues") {
-  text::Diagnostics loading;
-  const auto catalogue = catalogue::Catalogue::load({MILLWRIGHT_SOURCE_DIR "/catalogues"}, loading);
-  REQUIRE(loading.error_count() == 0);
-  const auto said = [&](const std::string& keys) {
-    text::Diagnostics diagnostics;
-    const bool good = machine::check_references(sound_with(beam, bolts + keys), catalogue, diagnostics);
-    CHECK(good == (diagnostics.count() == 0));
-    return text::format(diagnostics);
-  };
+  const auto said = [](const std::string& keys) { return said_of_references(bolts + keys); };
   CHECK(said("").empty());
   CHECK(said("sizes = [\"M6\", \"M8\"]\nproperty_classes = [\"8.8\", \"A2-70\"]\n").empty());
   const std::string size = said("sizes = [\"M6\", \"m8\"]\n");
@@ -292,15 +294,7 @@ TEST_CASE("A bolted joint needs no material, and its screws must be in the catal
 }
 
 TEST_CASE("A material that contradicts the sections cut of it is an error") {
-  text::Diagnostics loading;
-  const auto catalogue = catalogue::Catalogue::load({MILLWRIGHT_SOURCE_DIR "/catalogues"}, loading);
-  REQUIRE(loading.error_count() == 0);
-  const auto said = [&](const std::string& keys) {
-    text::Diagnostics diagnostics;
-    const bool good = machine::check_references(sound_with(beam, keys), catalogue, diagnostics);
-    CHECK(good == (diagnostics.count() == 0));
-    return text::format(diagnostics);
-  };
+  const auto said = said_of_references;
   const std::string both = replaced(beam, "\"steel_sections\"", "\"steel_sections\", \"extrusions\"");
   CHECK(said(both).empty());
   CHECK(said(portal).empty());
