@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "evaluation/figure_reader.h"
+#include "evaluation/screw_drive_stage.h"
 #include "machine/word_column.h"
 
 namespace millwright::evaluation {
@@ -34,7 +35,8 @@ BoltStage::BoltStage(const machine::Axis& axis,
                      const PriceBook& prices)
     : data_{.member = member,
             .require = axis.require,
-            .riding_mass = member.rides ? 0.0 : machine::riding_mass_allowance(axis)},
+            .riding_mass = member.rides ? 0.0 : machine::riding_mass_allowance(axis),
+            .climbing_acceleration = machine::climbing_acceleration(motion_of(axis))},
       place_(place),
       is_last_(is_last) {
   name_ = axis.name + "." + member.name;

@@ -84,7 +84,7 @@ DriveDrawing drawing(const Drive& d, const std::string& axis) {
   double dwell = 0.0;
   double longest = 0.0;
   for (const Move& move : d.data->motion.moves) {
-    dwell += move.dwell;
+    dwell += machine::runs(d.data->motion, move) * move.dwell;
     longest = std::max(longest, move.dwell);
   }
   constexpr double dwell_share = 0.25;  // of the moving time, for one dwell
@@ -131,16 +131,14 @@ void add_turning(DriveDrawing& to, const Drive& d, double travel) {
 std::vector<MotionPoint> motion_over_time(const MotionData& motion, double acceleration_time, double longest_dwell) {
   std::vector<MotionPoint> points;
   Path path(points);
-  const bool gravity = has_gravity_along(motion);
   for (const Move& move : motion.moves) {
-    if (move.profile) {
-      if (!go_recorded(path, *move.profile)) return {};
-    } else {
-      const double ramp = move.acceleration_time.value_or(acceleration_time);
-      go_one_way(path, move, ramp, 1.0);
-      if (gravity) go_one_way(path, move, ramp, -1.0);
+    for (int run = 0; run < machine::runs(motion, move); ++run) {
+      if (!move.profile)
+        go_one_way(path, move, move.acceleration_time.value_or(acceleration_time), run == 0 ? 1.0 : -1.0);
+      else if (!go_recorded(path, *move.profile))
+        return {};
+      path.go(0.0, std::min(move.dwell, longest_dwell), 1.0);
     }
-    path.go(0.0, std::min(move.dwell, longest_dwell), 1.0);
   }
   return points;
 }

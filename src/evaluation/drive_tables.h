@@ -44,11 +44,12 @@ ScrewTable screw_table(const catalogue::Catalogue& catalogue, const machine::Axi
 /// A motor with its driver at one voltage of which figures are intervals.
 struct MotorRanges {
   machine::MotorFigures<scalar::Interval> figures;
-  /// What may govern the torque: published curves, each at its lowest and highest, and the model.
-  struct Curve {
-    mechanics::PullOutCurve lowest, highest;
+  /// What may govern the torque beside the model alone: a curve, and what bounds the model, as in AtVoltages; each pair
+  /// of them once at its lowest and once at its highest.
+  struct Published {
+    std::optional<mechanics::PullOutCurve> curve, ceiling;
   };
-  std::vector<Curve> curves;
+  std::vector<Published> published;
   bool model_may_govern = false;
   scalar::Interval mass;     ///< kg, of the motor
   double model_share = 1.0;  ///< as in AtVoltages
@@ -59,9 +60,12 @@ struct AtVoltages {
   std::vector<double> voltages;  ///< V
   /// Published, per voltage, null where the model governs; empty where it does at all of them.
   std::vector<std::shared_ptr<const mechanics::PullOutCurve>> curves = {};
+  /// The least of what was published at as much voltage and current or more: less of either gives no more torque. Per
+  /// voltage, null where nothing was; empty where `curves` is.
+  std::vector<std::shared_ptr<const mechanics::PullOutCurve>> ceilings = {};
   std::vector<MotorRanges> ranges = {};  ///< per voltage; empty where every figure is what it is
-  /// Beyond the end of a curve the model counts as an estimate: so much of it that the margin of a published torque
-  /// leaves what that of an estimate would.
+  /// Beside curves the model counts as an estimate: so much of it that the margin of a published torque leaves what
+  /// that of an estimate would.
   double model_share = 1.0;
 };
 
@@ -82,6 +86,14 @@ struct MotorPair {
   /// Null where the model governs.
   [[nodiscard]] const mechanics::PullOutCurve* curve_at(std::size_t voltage) const {
     return at->curves.empty() ? nullptr : at->curves[voltage].get();
+  }
+  /// What bounds the model from above; null where nothing does.
+  [[nodiscard]] const mechanics::PullOutCurve* ceiling_at(std::size_t voltage) const {
+    return at->ceilings.empty() ? nullptr : at->ceilings[voltage].get();
+  }
+  /// Whether the model alone says what the torque is, so that the margin is that of an estimate.
+  [[nodiscard]] bool is_modelled(std::size_t voltage) const {
+    return curve_at(voltage) == nullptr && ceiling_at(voltage) == nullptr;
   }
   [[nodiscard]] std::span<const MotorRanges> ranges() const { return at->ranges; }
 };

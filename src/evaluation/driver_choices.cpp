@@ -21,7 +21,28 @@ namespace {
 /// rate of exchange may be off by a rounding.
 constexpr double clearly = 1.0 - 1e-9;
 
+constexpr double rounded = 1.011;  // 2.8 A and 4 A, 1.4 A and 2 A
+
 }  // namespace
+
+double largest_amplitude(double peak_current, double rms_current) {
+  const double sine = std::sqrt(2.0) * rms_current;
+  return peak_current > rounded * sine ? sine : peak_current;
+}
+
+scalar::Interval largest_amplitude(const scalar::Interval& peak_current, const scalar::Interval& rms_current) {
+  if (!std::isfinite(rms_current.lower)) return peak_current;  // not stated
+  const scalar::Interval sine = std::sqrt(2.0) * rms_current;
+  const bool may_limit = peak_current.upper > rounded * sine.lower;
+  const bool may_say_the_same = peak_current.lower <= rounded * sine.upper;
+  return {may_limit ? std::min(peak_current.lower, sine.lower) : peak_current.lower,
+          std::min(peak_current.upper, (may_say_the_same ? rounded : 1.0) * sine.upper)};
+}
+
+double largest_amplitude(const catalogue::Table& drivers, int row) {
+  return largest_amplitude(drivers.number(column(Family::drivers, "peak_current"), row),
+                           drivers.number(column(Family::drivers, "rms_current"), row));
+}
 
 DriverChoices::DriverChoices(const catalogue::Table& drivers,
                              const machine::Axis& axis,
@@ -36,10 +57,11 @@ DriverChoices::DriverChoices(const catalogue::Table& drivers,
     std::vector<catalogue::Column> missing;
     const FigureReader number(t, row, missing);
     const double microsteps = number(column(Family::drivers, "maximum_microsteps"));
+    number(column(Family::drivers, "peak_current"));  // of which the amplitude is made
     if (microsteps < axis.motor.microsteps) continue;
     const Driver d{row,
                    drivers_.size(),
-                   number(column(Family::drivers, "peak_current")),
+                   largest_amplitude(t, row),
                    number(column(Family::drivers, "maximum_voltage")),
                    number(column(Family::drivers, "minimum_voltage")),
                    prices.line(t, row, 1.0, 0.0),

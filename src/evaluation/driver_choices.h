@@ -15,8 +15,18 @@
 #include "evaluation/price_book.h"
 #include "evaluation/slot_table.h"
 #include "machine/problem.h"
+#include "scalar/interval.h"
 
 namespace millwright::evaluation {
+
+/// Largest amplitude of the current that a driver gives [A]: its peak current or, where that is less, the peak of a
+/// sine of its greatest RMS current; NaN where no peak current is stated. Makers round both figures: as long as they
+/// say the same within a hundredth the peak current counts.
+double largest_amplitude(double peak_current, double rms_current);
+/// Every such amplitude.
+scalar::Interval largest_amplitude(const scalar::Interval& peak_current, const scalar::Interval& rms_current);
+/// Of a row of the catalogue.
+double largest_amplitude(const catalogue::Table& drivers, int row);
 
 struct Driver {
   int row;

@@ -9,6 +9,7 @@
 #include "evaluation/drive_drawing.h"
 #include "evaluation/machine_model.h"
 #include "evaluation/machine_stages.h"
+#include "evaluation/motor_torque.h"
 #include "evaluation/outside_validity.h"
 #include "evaluation/traced_elements.h"
 #include "machine/axis_motion.h"
@@ -259,19 +260,18 @@ void mark_estimated_torque(const DriveStage& stage,
                            solver::Row voltage,
                            const GoverningPhase& governing,
                            Design& design) {
-  const auto* const curve = stage.motors().pairs()[choice.rows[DriveStage::motor_slot]].curve_at(voltage);
-  const bool beyond = curve != nullptr && governing.speed >= curve->end();
-  if (curve != nullptr && !(beyond && governing.available < curve->points().back().torque)) return;
+  const auto origin = torque_origin(
+      stage.motors().pairs()[choice.rows[DriveStage::motor_slot]], voltage, governing.speed, governing.available);
+  if (origin == TorqueOrigin::published) return;
   const std::string axis = stage.name().substr(0, stage.name().find('.'));
   for (PartLine& part : design.parts)
     if (part.axis == axis && part.slot == "motor") part.estimate = true;
   for (Check& check : design.checks)
     if (check.axis == axis && check.id == "C-ST-TORQUE") {
-      check.note =
-          beyond
-              ? "beyond the end of the published curve torque is an estimate from the winding: the share of one counts"
-              : "torque at speed is an estimate from the winding: no published curve at this voltage and current";
-      check.requirement = machine::requirements()[static_cast<std::size_t>(stage.data().require.margin_of_model())].key;
+      check.note = note_of(origin);
+      if (origin != TorqueOrigin::bounded)
+        check.requirement =
+            machine::requirements()[static_cast<std::size_t>(stage.data().require.margin_of_model())].key;
     }
 }
 

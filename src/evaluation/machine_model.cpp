@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "evaluation/axis_stages.h"
+#include "evaluation/driver_choices.h"
 #include "evaluation/fixed_choices.h"
 #include "evaluation/held_parts.h"
 #include "evaluation/incomplete_parts.h"
@@ -78,7 +79,8 @@ void note_drivers(const catalogue::Catalogue& catalogue,
                   machine::Problem& problem) {
   note_what_counts(options.objectives, problem);
   const catalogue::Table& drivers = catalogue.table(catalogue::Family::drivers);
-  const auto stated = drivers.numbers(catalogue::column(catalogue::Family::drivers, "peak_current"));
+  std::vector<double> stated;
+  for (int row = 0; row < drivers.rows(); ++row) stated.push_back(largest_amplitude(drivers, row));
   bool counts_drivers = false;
   for (int row = 0; row < drivers.rows(); ++row) counts_drivers = counts_drivers || prices.is_counted(drivers, row);
   // Which of two is cheaper hangs on how many are taken, and which of them is worth keeping on what tolerances move.

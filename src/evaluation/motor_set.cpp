@@ -17,8 +17,7 @@ MotorSet::MotorSet(std::vector<MotorPair> pairs,
     std::vector<double>& numbers = numbers_[v];
     numbers.reserve(pairs_.size() * width);
     for (const MotorPair& pair : pairs_) {
-      const bool estimate = pair.curve_at(v) == nullptr;
-      const double margin = require(estimate ? require.margin_of_model() : Requirement::torque_margin);
+      const double margin = require(pair.is_modelled(v) ? require.margin_of_model() : Requirement::torque_margin);
       machine::MotorReading<double> reading = machine::motor_reading(pair.figures_at(v), margin);
       const auto keep = [&](const double& x) { numbers.push_back(x); };
       visit_motor_reading(reading, keep);
@@ -34,7 +33,7 @@ void MotorSet::read_ranges(std::size_t voltage, const MotorPair& pair, std::vect
   const double published = require_(Requirement::torque_margin);
   const double estimated = require_(require_.margin_of_model());
   Interval margin = ranges.model_may_govern ? estimated : published;
-  if (ranges.model_may_govern && !ranges.curves.empty()) margin = hull(margin, published);
+  if (ranges.model_may_govern && !ranges.published.empty()) margin = hull(margin, published);
   machine::MotorReading<Interval> reading = machine::motor_reading(ranges.figures, margin);
   const auto keep = [&](const Interval& x) { readings.push_back(x); };
   visit_motor_reading(reading, keep);

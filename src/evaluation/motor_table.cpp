@@ -112,6 +112,16 @@ const MotorCurves::value_type* governing(const MotorCurves& curves, double volta
   return nullptr;
 }
 
+/// All published at no less than this voltage and current.
+std::vector<const MotorCurves::value_type*> above(const MotorCurves& curves, double voltage, double current) {
+  std::vector<const MotorCurves::value_type*> result;
+  for (const auto& curve : curves)
+    if (curve.first.voltage >= voltage * (1.0 - 1e-9) && curve.first.current >= current * (1.0 - 1e-9) &&
+        std::ranges::any_of(curve.second, [](const auto& each) { return is_curve(each.second); }))
+      result.push_back(&curve);
+  return result;
+}
+
 /// The currents that may be set for a motor, the largest first.
 std::vector<double> settable_currents(const machine::Axis& axis, double rated_current) {
   if (axis.motor.currents.empty()) return {axis.require(machine::Requirement::current_factor) * rated_current};
@@ -253,7 +263,8 @@ class MotorPairs {
     f.asked_current = axis_.motor.currents.empty()
                           ? axis_.require(machine::Requirement::current_factor) * f.rated_current
                           : Interval(current);
-    f.driver_peak_current = driver_table_.range(column(Family::drivers, "peak_current"), driver.row);
+    f.driver_peak_current = largest_amplitude(driver_table_.range(column(Family::drivers, "peak_current"), driver.row),
+                                              driver_table_.range(column(Family::drivers, "rms_current"), driver.row));
     f.driver_largest_voltage = driver_table_.range(column(Family::drivers, "maximum_voltage"), driver.row);
     f.driver_least_voltage = driver_table_.range(column(Family::drivers, "minimum_voltage"), driver.row);
     AtVoltages at = *pair.at;
@@ -268,24 +279,32 @@ class MotorPairs {
   }
 
   void take_curves(const Motor& motor, double voltage, const scalar::Interval& current, MotorRanges& of_pair) const {
-    of_pair.curves.clear();
+    of_pair.published.clear();
     of_pair.model_may_govern = motor_curves_ == nullptr;
     if (motor_curves_ == nullptr) return;
     std::vector<double> currents{current.lower, current.upper};
     for (const auto& [key, points] : *motor_curves_)
       if (current.lower <= key.current && key.current <= current.upper) currents.push_back(key.current);
+    // Between those of two curves the one governs and the other bounds.
+    std::sort(currents.begin(), currents.end());
+    for (std::size_t i = currents.size() - 1; i > 0; --i) currents.push_back(0.5 * (currents[i - 1] + currents[i]));
     const Curves lowest =
         read_curves(curve_table_, [&](int row) { return curve_table_.range(curve_torque, row).lower; });
     const Curves highest =
         read_curves(curve_table_, [&](int row) { return curve_table_.range(curve_torque, row).upper; });
-    const auto curve_of = [&](const Curves& curves, const CurveKey& key) {
-      return least_curve(curves_of(curves, motors_, motor.row)->at(key));
-    };
     for (const double each : currents) {
-      if (const auto* const curve = governing(*motor_curves_, voltage, each))
-        of_pair.curves.push_back({curve_of(lowest, curve->first), curve_of(highest, curve->first)});
-      else
-        of_pair.model_may_govern = true;
+      const auto* const curve = governing(*motor_curves_, voltage, each);
+      const auto ceilings = above(*motor_curves_, voltage, each);
+      if (curve == nullptr && ceilings.empty()) of_pair.model_may_govern = true;
+      for (const Curves* at : {&lowest, &highest}) {
+        const MotorCurves& moved = *curves_of(*at, motors_, motor.row);
+        MotorRanges::Published published;
+        if (curve != nullptr) published.curve = least_curve(moved.at(curve->first));
+        std::vector<mechanics::PullOutCurve> all;
+        for (const auto* ceiling : ceilings) all.push_back(least_curve(moved.at(ceiling->first)));
+        if (!all.empty()) published.ceiling = mechanics::least_of(all);
+        if (published.curve || published.ceiling) of_pair.published.push_back(std::move(published));
+      }
     }
   }
 
@@ -296,10 +315,23 @@ class MotorPairs {
     for (const double v : voltages_) {
       const auto* const curve = governing(*motor_curves_, v, current);
       at.curves.push_back(curve == nullptr ? nullptr : made_of(curve->second));
+      at.ceilings.push_back(ceiling_of(above(*motor_curves_, v, current)));
     }
-    if (std::ranges::all_of(at.curves, [](const auto& curve) { return curve == nullptr; })) return modelled_;
-    if (curved_ == nullptr || curved_->curves != at.curves) curved_ = std::make_shared<const AtVoltages>(std::move(at));
+    const auto none = [](const auto& curve) { return curve == nullptr; };
+    if (std::ranges::all_of(at.curves, none) && std::ranges::all_of(at.ceilings, none)) return modelled_;
+    if (curved_ == nullptr || curved_->curves != at.curves || curved_->ceilings != at.ceilings)
+      curved_ = std::make_shared<const AtVoltages>(std::move(at));
     return curved_;
+  }
+
+  /// The least of some curves, made once for all pairs below it.
+  std::shared_ptr<const mechanics::PullOutCurve> ceiling_of(const std::vector<const MotorCurves::value_type*>& curves) {
+    if (curves.empty()) return nullptr;
+    auto& made = ceilings_[curves];
+    if (made != nullptr) return made;
+    std::vector<mechanics::PullOutCurve> all;
+    for (const auto* curve : curves) all.push_back(*made_of(curve->second));
+    return made = std::make_shared<const mechanics::PullOutCurve>(mechanics::least_of(all));
   }
 
   /// A curve, made once for all pairs that it governs.
@@ -321,6 +353,7 @@ class MotorPairs {
   Curves curves_;
   const MotorCurves* motor_curves_ = nullptr;  ///< of the motor that is added; null where there are none
   std::map<const MeasuredCurves*, std::shared_ptr<const mechanics::PullOutCurve>> made_;
+  std::map<std::vector<const MotorCurves::value_type*>, std::shared_ptr<const mechanics::PullOutCurve>> ceilings_;
 };
 
 }  // namespace

@@ -32,8 +32,31 @@ machine::MotorFigures<T> model_figures(const MotorPair& pair, std::size_t voltag
   return f;
 }
 
-/// Available torque of one motor: its published curve where that governs, else the winding model; beyond the curve the
-/// share of the model that counts there (AtVoltages), no more than the curve's last torque.
+/// Torque beside published curves: `curve` where that governs, else the winding model. Beyond the curve, and where
+/// there is only a `ceiling`, published at more voltage and current, the share of the model that counts there
+/// (AtVoltages), no more than the curve's last torque and the ceiling. One of the two may be null.
+template <class T, class Model>
+T torque_beside(const mechanics::PullOutCurve* curve,
+                const mechanics::PullOutCurve* ceiling,
+                double model_share,
+                const Model& model,
+                const T& angular_speed) {
+  using namespace scalar;
+  const auto estimate = [&]() -> T {
+    const T share = model_share * model();
+    return ceiling == nullptr ? share : T(smaller(share, (*ceiling)(angular_speed)));
+  };
+  if (curve == nullptr) return estimate();
+  const T last = in_unit<T>(curve->points().back().torque, dimension::torque);
+  // The curve may end above the model: there the torque jumps down.
+  return step_below(
+      angular_speed,
+      in_unit<T>(curve->end(), dimension::angular_speed),
+      [&] { return (*curve)(angular_speed); },
+      [&] { return T(smaller(estimate(), last)); });
+}
+
+/// Available torque of one motor.
 template <class T>
 T available_torque(const MotorPair& pair, std::size_t voltage, const T& angular_speed) {
   using namespace scalar;
@@ -41,15 +64,37 @@ T available_torque(const MotorPair& pair, std::size_t voltage, const T& angular_
     return machine::modelled_torque(
         model_figures<T>(pair, voltage), in_unit<T>(driver_current(pair), dimension::current), angular_speed);
   };
-  const mechanics::PullOutCurve* curve = pair.curve_at(voltage);
-  if (curve == nullptr) return model();
-  const T last = in_unit<T>(curve->points().back().torque, dimension::torque);
-  // The curve may end above the model: there the torque jumps down.
-  return step_below(
-      angular_speed,
-      in_unit<T>(curve->end(), dimension::angular_speed),
-      [&] { return (*curve)(angular_speed); },
-      [&] { return smaller(T(pair.at->model_share * model()), last); });
+  if (pair.is_modelled(voltage)) return model();
+  return torque_beside<T>(pair.curve_at(voltage), pair.ceiling_at(voltage), pair.at->model_share, model, angular_speed);
+}
+
+/// Where an available torque comes from.
+enum class TorqueOrigin {
+  published,  ///< a curve says it
+  modelled,   ///< the winding model alone
+  beyond,     ///< the model beyond the end of a curve
+  bounded     ///< a curve published at more voltage and current, below the model
+};
+
+/// That of `torque` [N.m], which is available at this speed [rad/s].
+inline TorqueOrigin torque_origin(const MotorPair& pair, std::size_t voltage, double angular_speed, double torque) {
+  const mechanics::PullOutCurve *curve = pair.curve_at(voltage), *ceiling = pair.ceiling_at(voltage);
+  if (curve != nullptr && (angular_speed < curve->end() || torque >= curve->points().back().torque))
+    return TorqueOrigin::published;
+  if (ceiling != nullptr && torque >= (*ceiling)(angular_speed)) return TorqueOrigin::bounded;
+  return curve != nullptr ? TorqueOrigin::beyond : TorqueOrigin::modelled;
+}
+
+/// What is said of a torque that no curve says.
+constexpr const char* note_of(TorqueOrigin origin) {
+  switch (origin) {
+    case TorqueOrigin::beyond:
+      return "beyond the end of the published curve torque is an estimate from the winding: the share of one counts";
+    case TorqueOrigin::bounded:
+      return "no published curve at this voltage and current: one at more of them bounds the torque";
+    default:
+      return "torque at speed is an estimate from the winding: no published curve at this voltage and current";
+  }
 }
 
 /// The same over the figures of one motor that are intervals.
@@ -69,13 +114,9 @@ T available_torque(const MotorRanges& ranges, const T& angular_speed) {
   std::optional<T> result;
   const auto take = [&](const T& torque) { result = result ? hull(*result, torque) : torque; };
   if (ranges.model_may_govern) take(model());
-  for (const MotorRanges::Curve& curve : ranges.curves)
-    for (const mechanics::PullOutCurve* bound : {&curve.lowest, &curve.highest})
-      take(step_below(
-          angular_speed,
-          T(bound->end()),
-          [&] { return (*bound)(angular_speed); },
-          [&] { return smaller(T(ranges.model_share * model()), T(bound->points().back().torque)); }));
+  const auto place = [](const std::optional<mechanics::PullOutCurve>& of) { return of ? &*of : nullptr; };
+  for (const MotorRanges::Published& each : ranges.published)
+    take(torque_beside<T>(place(each.curve), place(each.ceiling), ranges.model_share, model, angular_speed));
   return result.value();
 }
 

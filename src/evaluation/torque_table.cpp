@@ -57,7 +57,7 @@ void TorqueTable::work_out(const MotorPair& pair, std::size_t voltage, float* bo
   };
   // Torque never rises with speed: what it is at the edges bounds it between them.
   thread_local std::vector<Interval> at_edges;
-  if (pair.curve_at(voltage) == nullptr) {
+  if (pair.is_modelled(voltage)) {
     modelled_.find(model_figures<Interval>(pair, voltage), driver_current(pair), at_edges);
   } else {
     at_edges.clear();

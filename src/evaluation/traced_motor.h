@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <functional>
 #include <map>
 #include <optional>
 
@@ -52,26 +53,43 @@ inline constexpr FigureName reduction_names[] = {{"i", "ratio of the reduction",
                                                  {"d_g", "output shaft of the reduction", "mm"},
                                                  {"m_g", "mass of the reduction", "kg"}};
 
-/// Torques of the published curve, each a given figure: the sheet has the curve's name, not its points.
+/// Torques of published curves, each a given figure: the sheet has the curve's name, not its points.
 struct CurveReader {
+  const char* symbol;   ///< "T_po"
+  const char* meaning;  ///< "torque of the published curve at {}"
   GivenFigures& given;
   std::map<double, scalar::Traced> known = {};  ///< by speed [rad/s]
-  std::optional<scalar::Traced> share = std::nullopt;
 
   scalar::Traced operator()(double speed, double torque) {
     if (const auto place = known.find(speed); place != known.end()) return place->second;
-    const std::string symbol = fmt::format("T_po,{}", known.size() + 1);
-    const std::string meaning =
-        fmt::format("torque of the published curve at {}", scalar::format(speed, scalar::Unit::of("rpm"), 4));
-    return known[speed] = given.take({symbol.c_str(), meaning.c_str(), "N.m"}, torque);
+    const std::string each = fmt::format("{},{}", symbol, known.size() + 1);
+    const std::string said = fmt::format(fmt::runtime(meaning), scalar::format(speed, scalar::Unit::of("rpm"), 4));
+    return known[speed] = given.take({each.c_str(), said.c_str(), "N.m"}, torque);
   }
+};
 
-  /// What counts beyond its end, of the torque that the winding is estimated to have.
-  scalar::Traced past_the_end(const scalar::Traced& model, double model_share) {
+/// The available torque of a motor, as torque_beside has it.
+struct TracedTorque {
+  const MotorPair& pair;
+  std::size_t voltage;
+  machine::MotorFigures<scalar::Traced> figures;
+  scalar::Traced current;
+  std::function<double(double)> value;
+  CurveReader curve, ceiling;
+  std::optional<scalar::Traced> share = std::nullopt;
+
+  scalar::Traced operator()(const scalar::Traced& omega) {
+    const mechanics::PullOutCurve *below = pair.curve_at(voltage), *above = pair.ceiling_at(voltage);
+    if (below != nullptr && omega.value < below->end()) return curve(omega.value, value(omega.value));
+    scalar::Traced torque = machine::modelled_torque(figures, current, omega);
+    if (pair.is_modelled(voltage)) return scalar::named("T_av", torque);
     if (!share)
-      share =
-          given.take({"k_e", "share of the estimated torque that counts beyond the published curve", "1"}, model_share);
-    return *share * model;
+      share = curve.given.take({"k_e", "share of the estimated torque that counts beside published curves", "1"},
+                               pair.at->model_share);
+    torque = *share * torque;
+    if (above != nullptr) torque = smaller(torque, ceiling(omega.value, (*above)(omega.value)));
+    if (below != nullptr) torque = smaller(torque, curve(below->last_speed(), below->points().back().torque));
+    return scalar::named("T_av", torque);
   }
 };
 
@@ -106,20 +124,13 @@ void trace_motor(
       figures, given.take({"k_T", "permitted share of the available torque", "1"}, from.motor.torque_margin));
   to.motor_shaft = given.take({"d_m", "shaft of the motor", "mm"}, from.motor_shaft);
   to.motor_mass = given.take({"m_m", "mass of the motor", "kg"}, from.motor_mass);
-  const auto available = from.available_torque;
-  const mechanics::PullOutCurve* curve = pair.curve_at(chosen.voltage);
-  to.available_torque = [figures,
-                         read_off = CurveReader{given},
-                         curve,
-                         available,
-                         current = to.motor.current,
-                         share = pair.at->model_share](const Traced& omega) mutable -> Traced {
-    if (curve != nullptr && omega.value < curve->end()) return read_off(omega.value, available(omega.value));
-    const Traced model = machine::modelled_torque(figures, current, omega);
-    if (curve == nullptr) return scalar::named("T_av", model);
-    const Traced last = read_off(curve->last_speed(), curve->points().back().torque);
-    return scalar::named("T_av", smaller(read_off.past_the_end(model, share), last));
-  };
+  to.available_torque = TracedTorque{pair,
+                                     chosen.voltage,
+                                     figures,
+                                     to.motor.current,
+                                     from.available_torque,
+                                     {"T_po", "torque of the published curve at {}", given},
+                                     {"T_hi", "torque published at more voltage or current, at {}", given}};
   to.reduction.present = from.reduction.present;
   to.reduction.torque_is_rated = from.reduction.torque_is_rated;
   to.reduction.speed_is_rated = from.reduction.speed_is_rated;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <map>
 
+#include "machine/guide_system.h"
 #include "machine/name_reader.h"
 #include "machine/quantity_reader.h"
 #include "scalar/unit.h"
@@ -245,6 +246,11 @@ Axis read_axis(const Node& node, const AxisSurroundings& around, Diagnostics& di
                          Sign::positive);
   read_parts(table, q, axis, diagnostics);
   if (stroke && !rotary) check_stroke(table, axis, diagnostics);
+  if (axis.guide && rails_on_face(axis) && !axis.guide->load_height_stated)
+    diagnostics.warning(
+        axis.guide->where,
+        "guide: its rails stand on a face, so that the load hangs before them; how far is not said",
+        "add load_height, from the rails to the centre of what moves; \"0 mm\" if it hangs in their plane");
   const Node* given = table.find("acceleration_time");
   const bool others = around.together.count(axis.name) > 0 && !table.has("moves");
   if (!others && q.required("moves", "an [[axis.moves]] with distance and time") != nullptr)

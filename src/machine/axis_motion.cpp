@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <span>
 
 namespace millwright::machine {
 
@@ -41,10 +43,11 @@ std::vector<std::string> phase_names(const MotionData& data) {
     std::vector<std::string> parts = ramp_names("accelerate", move);
     parts.emplace_back("cruise");
     for (std::string& part : ramp_names("brake", move)) parts.push_back(std::move(part));
-    for (int direction = 0; direction < (gravity ? 2 : 1); ++direction)
+    const bool twice = runs(data, move) == 2;
+    const std::array<const char*, 2> ways = gravity ? std::array{"up", "down"} : std::array{"there", "back"};
+    for (const char* way : std::span(ways).first(twice ? 2 : 1))
       for (const std::string& part : parts)
-        names.push_back(gravity ? fmt::format("{} {}, {}", name, direction == 0 ? "up" : "down", part)
-                                : fmt::format("{}, {}", name, part));
+        names.push_back(twice ? fmt::format("{} {}, {}", name, way, part) : fmt::format("{}, {}", name, part));
   }
   return names;
 }
@@ -63,6 +66,10 @@ double largest_acceleration(const MotionData& data) {
     largest = std::max(largest, peak_acceleration(speed, ramp, move));
   }
   return largest;
+}
+
+double climbing_acceleration(const MotionData& data) {
+  return has_gravity_along(data) ? std::sin(data.inclination) * largest_acceleration(data) : 0.0;
 }
 
 }  // namespace millwright::machine

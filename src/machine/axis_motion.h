@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The duty cycle of an axis as a list of phases: every move is split into accelerate, cruise and brake, and, where
-// gravity acts along the travel, done once against it (up) and once with it (down). A force is positive when it opposes
-// the motion. The cycle of a rotary axis is the same, of angles, torques and its inertia.
+// gravity acts along the travel, done once against it (up) and once with it (down); the other axes of a coordinated
+// move that climbs go there and back with it. A force is positive when it opposes the motion. The cycle of a rotary
+// axis is the same, of angles, torques and its inertia.
 //
-// A jerk-limited ramp of time t to the speed v has the acceleration rise, stay for t_c = sqrt(t^2 - 4 v/j), and fall in
-// the same time t_j = (t - t_c)/2; its peak is a = 2 v/(t + t_c). Rising and falling stand in the cycle as two phases
-// of t_j each at (1/2 -+ 1/sqrt(12)) a, the two points of Gauss: so mean, mean square and mean cube of all that is
-// linear in the acceleration come out exact (RMS torque, mean load, as long as the force keeps its sign). Weighted with
-// the speed too: speed is point symmetric about the middle of a ramp and acceleration mirror symmetric, so every part
-// counts with the mean speed v/2. The peak counts at the full speed, which is on the safe side.
-//
-// A measured profile is its phases (measured_profile.h), run once as it was recorded.
+// The parts of a ramp: ramp.h. A measured profile is its phases (measured_profile.h), run once as it was recorded.
 #pragma once
 
 #include <algorithm>
@@ -28,6 +22,7 @@
 #include "machine/constraint.h"
 #include "machine/largest.h"
 #include "machine/problem.h"
+#include "machine/ramp.h"
 #include "mechanics/actuation.h"
 #include "scalar/scalars.h"
 
@@ -40,6 +35,7 @@ struct Phase {
   T speed{};         ///< m/s, the largest in this phase
   T mean_speed{};    ///< m/s
   T duration{};      ///< s
+  T loss_share{};    ///< of `speed`: the mean of the speed's square over its mean
   /// Whether force and torque can be the largest of their move here. While no counterbalance pulls, that is so in the
   /// first ramp against gravity alone: force m(a + g sin) + friction + process is the largest |F| of the move, the
   /// motor both lifts and accelerates, and a load that runs back gives |T| = |F| l/(2 pi) * |reverse efficiency| < |F|
@@ -71,6 +67,19 @@ inline constexpr MotionDimensions motion_dimensions(bool rotary) {
 
 /// The largest acceleration at which moves may be driven [m/s^2]: that of the shortest ramp which the axis may take.
 double largest_acceleration(const MotionData& data);
+
+/// What of it is upwards [m/s^2]; 0 where no gravity acts along the travel. It goes up while a ramp lifts the load, and
+/// while one stops its way down.
+double climbing_acceleration(const MotionData& data);
+
+/// What a mass that its axis moves pulls down with [N]: its weight and what it takes to speed it up on its way.
+template <class T>
+T pull_of_mass(const T& mass, double climbing_acceleration) {
+  using namespace scalar;
+  const T gravity = in_unit<T>(standard_gravity, dimension::acceleration);
+  if (climbing_acceleration <= 0.0) return mass * gravity;
+  return mass * (gravity + named("a_u", in_unit<T>(climbing_acceleration, dimension::acceleration)));
+}
 
 /// "moves[0] up, accelerate": names of the phases in the order of `phases`.
 std::vector<std::string> phase_names(const MotionData& data);
@@ -110,9 +119,6 @@ struct Cycle {
   double standing_force = 0.0;           ///< N, the process's largest while the axis stands, of measured profiles
 };
 
-/// Parts of a jerk-limited ramp, as shares of its peak acceleration: at the peak, and the points of Gauss for the rest.
-inline constexpr double rising_shares[] = {0.78867513459481288, 0.21132486540518712};
-
 /// Room for so many elements in each of the vectors: growing step by step was a tenth of an evaluation.
 template <class... Vectors>
 void make_room(std::size_t count, Vectors&... vectors) {
@@ -124,75 +130,27 @@ inline bool has_gravity_along(const MotionData& data) {
   return data.inclination != 0.0 && std::sin(data.inclination) > 1e-9;
 }
 
+/// Times that a move is done in a cycle: up and down where gravity acts, there and back if it returns.
+inline int runs(const MotionData& data, const Move& move) {
+  return !move.profile && (move.returns || has_gravity_along(data)) ? 2 : 1;
+}
+
 /// How many phases the cycle has.
 inline std::size_t phase_count(const MotionData& data) {
-  const std::size_t directions = has_gravity_along(data) ? 2 : 1;
   std::size_t count = 0;
   for (const Move& move : data.moves)
-    count += move.profile ? move.profile->phases.size() : directions * (move.jerk ? 7 : 3);
+    count +=
+        move.profile ? move.profile->phases.size() : static_cast<std::size_t>(runs(data, move)) * (move.jerk ? 7 : 3);
   return count;
 }
 
 namespace detail {
-template <class T>
-T si(double value, const scalar::Dimension& dimension) {
-  return scalar::in_unit<T>(value, dimension);
-}
-
-/// A part of a ramp with one acceleration.
-template <class T>
-struct RampPart {
-  T acceleration{}, duration{};
-  bool peak = true;
-};
-
-/// All parts of a ramp, the peak first. Every move of every question has them: no place for them is asked for.
-template <class T>
-struct RampParts {
-  static constexpr std::size_t most = 1 + std::size(rising_shares);
-  std::array<RampPart<T>, most> places{};
-  std::size_t count = 0;
-  void add(RampPart<T> part) { places[count++] = std::move(part); }
-  [[nodiscard]] std::span<const RampPart<T>> all() const { return std::span(places).first(count); }
-};
-
-/// Over an interval of ramps what is positive and has no extreme inside but at `turning`.
-template <class Of>
-scalar::Interval over_ramps(const scalar::Interval& ramp, double turning, Of&& of) {
-  constexpr double rounding = 1e-15;  // of the same worked out in numbers
-  scalar::Interval range = hull(of(scalar::Interval(ramp.lower)), of(scalar::Interval(ramp.upper)));
-  if (ramp.lower < turning && turning < ramp.upper) range = hull(range, of(scalar::Interval(turning)));
-  return range * scalar::Interval(1.0 - rounding, 1.0 + rounding);
-}
-
-template <class T>
-RampParts<T> ramp_parts(const T& speed, const T& ramp, const T* jerk) {
-  using namespace scalar;
-  RampParts<T> parts;
-  if (jerk == nullptr) {
-    parts.add({named("a", speed / ramp), ramp});
-    return parts;
-  }
-  const T none = si<T>(0.0, dimension::time);
-  // Without time for such a jerk, which C-SYS-TIME refuses, the acceleration rises and falls all the time.
-  const T constant = where_below(
-      square(ramp) - 4.0 * speed / *jerk,
-      si<T>(0.0, dimension::time * dimension::time),
-      [&](const T&) -> T { return none; },
-      [](const T& squared) -> T { return sqrt(squared); });
-  const T peak = named("a", 2.0 * speed / (ramp + constant));
-  const T changing = larger(0.5 * (ramp - constant), none);
-  parts.add({peak, constant});
-  for (const double share : rising_shares) parts.add({share * peak, changing, false});
-  return parts;
-}
-
 /// Adds moves to a cycle whose forces of gravity and friction are known.
 template <class T>
 class CycleBuilder {
  public:
   CycleBuilder(const MotionData& data, const T& mass, Cycle<T>& cycle)
-      : mass_(mass), of_(motion_dimensions(data.rotary)), gravity_(has_gravity_along(data)), cycle_(cycle) {
+      : data_(data), mass_(mass), of_(motion_dimensions(data.rotary)), cycle_(cycle) {
     // While no counterbalance pulls, see Phase::may_govern.
     every_ = data.counterbalance_force > 0.0;
   }
@@ -227,18 +185,22 @@ class CycleBuilder {
     cycle_.peak_speed = larger(cycle_.peak_speed, speed);
     cycle_.process_force = larger(cycle_.process_force, absolute(force));
     cycle_.demands.push_back(demand);
-    for (int direction = 0; direction < (gravity_ ? 2 : 1); ++direction) {
+    for (int direction = 0; direction < runs(data_, move); ++direction) {
       const T weight = direction == 0 ? cycle_.gravity_force : -cycle_.gravity_force;
       const std::size_t first = cycle_.phases.size();
       for (const RampPart<T>& part : parts)
         add_phase(part.acceleration,
                   weight,
                   force,
-                  {speed, 0.5 * speed, part.duration},
+                  {speed, 0.5 * speed, part.duration, ramp_up.loss_share},
                   part.peak && (every_ || direction == 0));
-      add_phase(si<T>(0.0, of_.acceleration), weight, force, {speed, speed, constant_time}, every_);
+      add_phase(si<T>(0.0, of_.acceleration), weight, force, {speed, speed, constant_time, T(1.0)}, every_);
       for (const RampPart<T>& part : parts)
-        add_phase(-part.acceleration, weight, force, {speed, 0.5 * speed, part.duration}, part.peak && every_);
+        add_phase(-part.acceleration,
+                  weight,
+                  force,
+                  {speed, 0.5 * speed, part.duration, ramp_up.loss_share},
+                  part.peak && every_);
       const std::size_t cruise = first + parts.size();
       if constexpr (scalar::Enclosing<T>)
         for (std::size_t i = 0; i < parts.size(); ++i) cycle_.mirrored.push_back({first + i, cruise, cruise + 1 + i});
@@ -255,12 +217,14 @@ class CycleBuilder {
     for (const ProfilePhase& phase : profile.phases) {
       moving += phase.duration;
       const T weight = phase.backwards ? -cycle_.gravity_force : cycle_.gravity_force;
-      add_phase(
-          si<T>(phase.acceleration, of_.acceleration),
-          weight,
-          si<T>(phase.force, of_.force),
-          {si<T>(phase.speed, of_.speed), si<T>(phase.mean_speed, of_.speed), si<T>(phase.duration, dimension::time)},
-          every_ || phase.may_govern);
+      add_phase(si<T>(phase.acceleration, of_.acceleration),
+                weight,
+                si<T>(phase.force, of_.force),
+                {si<T>(phase.speed, of_.speed),
+                 si<T>(phase.mean_speed, of_.speed),
+                 si<T>(phase.duration, dimension::time),
+                 T(loss_share(phase))},
+                every_ || phase.may_govern);
     }
     for (const std::size_t i : profile.hardest) {
       const ProfilePhase& phase = profile.phases[i];
@@ -291,17 +255,18 @@ class CycleBuilder {
   }
 
   struct Pace {
-    T speed, mean_speed, duration;
+    T speed, mean_speed, duration, loss_share;
   };
   void add_phase(const T& acceleration, const T& weight, const T& force, const Pace& pace, bool may_govern) {
     const T along = scalar::named(
         "F_x", mechanics::actuation::axial_force(mass_, acceleration, weight, cycle_.friction_force, T(1.0), force));
-    cycle_.phases.push_back({along, acceleration, pace.speed, pace.mean_speed, pace.duration, may_govern});
+    cycle_.phases.push_back(
+        {along, acceleration, pace.speed, pace.mean_speed, pace.duration, pace.loss_share, may_govern});
   }
 
+  const MotionData& data_;
   const T& mass_;
   MotionDimensions of_;
-  bool gravity_;
   bool every_ = false;
   Cycle<T>& cycle_;
 };

@@ -38,7 +38,8 @@ inline constexpr std::size_t bolt_reading_fields = 4;
 struct BoltedJointData {
   Member member;
   Requirements require;
-  double riding_mass = 0.0;  ///< kg, allowance for the nut or belt of the axis that it carries
+  double riding_mass = 0.0;            ///< kg, allowance for the nut or belt of the axis that it carries
+  double climbing_acceleration = 0.0;  ///< m/s^2, the hardest of the axis, what of it is upwards
 };
 
 template <class T>
@@ -147,7 +148,7 @@ T BoltedJoint<T>::borne() const {
   const T extra = in_unit<T>(m.extra_force, dimension::force);
   if (holds() != Held::burden) return held_force + extra / m.count;
   const T burden = carried_mass + in_unit<T>(data->riding_mass, dimension::mass);
-  const T weight = burden * in_unit<T>(standard_gravity, dimension::acceleration);
+  const T weight = pull_of_mass(burden, data->climbing_acceleration);
   return (m.load_share * weight + extra) / m.count;
 }
 

@@ -63,12 +63,12 @@ class CoordinatedReader {
     for (const Part& part : parts) path.distance = std::hypot(path.distance, part.distance);
     take_jerk(path, parts);
     check_ramps(node, path, false, {true, true, nullptr, nullptr, {}}, {0.0, 0.0}, diagnostics_);
-    // Its time counts once in the cycle of the machine: on an axis that does it up and down, if there is one.
-    const auto climbs = [&](const Part& part) { return std::sin(problem_.axes[part.axis].inclination) > 1e-9; };
-    const auto climbing = std::find_if(parts.begin(), parts.end(), climbs);
-    const Part& timed = climbing == parts.end() ? parts.front() : *climbing;
+    // Where one of the axes goes up and down the others go there and back: together all the way.
+    path.returns = std::any_of(parts.begin(), parts.end(), [&](const Part& part) {
+      return std::sin(problem_.axes[part.axis].inclination) > 1e-9;
+    });
     for (const Part& part : parts) {
-      path.counts_in_cycle = &part == &timed;
+      path.counts_in_cycle = &part == &parts.front();
       give(path, part);
     }
   }

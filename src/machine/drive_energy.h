@@ -19,10 +19,11 @@
 //           sum of W = q_i s + (s - 2 h) M(1, 0) + M(h, v^2/2) + M(h, -v^2/2),
 //           M(s', e) = max over j of (q_j - q_i) s' + (g_j - g_i) e >= 0.
 //         With the i that is largest at steady speed M is 0 unless a ramp turns the sign: then no ramp time is left.
-//   E_Fe  iron losses T_h (c_0 + c_1 omega) omega over the move: omega runs from 0 to its peak evenly, so its mean over
-//         time is theta/t and the mean of its square over the mean is omega_e = omega (1 - v t_r/(3 s)); then
-//         E_Fe = T_h (c_0 + c_1 omega_e) theta. In a move of given time t with y = t/(t - t_r) that is v = y s/t,
-//         v t_r = s (y - 1) and omega_e = k s/t (4 - (2 - y)^2)/3.
+//   E_Fe  iron losses T_h (c_0 + c_1 omega) omega over the move: the mean of omega over time is theta/t; the mean of
+//   its
+//         square over that is omega_e = omega (1 - v t_r/s (1 - c)), c that of its ramps (ramp.h), 2/3 if they are
+//         even. Then E_Fe = T_h (c_0 + c_1 omega_e) theta. In a move of given time t with y = t/(t - t_r) it is v = y
+//         s/t, v t_r = s (y - 1) and, where ramps are even, omega_e = k s/t (4 - (2 - y)^2)/3.
 #pragma once
 
 #include <array>
@@ -31,9 +32,6 @@
 #include "machine/screw_drive.h"
 
 namespace millwright::machine {
-
-/// Times that the moves of an axis are done in a cycle: up and down where gravity acts.
-inline double directions(const MotionData& motion) { return has_gravity_along(motion) ? 2.0 : 1.0; }
 
 /// Which moves are timed: all of an axis, or those that count in the cycle of the machine (Move::counts_in_cycle).
 enum class Timed { axis, machine };
@@ -45,7 +43,7 @@ T moving_time(const MotionData& motion, const T& acceleration_time, Timed timed)
   double fixed = 0.0, ramps = 0.0;
   for (const Move& move : motion.moves) {
     if (timed == Timed::machine && !move.counts_in_cycle) continue;
-    const double times = move.profile ? 1.0 : directions(motion);
+    const double times = runs(motion, move);
     if (move.profile)
       fixed += move.profile->time + move.dwell;
     else if (move.speed)
@@ -138,11 +136,15 @@ class WorkSum {
       ramps_way = (faster - 1.0) * way;
       iron_speed = (4.0 - square(2.0 - faster)) * (way / (3.0 * time));
     }
+    if (move.jerk) {
+      const T jerk = si<T>(*move.jerk, of_.acceleration / dimension::time);
+      iron_speed = speed * (1.0 - ramps_way / way * (1.0 - ramp_parts(speed, chosen, &jerk).loss_share));
+    }
     const T half = 0.5 * ramps_way;
     const T kinetic = 0.5 * square(speed);
     const T cruise = larger(way - ramps_way, si<T>(0.0, of_.distance));
-    const double times = directions(d_.data->motion);
-    for (int direction = 0; direction < static_cast<int>(times); ++direction) {
+    const int times = runs(d_.data->motion, move);
+    for (int direction = 0; direction < times; ++direction) {
       const Ways ways = ways_of(steady_force(direction > 0, move.force));
       const std::size_t i = ways.usual;
       sum_ = sum_ + ways.steady[i] * way + above(ways, cruise, si<T>(0.0, of_.speed * of_.speed)) +
@@ -158,9 +160,7 @@ class WorkSum {
     const std::size_t i = ways.usual;
     const T gain = si<T>(phase.acceleration * phase.mean_speed * phase.duration, of_.speed * of_.speed);
     sum_ = sum_ + ways.steady[i] * way + ways.gain[i] * gain + above(ways, way, gain);
-    // From 2 * mean - peak to the peak evenly.
-    const double spread = phase.speed - phase.mean_speed;
-    add_iron(way, si<T>(phase.mean_speed + spread * spread / (3.0 * phase.mean_speed), of_.speed));
+    add_iron(way, si<T>(loss_share(phase) * phase.speed, of_.speed));
   }
 
   [[nodiscard]] const T& sum() const { return sum_; }

@@ -25,6 +25,14 @@ struct ProfilePhase {
   bool may_govern = true;
 };
 
+/// Mean of the square of a phase's speed over its mean, as a share of its largest; it goes there from 2 * mean -
+/// largest evenly. 0 where the phase stands.
+inline double loss_share(const ProfilePhase& phase) {
+  if (phase.mean_speed <= 0.0) return 0.0;
+  const double spread = phase.speed - phase.mean_speed;
+  return (phase.mean_speed + spread * spread / (3.0 * phase.mean_speed)) / phase.speed;
+}
+
 struct MeasuredProfile {
   std::vector<ProfilePhase> phases;
   std::vector<std::size_t> hardest;  ///< phases that no other exceeds in speed, acceleration and force

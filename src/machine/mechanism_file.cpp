@@ -290,6 +290,7 @@ GuideChoice read_guide(const Node& node, const std::string& title, Diagnostics& 
       "mm",
       0.0,
       Sign::any);
+  guide.load_height_stated = table.has("load_height");
   guide.force_height =
       q.quantity_or({"force_height", "of the process force above the carriages"}, "mm", 0.0, Sign::any);
   read_tool_at(table, q, guide, diagnostics);

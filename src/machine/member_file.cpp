@@ -86,6 +86,7 @@ void refuse_others(QuantityReader& q, MemberKind kind) {
   only({rectangular_bar, plate}, {"width"}, "\"bar\" or \"plate\"");
   only({rectangular_bar, portal_frame}, {"height"}, "\"bar\" or \"portal_frame\"");
   only({plate}, {"thickness"}, "\"plate\"");
+  only({column, portal_frame}, {"end_fixity"}, "\"column\" or \"portal_frame\"");
   only({weld}, {"leg", "joint_width", "joint_depth"}, "\"weld\"");
   only({weld, bolts}, {"lever_arm"}, "\"weld\" or \"bolts\"");
   only({section_beam, column, portal_frame}, {"sections", "section_kinds"}, "\"beam\", \"column\" or \"portal_frame\"");
@@ -115,8 +116,12 @@ void refuse_others(QuantityReader& q, MemberKind kind) {
              "this kind of member has none",
              "this key goes with kind = \"shaft\", \"bar\", \"beam\", \"column\", \"plate\" or \"portal_frame\"");
   if (kind == bolts) q.refuse({"material"}, "screws have their own", "choose by property_classes = [\"8.8\"]");
-  if (kind == portal_frame || kind == bolts)
-    q.refuse({"support"}, "this kind of member has none", "a portal is clamped at its feet, bolts hold by themselves");
+  if (kind == column)
+    q.refuse({"support"}, "this kind of member has none", "end_fixity says how the ends of a column are held");
+  if (kind == portal_frame || kind == weld || kind == bolts)
+    q.refuse({"support"},
+             "this kind of member has none",
+             "a portal is clamped at its feet, welds and bolts hold by themselves");
 }
 
 /// A shaft that turns under its load is checked for fatigue, as far as the size factor of the endurance limit is known.

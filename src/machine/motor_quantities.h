@@ -71,11 +71,10 @@ auto steady_winding_rise(const Drive& d) {
   for (std::size_t i = 0; i < d.cycle.phases.size(); ++i) {
     const auto& phase = d.cycle.phases[i];
     const T mean = d.angular_speeds[i] * phase.mean_speed / phase.speed;
-    // From 2 * mean - peak to the peak evenly: the mean of the square, over the mean (drive_energy.h).
-    const T spread = d.angular_speeds[i] - mean;
-    const T omega = mean + square(spread) / (3.0 * mean);
-    const T drag =
-        st::loss_torque(d.motor.holding_torque, omega, T(constant_loss), in_unit<T>(speed_loss, dimension::time));
+    const T drag = st::loss_torque(d.motor.holding_torque,
+                                   T(phase.loss_share * d.angular_speeds[i]),
+                                   T(constant_loss),
+                                   in_unit<T>(speed_loss, dimension::time));
     energy = energy + drag * mean * phase.duration;
   }
   const T ambient = in_unit<T>(standard_ambient_temperature, dimension::temperature);

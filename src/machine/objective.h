@@ -4,8 +4,8 @@
 // "cost + 25*mass". A weight is a plain number per unit of its quantity: currency unit, kg, s, J, m.
 //
 // cycle_time: the machine's cycle is every move of every axis once, with its dwell, one after the other; where gravity
-// acts on an axis, its moves are done up and down. A coordinated move counts once (twice where gravity acts on one of
-// its axes). So it is the sum over the axes of the time of their own moves.
+// acts on an axis, its moves are done up and down, and the other axes of its coordinated moves go there and back. A
+// coordinated move counts on one of its axes. So it is the sum over the axes of the time of their own moves.
 //
 // energy: what the drives take from the supply while their own axis goes through its cycle, an estimate by the motor's
 // loss model (drive_energy.h). What motors take to stand still while other axes move is not in it.

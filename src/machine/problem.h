@@ -49,6 +49,7 @@ struct Move {
   std::optional<CuttingProcess> cutting;    ///< what the tool does in this move; sets force and speed
   double dwell = 0.0;                       ///< s after the move
   bool counts_in_cycle = true;              ///< of the machine; a coordinated move counts on one of its axes only
+  bool returns = false;  ///< done back as well, though no gravity acts: a coordinated move on which another axis climbs
   SourceSpan where;
 };
 
@@ -150,7 +151,8 @@ struct GuideChoice {
   double rail_spacing = 0.0;      ///< m
   double load_offset_x = 0.0;     ///< m, of the moved weight from the centre of the carriages
   double load_offset_y = 0.0;
-  double load_height = 0.0;                ///< m, of the moved mass above the line of the drive
+  double load_height = 0.0;  ///< m, of the moved mass above the line of the drive
+  bool load_height_stated = false;
   double force_height = 0.0;               ///< m, process force above the carriages
   bool self_aligning = false;              ///< bushings that follow the slope of their shaft
   std::optional<double> drive_offset;      ///< m, of the drive's line from the shaft, across it

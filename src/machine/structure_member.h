@@ -69,10 +69,11 @@ struct MemberData {
   Requirements require;
   double riding_mass = 0.0;  ///< kg, allowance for the nut or belt of the axis that it carries
   double elastic_modulus = 0.0, yield_strength = 0.0, density = 0.0, price_per_mass = 0.0;
-  double shear_modulus = 0.0;      ///< NaN where the catalogue has none
-  double ultimate_strength = 0.0;  ///< of a rotating shaft
-  double endurance_limit = 0.0;    ///< Pa, of a polished rotating bar; 0 = steel, from its tensile strength
-  double acceleration = 0.0;       ///< m/s^2, the hardest of the axis
+  double shear_modulus = 0.0;          ///< NaN where the catalogue has none
+  double ultimate_strength = 0.0;      ///< of a rotating shaft
+  double endurance_limit = 0.0;        ///< Pa, of a polished rotating bar; 0 = steel, from its tensile strength
+  double acceleration = 0.0;           ///< m/s^2, the hardest of the axis
+  double climbing_acceleration = 0.0;  ///< m/s^2, what of it is upwards
 };
 
 template <class T>
@@ -322,7 +323,7 @@ void StructureMember<T>::derive() {
   using namespace scalar;
   const Member& m = data->member;
   const T burden = carried_mass + in_unit<T>(data->riding_mass, dimension::mass);
-  const T weight = burden * in_unit<T>(standard_gravity, dimension::acceleration);
+  const T weight = pull_of_mass(burden, data->climbing_acceleration);
   force = named("F", (m.load_share * weight + in_unit<T>(m.extra_force, dimension::force)) / m.count);
   take_section();
   if (m.kind == MemberKind::weld) return derive_weld();

@@ -4,11 +4,14 @@
 #include "evaluation/driver_choices.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <random>
 #include <set>
 
 #include "catch.h"
+#include "evaluation/machine_stages.h"
 #include "evaluation/two_axes.h"
 
 namespace driver_choices_test {
@@ -203,6 +206,56 @@ TEST_CASE("A model made for some objectives refuses others, and gives the answer
   counting.counted = {machine::Quantity::cycle_time, machine::Quantity::energy};
   const evaluation::MachineModel front(counting, tiny.parts(), {}, {.objectives = {"cycle_time", "energy"}});
   CHECK_NOTHROW(evaluation::solver_options(front, options));
+}
+
+// A driver bears its greatest RMS current over a period of the phase current, a sine of sqrt(2) times that amplitude.
+TEST_CASE("A driver gives its peak current, or the peak of its RMS current where that is less") {
+  using evaluation::largest_amplitude;
+  CHECK(largest_amplitude(4.7, 3.0) == Approx(3.0 * 1.41421356));  // 4.7 A for moments only
+  CHECK(largest_amplitude(2.0, 5.0) == 2.0);
+  CHECK(largest_amplitude(2.8, 2.0) == 2.8);   // 2.828 A, rounded down
+  CHECK(largest_amplitude(2.0, 1.4) == 2.0);   // 1.980 A, rounded: the same statement
+  CHECK(largest_amplitude(2.05, 1.4) < 1.98);  // not the same any more
+  const double not_stated = std::numeric_limits<double>::quiet_NaN();
+  CHECK(largest_amplitude(2.0, not_stated) == 2.0);
+  CHECK(std::isnan(largest_amplitude(not_stated, 2.0)));
+  const scalar::Interval alone = largest_amplitude(scalar::Interval(1.9, 2.1), scalar::Interval(not_stated));
+  CHECK(alone.lower == 1.9);
+  CHECK(alone.upper == 2.1);
+
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  for (int n = 0; n < 20000; ++n) {
+    const double peak = 1.0 + 4.0 * uniform(random), rms = peak * (0.6 + 0.2 * uniform(random));
+    const double peak_width = 0.05 * uniform(random), rms_width = 0.05 * uniform(random);
+    const scalar::Interval bounds =
+        largest_amplitude(scalar::Interval(peak, peak + peak_width), scalar::Interval(rms, rms + rms_width));
+    for (int k = 0; k < 5; ++k) {
+      const double amplitude =
+          largest_amplitude(peak + peak_width * uniform(random), rms + rms_width * uniform(random));
+      REQUIRE(bounds.lower <= amplitude);
+      REQUIRE(amplitude <= bounds.upper);
+    }
+  }
+}
+
+TEST_CASE("No shipped motor is asked for more RMS current than its driver states") {
+  const evaluation::MachineModel model(shipped_problem("lifter"), shipped_catalogue());
+  const catalogue::Table& drivers = shipped_catalogue().table(catalogue::Family::drivers);
+  const auto rms_column = catalogue::column(catalogue::Family::drivers, "rms_current");
+  int limited = 0;
+  for (const auto& entry : model.entries())
+    if (const auto* drive = std::get_if<std::unique_ptr<evaluation::ScrewDriveStage>>(&entry.stage))
+      for (solver::Row row = 0; row < (*drive)->motors().pairs().size(); ++row) {
+        const auto& parts = (*drive)->tables()[evaluation::ScrewDriveStage::motor_slot].candidate(row).parts;
+        const double rms = drivers.number(rms_column, parts[1].row);
+        if (std::isnan(rms)) continue;
+        const solver::RowsAlive alive{std::span(&row, 1)};
+        const double current = (*drive)->motors().reading<double>(alive, 0).current;
+        REQUIRE(current <= 1.011 * std::sqrt(2.0) * rms);
+        limited += current == std::sqrt(2.0) * rms;
+      }
+  CHECK(limited > 0);
 }
 
 }  // namespace driver_choices_test

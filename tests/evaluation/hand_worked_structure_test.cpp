@@ -144,6 +144,36 @@ TEST_CASE("A plate between two rails worked by hand") {
   }
 }
 
+// 400 mm in 1 s with ramps of 0.05 s, the shortest there are: 0.4/0.95 m/s, 8.421 m/s2. All that the axis moves goes up
+// with it, or with the sine of its slope; along a level nothing does.
+TEST_CASE("The structure of a climbing axis bears what its ramps take") {
+  const double acceleration = 0.4 / 0.95 / 0.05;
+  struct Way {
+    const char* direction;
+    double sine;
+  };
+  for (const Way way : {Way{"horizontal", 0.0}, {"vertical", 1.0}, {"inclined\"\ninclination = \"30 deg", 0.5}}) {
+    INFO(way.direction);
+    const double down = carried * (g + way.sine * acceleration);
+    const auto built = [&](const std::string& member, const Chosen& chosen) {
+      return design_of(
+          MachineModel(problem_of_text(axis_text(
+                           way.direction, "", "[[axis.members]]\nname = \"part\"\nextra_force = \"30 N\"\n" + member)),
+                       parts()),
+          {chosen});
+    };
+    const Design arm = built(
+        "kind = \"beam\"\nmaterial = \"steel\"\nsupport = \"cantilever\"\nlength = \"300 mm\"\nsections = "
+        "[\"steel_sections\"]\n",
+        {"x", "part", {{"box60"}}, {}});
+    const double own = 8.0 * g;
+    expect(arm, "part", "C-FR-STRESS", ((down + 30.0) * 0.3 + own * 0.09 / 2.0) * 0.03 / 5e-7 * 1e-6, 120.0);
+    const Design joint = built("kind = \"bolts\"\nrow_spacing = \"80 mm\"\ncolumn_spacing = \"60 mm\"\nfitted = true\n",
+                               {"x", "part", {{"M8 8.8"}}, {}});
+    expect(joint, "part", "C-BOLT-SHEAR", (down + 30.0) / 4.0 / 36e-6 * 1e-6, 640.0 / std::sqrt(3.0) / 2.0);
+  }
+}
+
 TEST_CASE("Twist of members worked by hand") {
   const std::string bar =
       "kind = \"bar\"\nmaterial = \"steel\"\nlength = \"600 mm\"\nwidth = \"20 mm\"\nheight = \"30 mm\"\n"

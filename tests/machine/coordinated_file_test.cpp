@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Coordinated moves in a problem file: what each axis gets of them, and what is said about wrong ones.
+#include <algorithm>
+
+#include "machine/axis_motion.h"
 #include "problem_text.h"
 
 namespace coordinated_file_test {
@@ -85,6 +88,34 @@ TEST_CASE("A coordinated move is a move of each of its axes") {
   CHECK(*y[1].time == Approx(2.2));
   CHECK_FALSE(x[2].speed.has_value());
   CHECK(*y[1].acceleration_time == Approx(0.2));
+}
+
+// Where one axis goes up and down the others go there and back with it; its time counts on one of them.
+TEST_CASE("The axes of a coordinated move that climbs return together") {
+  std::string text = table;
+  for (const bool climbs : {false, true}) {
+    if (climbs) text.replace(text.find("carries = [\"c\"]"), 0, "direction = \"vertical\"\n");
+    const Outcome outcome = read(text);
+    INFO(text::format(outcome.diagnostics));
+    REQUIRE(outcome.problem);
+    const machine::Axis& x = outcome.problem->axes[0];
+    const machine::Axis& y = outcome.problem->axes[1];
+    CHECK_FALSE(x.moves[0].returns);
+    for (const machine::Move* move : {&x.moves[1], &x.moves[2], &y.moves[0], &y.moves[1]})
+      CHECK(move->returns == climbs);
+    CHECK(x.moves[1].counts_in_cycle != y.moves[0].counts_in_cycle);
+    const machine::MotionData motion{.moves = x.moves};
+    const auto names = machine::phase_names(motion);
+    const auto cycle = machine::duty_cycle(motion, 4.0, 0.2);
+    CHECK(cycle.phases.size() == names.size());
+    CHECK(std::count(names.begin(), names.end(), "diagonal back, brake") == (climbs ? 1 : 0));
+    CHECK(std::count(names.begin(), names.end(), "diagonal, brake") == (climbs ? 0 : 1));
+    // By hand: 100 mm of its own in 2 s; 300 mm in 5 s + 0.2 s and 0.5 s of rest; 300 mm in 2.2 s.
+    const double times = climbs ? 2.0 : 1.0;
+    CHECK(cycle.travelled == Approx(0.1 + times * 0.6));
+    CHECK(cycle.total_time == Approx(2.0 + times * (5.7 + 2.2)));
+    CHECK(cycle.standing_time == Approx(times * 0.5));
+  }
 }
 
 TEST_CASE("Ramps are left to the search only where a move of the axis needs them") {

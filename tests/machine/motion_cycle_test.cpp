@@ -134,6 +134,49 @@ TEST_CASE("Mean loads of a jerk-limited ramp are those of the whole S-curve") {
   CHECK(of_phases == Approx(0.5 * v * (constant * 2744.0 + 2.0 * rise * 1776.0)).epsilon(1e-12));
 }
 
+// Squares of the speed against the speed, by summing up the ramp in 200000 steps. Bounds contain what is inside.
+TEST_CASE("Losses of a jerk-limited ramp are those of the whole S-curve") {
+  const double v = 0.25, ramp = 0.2;
+  std::vector<double> shares;
+  for (const double rise : {1e-9, 0.01, 0.05, 0.08, 0.1}) {
+    const double peak = v / (ramp - rise);
+    double squares = 0.0, way = 0.0, speed = 0.0;
+    constexpr int steps = 200000;
+    for (int i = 0; i < steps; ++i) {
+      const double t = (i + 0.5) * ramp / steps;
+      const double before = speed;
+      speed += peak * std::min({1.0, t / rise, (ramp - t) / rise}) * ramp / steps;
+      const double mean = 0.5 * (before + speed);
+      squares += mean * mean;
+      way += mean;
+    }
+    CHECK(speed == Approx(v).epsilon(1e-6));
+    INFO(rise);
+    const Move move = jerk_limited(0.4, v, ramp, rise < 0.1 ? peak / rise : peak / rise * (1.0 + 1e-15));
+    for (const auto& phase : cycle_of(move, 2.0).phases) {
+      if (phase.acceleration == 0.0) continue;
+      CHECK(phase.loss_share * v == Approx(squares / way).epsilon(1e-6));
+      shares.push_back(phase.loss_share);
+    }
+  }
+  CHECK(shares.front() == Approx(2.0 / 3.0));
+  CHECK(shares.back() == Approx(23.0 / 30.0).epsilon(1e-6));
+  MotionData data;
+  data.moves = {jerk_limited(0.4, v, ramp, 0.25 / (0.15 * 0.05))};
+  data.moves[0].acceleration_time.reset();
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> any(0.18, 0.9);
+  for (int n = 0; n < 300; ++n) {
+    const auto [from, to] = std::minmax({any(random), any(random)});
+    const auto over = machine::duty_cycle(data, scalar::Interval(2.0), scalar::Interval(from, to));
+    for (const double share : {0.0, 0.1, 0.5, 1.0}) {
+      const auto point = machine::duty_cycle(data, 2.0, from + share * (to - from));
+      for (std::size_t i = 0; i < point.phases.size(); ++i)
+        CHECK(contains(over.phases[i].loss_share, point.phases[i].loss_share));
+    }
+  }
+}
+
 TEST_CASE("The two ramps of a move are paired, whatever their parts") {
   for (const bool limited : {false, true}) {
     Move move = jerk_limited(0.4, 0.25, 0.175, 40.0);

@@ -242,6 +242,11 @@ TEST_CASE("What is wrong in a bolted joint is said at its place") {
   check_all({
       {beam, bolts + "«material» = \"S235JR\"\n", "material: screws have their own", "property_classes"},
       {beam, bolts + "«length» = \"1 m\"\n", "length: this kind of member has none", "\"beam\""},
+      {beam, bolts + "«support» = \"fixed\"\n", "support: this kind of member has none", "hold by themselves"},
+      {beam, bolts + "«end_fixity» = 2\n", "end_fixity: this kind of member has none", "\"column\""},
+      {beam, beam + "«end_fixity» = 2\n", "end_fixity: this kind of member has none", "\"portal_frame\""},
+      {beam, column + "end_fixity = «5»\n", "end_fixity: 5 is not between", "hinged"},
+      {beam, column + "«support» = \"fixed\"\n", "support: this kind of member has none", "end_fixity"},
       {beam, beam + "«fitted» = true\n", "fitted: this kind of member has none", "\"bolts\""},
       {beam, bolts + "«nut_factor» = 0.15\n", "nut_factor: counts only with a tightening torque", "10 N.m"},
       {beam, bolts + "lever_arm = «\"100 mm\"»\n", "lever_arm: the load tilts the joint", "edge_distance"},

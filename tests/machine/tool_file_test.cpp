@@ -79,6 +79,15 @@ TEST_CASE("What is wrong with tool, limits or enforced constraints is said at th
        "guide = «{ carriages = 4, carriage_spacing = \"80 mm\", rail_spacing = \"60 mm\" }»",
        "tool_at: where is the tool",
        "tool_at = "},
+      {machine_text.substr(machine_text.find("direction")),
+       "direction = \"horizontal\"\nalong = \"x\"\nnormal = \"y\"\nstroke = \"100 mm\"\nstructure_mass = \"1 kg\"\n"
+       "mechanism = { kind = \"belt\" }\n"
+       "guide = «{ carriages = 4, carriage_spacing = \"80 mm\", rail_spacing = \"60 mm\", "
+       "tool_at = [\"-70 mm\", \"10 mm\", \"50 mm\"] }»\n"
+       "[[axis.moves]]\ndistance = \"80 mm\"\ntime = \"1 s\"\n",
+       "guide: its rails stand on a face",
+       "load_height",
+       Severity::warning},
       {"tool_at = [\"-70 mm\", \"10 mm\", \"50 mm\"]",
        "tool_at = «[\"-70 mm\", \"10 mm\"]»",
        "tool_at: needs three lengths",
