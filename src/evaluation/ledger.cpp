@@ -118,9 +118,9 @@ std::string worst_position(const Element& element, machine::WorstPlace place) {
   bool both_ends_fixed = false;
   constexpr bool has_nut = requires { element.data->both_ends_fixed; };
   if constexpr (has_nut) both_ends_fixed = element.data->both_ends_fixed;
-  bool cantilever = false;
-  if constexpr (requires { element.data->member.support; })
-    cantilever = element.data->member.support == machine::BeamSupport::cantilever;
+  auto held = machine::BeamSupport::supported;
+  if constexpr (requires { element.data->member.support; }) held = element.data->member.support;
+  const bool cantilever = held == machine::BeamSupport::cantilever;
   switch (place) {
     case WorstPlace::nut_far:
       return has_nut ? "nut farthest from the fixed bearing" : "";
@@ -128,9 +128,12 @@ std::string worst_position(const Element& element, machine::WorstPlace place) {
       return !has_nut ? "" : both_ends_fixed ? "nut between the bearings" : "nut farthest from the fixed bearing";
     case WorstPlace::long_belt:
       return "longest free belt";
+    case WorstPlace::drive_pulley:
+      return "carriage at the drive pulley";
     case WorstPlace::mid_span:
       return cantilever ? "tip" : "mid-span";
     case WorstPlace::most_bent:
+      if (held == machine::BeamSupport::fixed) return "clamp, load at a third of the span";
       return cantilever ? "clamp" : "mid-span";
     case WorstPlace::travel_ends:
       return "every axis at the end of its travel";

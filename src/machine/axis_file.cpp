@@ -76,7 +76,7 @@ void read_loads(TableReader& table, QuantityReader& q, Axis& axis, Diagnostics& 
       0.0);
   axis.guide_drag = q.quantity_or({"guide_drag", "friction whatever the load: seals, wipers, hoses"}, "N", 0.0);
   axis.counterbalance_force =
-      q.quantity_or({"counterbalance_force", "of a spring or weight that carries a part of a vertical axis"}, "N", 0.0);
+      q.quantity_or({"counterbalance_force", "of a spring that carries a part of a vertical axis"}, "N", 0.0);
   warn_above(table.node(),
              "guide_friction",
              axis.guide_friction,

@@ -92,11 +92,12 @@ T speed_limit(const BeltDrive<T>& d) {
   return smaller(speed_limit<T>(static_cast<const GearedDrive<T>&>(d)), d.belt.largest_speed);
 }
 
-/// What the belt pulls at the motor's shaft [N]; nothing where the bearings of a reduction bear it.
+/// What the belt pulls at the motor's shaft [N] with the carriage next to it; nothing where the bearings of a reduction
+/// bear it.
 template <class T>
 T shaft_pull(const BeltDrive<T>& d) {
   if (d.reduction.present) return scalar::in_unit<T>(0.0, scalar::dimension::force);
-  return mechanics::belt::shaft_load(d.pretension, d.wrap);
+  return mechanics::belt::pulling_shaft_load(d.pretension, d.largest_force, d.wrap);
 }
 
 /// Reversal error [m]: twice the stretch of the belt under friction at its softest position, and what a reduction adds.

@@ -22,12 +22,13 @@ void belt_constraints(Visit&& visit) {
                   .title = "Belt working tension",
                   .symbol = "F_1",
                   .unit = "N",
-                  .source = "sularso_suga, chapter 5; iso5295",
+                  .source = "sularso_suga, chapter 5; millwright_derivations, unequal spans of a belt",
                   .requirement = "belt_service_factor",
-                  .worst = WorstPhase::force},
+                  .worst = WorstPhase::force,
+                  .place = WorstPlace::drive_pulley},
       always,
       [](const auto& d) {
-        return d.require(belt_service_factor) * bt::largest_span_tension(d.pretension, d.largest_force);
+        return d.require(belt_service_factor) * bt::carriage_span_tension(d.pretension, d.largest_force);
       },
       [](const auto& d) { return bt::tooth_factor(d.teeth_in_mesh) * d.belt.allowable_tension; });
   visit(
@@ -139,9 +140,10 @@ void belt_constraints(Visit&& visit) {
                   .title = "Radial load on the motor shaft",
                   .symbol = "F_R",
                   .unit = "N",
-                  .source = "autodesk_synchronous_belts",
+                  .source = "autodesk_synchronous_belts; millwright_derivations, unequal spans of a belt",
                   .requirement = "motor_radial_load",
-                  .worst = WorstPhase::force},
+                  .worst = WorstPhase::force,
+                  .place = WorstPlace::drive_pulley},
       [](const auto& d) {
         // The bearings of a reduction carry it.
         return d.data->require.known(motor_radial_load) && !d.reduction.present ? Applies::yes : Applies::no;

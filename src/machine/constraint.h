@@ -41,7 +41,7 @@ enum class WorstPhase {
 };
 
 /// At which position of the travel a constraint is worst. The formulas take that position; this names it.
-enum class WorstPlace { none, nut_far, nut_softest, long_belt, mid_span, most_bent, travel_ends };
+enum class WorstPlace { none, nut_far, nut_softest, long_belt, drive_pulley, mid_span, most_bent, travel_ends };
 
 /// What is said about a constraint besides its two functions. All strings are literals.
 struct Declaration {

@@ -198,7 +198,7 @@ T StructureMember<T>::moment_of(const T& point, const T& distributed) const {
       return bm::largest_moment(LoadCase::cantilever_point, point, length()) +
              bm::largest_moment(LoadCase::cantilever_distributed, total, length());
     case BeamSupport::fixed:
-      return bm::largest_moment(LoadCase::fixed_point, point, length()) +
+      return bm::fixed_moment_of_travelling_load(point, length()) +
              bm::largest_moment(LoadCase::fixed_distributed, total, length());
     case BeamSupport::supported:
       break;

@@ -187,6 +187,13 @@ T largest_moment(LoadCase load_case, const T& load, const T& length) {
   return load * length;
 }
 
+/// Largest bending moment of a beam clamped at both ends under a force wherever on it (N·m): F a (L - a)^2/L^2 at the
+/// clamp nearer to it, which is largest at a = L/3. [shigley, Table A-9]
+template <class T>
+T fixed_moment_of_travelling_load(const T& force, const T& length) {
+  return 4.0 / 27.0 * force * length;
+}
+
 /// Span over the height in the plane of bending: the deflections here leave out shear, which counts in stubby beams.
 /// Valid: at least 8. [shigley, Table A-9]
 template <class T>

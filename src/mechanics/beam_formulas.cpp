@@ -279,6 +279,18 @@ void define_beam(FormulaList& list) {
 
   define(
       list,
+      {.name = "beam.fixed_moment_of_travelling_load",
+       .symbol = "M",
+       .unit = "N.m",
+       .title = "Largest moment at a clamp of a beam held at both ends, wherever the load is",
+       .source = "shigley, Table A-9",
+       .validity = "linear elastic, small deflection, span over height above 8, constant section"},
+      [](const auto&... x) { return beam::fixed_moment_of_travelling_load(x...); },
+      quantity("force", "F", "N", "force on the span").rising(),
+      quantity("length", "L", "m", "span").rising());
+
+  define(
+      list,
       {.name = "beam.span_to_height",
        .symbol = "L/h",
        .unit = "1",

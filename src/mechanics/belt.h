@@ -52,11 +52,29 @@ T largest_span_tension(const T& pretension, const T& effective_tension) {
   return pretension + 0.5 * effective_tension;
 }
 
+/// Largest tension (N) in the span between a carriage and the drive pulley that pulls it. Both spans stretch by the
+/// same way, so that the shorter takes the larger share of the force: next to the pulley all of it.
+/// [millwright_derivations, unequal spans of a belt]
+template <class T>
+T carriage_span_tension(const T& pretension, const T& effective_tension) {
+  return pretension + effective_tension;
+}
+
 /// Radial load (N) on the shaft of a pulley at rest, wrap angle up to pi. [autodesk_synchronous_belts]
 template <class T>
 T shaft_load(const T& pretension, const T& wrap_angle) {
   watch_validity<T>("belt.shaft_load", pretension, wrap_angle);
   return 2.0 * pretension * sin(0.5 * wrap_angle);
+}
+
+/// The same of the drive pulley while it pulls a carriage close to it, wrap angle up to pi: its spans bear F_0 + F_e
+/// and F_0. Along the line of centres that is (2 F_0 + F_e) sin(phi/2), across it F_e cos(phi/2).
+/// [millwright_derivations, unequal spans of a belt]
+template <class T>
+T pulling_shaft_load(const T& pretension, const T& effective_tension, const T& wrap_angle) {
+  watch_validity<T>("belt.pulling_shaft_load", pretension, effective_tension, wrap_angle);
+  const T half = 0.5 * wrap_angle;
+  return sqrt(square((2.0 * pretension + effective_tension) * sin(half)) + square(effective_tension * cos(half)));
 }
 
 /// Wrap angle (rad) on the smaller of two pulleys. [autodesk_synchronous_belts; sularso_suga, chapter 5]

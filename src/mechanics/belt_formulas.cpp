@@ -94,6 +94,17 @@ void define_belt(FormulaList& list) {
 
   define(
       list,
+      {.name = "belt.carriage_span_tension",
+       .symbol = "F_1",
+       .unit = "N",
+       .title = "Largest tension in a span between drive pulley and carriage",
+       .source = "millwright_derivations, unequal spans of a belt"},
+      [](const auto&... x) { return belt::carriage_span_tension(x...); },
+      quantity("pretension", "F_0", "N", "tension of each span at rest").rising(),
+      quantity("effective_tension", "F_e", "N", "effective tension").rising());
+
+  define(
+      list,
       {.name = "belt.shaft_load",
        .handbook_id = "BELT-SHAFT-LOAD",
        .symbol = "F_R",
@@ -102,6 +113,18 @@ void define_belt(FormulaList& list) {
        .source = "autodesk_synchronous_belts"},
       [](const auto&... x) { return belt::shaft_load(x...); },
       quantity("pretension", "F_0", "N", "tension of each span at rest").rising(),
+      quantity("wrap_angle", "φ", "rad", "wrap angle").between(0, std::numbers::pi).typical(1, 3.1).rising());
+
+  define(
+      list,
+      {.name = "belt.pulling_shaft_load",
+       .symbol = "F_R",
+       .unit = "N",
+       .title = "Radial load on the shaft of a pulley that pulls a carriage close to it",
+       .source = "millwright_derivations, unequal spans of a belt"},
+      [](const auto&... x) { return belt::pulling_shaft_load(x...); },
+      quantity("pretension", "F_0", "N", "tension of each span at rest").rising(),
+      quantity("effective_tension", "F_e", "N", "effective tension").rising(),
       quantity("wrap_angle", "φ", "rad", "wrap angle").between(0, std::numbers::pi).typical(1, 3.1).rising());
 
   define(

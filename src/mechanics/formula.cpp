@@ -7,14 +7,16 @@
 #include <sstream>
 
 #include "mechanics/formula_definition.h"
+#include "scalar/unit.h"
 
 namespace millwright::mechanics {
 
 namespace {
 
-std::string text_of(double value) {
+/// A value in SI, in an argument's unit: that is SI, but for the zero of temperatures.
+std::string text_of(double value, const std::string& unit) {
   std::ostringstream text;
-  text << value;
+  text << (unit == "degC" ? scalar::Unit::of(unit).from_si(value) : value);
   return text.str();
 }
 
@@ -47,11 +49,11 @@ void check_range(const Argument& argument, std::size_t first, double value, std:
   }
   const std::string& unit = argument.unit;
   const std::string suffix = unit.empty() || unit == "1" || unit == "any" ? "" : " " + unit;
-  const std::string is = argument.name + " = " + text_of(value) + suffix + " is ";
+  const std::string is = argument.name + " = " + text_of(value, unit) + suffix + " is ";
   if (value < argument.lower)
-    broken.push_back({first + 1, argument.lower - value, is + "below " + text_of(argument.lower) + suffix});
+    broken.push_back({first + 1, argument.lower - value, is + "below " + text_of(argument.lower, unit) + suffix});
   else
-    broken.push_back({first + 2, value - argument.upper, is + "above " + text_of(argument.upper) + suffix});
+    broken.push_back({first + 2, value - argument.upper, is + "above " + text_of(argument.upper, unit) + suffix});
 }
 
 /// Everyday range of a unit, for arguments that name none.

@@ -298,8 +298,10 @@ std::vector<PageText> report_texts() {
        "{}: rem penahan {} N.m (brake_torque) diandaikan ada; tidak termasuk komponen, harga, dan massa."},
       {"assume.counterbalance",
        "{}: a counterbalance of {} N (counterbalance_force) is assumed; it is not among the parts, nor in price and "
-       "mass.",
-       "{}: penyeimbang {} N (counterbalance_force) diandaikan ada; tidak termasuk komponen, harga, dan massa."},
+       "mass. It is taken as a spring: a counterweight would move with the axis and add its mass to what is "
+       "accelerated.",
+       "{}: penyeimbang {} N (counterbalance_force) diandaikan ada; tidak termasuk komponen, harga, dan massa. Ia "
+       "dianggap pegas: bobot imbang akan ikut bergerak dan menambah massa yang dipercepat."},
       {"assume.cycle",
        "Cycle time: every move of every axis, and its dwell, one after the other; coordinated moves once.",
        "Waktu siklus: setiap gerak tiap sumbu beserta jedanya, satu per satu; gerak terkoordinasi sekali."},

@@ -25,6 +25,8 @@ const std::vector<Saying>& sayings() {
       {"nut farthest from the fixed bearing", "mur terjauh dari bantalan tetap"},
       {"nut between the bearings", "mur di antara kedua bantalan"},
       {"longest free belt", "sabuk bebas terpanjang"},
+      {"carriage at the drive pulley", "kereta di puli penggerak"},
+      {"clamp, load at a third of the span", "jepitan, beban pada sepertiga bentang"},
       {"tip", "ujung"},
       {"clamp", "jepitan"},
       {"mid-span", "tengah bentang"},

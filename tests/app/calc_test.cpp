@@ -191,6 +191,10 @@ TEST_CASE("Outside the stated validity there is a warning, outside the formula's
   const Outcome negative = shop.run(asked);
   CHECK(negative.exit_code == 0);
   CHECK(negative.prints("outside the stated validity: force = -1500 N is below 0 N"));
+  // In degrees as they were asked for, not in kelvins.
+  const Outcome hot =
+      shop.run({"calc", "stepper.hot_resistance", "resistance_at_20_celsius=1 ohm", "winding_temperature=400 degC"});
+  CHECK(hot.prints("outside the stated validity: winding_temperature = 400 degC is above 200"));
   CHECK(negative.err.empty());
   asked.push_back("--quiet");
   const Outcome quiet = shop.run(asked);

@@ -480,8 +480,8 @@ TEST_CASE("What a belt drive is reported for, worked by hand") {
   const double stiffness = 4.0 * 60000.0 / (2.0 * span);
   expect(d, "C-BT-STIFF", (friction + 5.0) / stiffness * 1e6, 500.0);
   expect(d, "C-BT-FREQ", 20.0, std::sqrt(stiffness / m) / (2.0 * pi));
-  // Both strands pull one way on equal pulleys.
-  expect(d, "C-ST-RADIAL", 2.0 * (1.1 * force + turning), 15.0);
+  // Both strands pull one way on equal pulleys; next to the drive pulley one of them bears all of the force as well.
+  expect(d, "C-ST-RADIAL", 2.0 * (1.1 * force + turning) + force, 15.0);
   CHECK_FALSE(d.satisfied());
   // The ramp begins at 400 of 3200 pulses a turn; the mean speed over the first full step of 1.8 degrees.
   const double from = 400.0 / 3200.0 * 2.0 * pi, alpha = a / r;

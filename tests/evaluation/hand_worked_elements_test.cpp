@@ -62,7 +62,7 @@ lost_motion = "0.1 mm"
 
   // Pretension 1.1 F and what the belt's own turning takes; service factor 1.4; ten of twenty teeth in mesh.
   const double turning = 0.02 * v * v, pretension = 1.1 * force + turning;
-  expect(d, "drive", "C-BT-TENSION", 1.4 * (pretension + force / 2.0), 180.0);
+  expect(d, "drive", "C-BT-TENSION", 1.4 * (pretension + force), 180.0);
   expect(d, "drive", "C-BT-POWER", 1.4 * force * v, (180.0 - turning) * v);
   expect(d, "drive", "C-BT-TEETH", 6.0, 10.0);
   expect(d, "drive", "C-BT-PRET", force + turning, pretension);
@@ -267,7 +267,9 @@ TEST_CASE("Members worked by hand") {
                            "lateral_force = \"30 N\"\ndiameter = [\"10 mm\", \"30 mm\"]\n",
                            {"x", "rod", {}, {0.02}});
     const double L = 0.7, A = pi / 4.0 * 4e-4, I = pi / 64.0 * 16e-8, w = 8000.0 * A * g, F = weight / 2.0;
-    const double M = F * L / 8.0 + w * L * L / 12.0, side = 15.0 * L / 8.0;
+    // Each wherever it bends most: a third of the span from a clamp, F a (L - a)^2/L^2.
+    const double most = L / 3.0 * (2.0 * L / 3.0) * (2.0 * L / 3.0) / (L * L);
+    const double M = F * most + w * L * L / 12.0, side = 15.0 * most;
     const double down = F * L * L * L / (192.0 * E * I) + w * std::pow(L, 4) / (384.0 * E * I);
     const double across = 15.0 * L * L * L / (192.0 * E * I);
     const double Z = pi / 32.0 * 8e-6;

@@ -139,7 +139,9 @@ TEST_CASE("A plate between two rails worked by hand") {
   SECTION("of a wide one only 1.229 spans help, but all of it weighs") {
     const Design d = plate("600 mm", "fixed");
     const double I = 1.229 * L * t * t * t / 12.0, w = 8000.0 * 0.6 * t * g;
-    expect(d, "part", "C-FR-STRESS", (weight * L / 8.0 + w * L * L / 12.0) * t / 2.0 / I * 1e-6, 120.0);
+    // The load may stand anywhere: a third of the span from a clamp F a b^2/L^2 = 4/27 F L is more than in the middle.
+    const double a = L / 3.0, b = L - a;
+    expect(d, "part", "C-FR-STRESS", (weight * a * b * b / (L * L) + w * L * L / 12.0) * t / 2.0 / I * 1e-6, 120.0);
     expect(d, "part", "C-FR-DEFL", (weight * L * L * L / 192.0 + w * std::pow(L, 4) / 384.0) / (E * I) * 1e3, 0.3);
   }
 }

@@ -373,7 +373,7 @@ TEST_CASE("Random machines equal all of their builds") {
   if (machines < 20) return;
   // The machines are of the kinds that matter.
   CHECK(counts.infeasible * 10 >= counts.machines);
-  CHECK(counts.long_fronts * 5 >= counts.machines);
+  CHECK(counts.long_fronts * 6 >= counts.machines);
   CHECK(counts.on_grid * 20 >= counts.machines);
   CHECK(counts.by_both * 10 >= counts.machines);
   CHECK(counts.covered * 5 >= counts.machines);

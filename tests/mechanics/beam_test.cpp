@@ -119,6 +119,23 @@ TEST_CASE("a clamped beam is a supported one with end moments that undo the end 
   CHECK(beam::fixed_deflection_distributed(w, length, modulus, second_moment) == Approx(distributed).epsilon(1e-12));
 }
 
+// A force at a from one of two clamps: F a b^2/L^2 there, F a^2 b/L^2 at the other, 2 F a^2 b^2/L^3 under it.
+TEST_CASE("no place of a load on a beam clamped at both ends bends it more than a third of its span") {
+  const double most = beam::fixed_moment_of_travelling_load(force, length);
+  double largest = 0.0;
+  for (int i = 0; i <= 300; ++i) {
+    const double a = length * i / 300.0, b = length - a;
+    for (const double moment : {force * a * b * b / (length * length),
+                                force * a * a * b / (length * length),
+                                2.0 * force * a * a * b * b / (length * length * length)}) {
+      REQUIRE(moment <= most * (1.0 + 1e-12));
+      largest = std::max(largest, moment);
+    }
+  }
+  CHECK(largest == Approx(most));
+  CHECK(most > beam::largest_moment(beam::LoadCase::fixed_point, force, length));
+}
+
 TEST_CASE("the tip of an overhang is a cantilever on a support that turns") {
   const double c = 0.15;
   const double turn = force * c * length / (3.0 * modulus * second_moment);  // of a span under an end moment F c

@@ -167,6 +167,28 @@ TEST_CASE("life: rating and life invert each other, two equal pairs live shorter
   CHECK(ball_screw::life_time(1e6, 500.0 * std::numbers::pi / 30.0) == Approx(120000.0).epsilon(1e-12));
 }
 
+// A carriage on a loop of two spans: pulled by F it moves until what the spans pull differs by F, one longer by as much
+// as the other is shorter.
+TEST_CASE("the spans of a belt share a force by their stiffness, next to the drive pulley one bears it all") {
+  const double pretension = 40.0, force = 30.0, loop = 1.2, stiff = 1.7e4;
+  double largest = 0.0, largest_load = 0.0;
+  for (const double wrap : {2.4, 2.9, std::numbers::pi})
+    for (double pulled = 1e-6; pulled < loop; pulled += 0.01) {
+      const double way = force / (stiff / pulled + stiff / (loop - pulled));
+      const double tight = pretension + stiff / pulled * way, slack = pretension - stiff / (loop - pulled) * way;
+      REQUIRE(tight - slack == Approx(force));
+      REQUIRE(tight <= belt::carriage_span_tension(pretension, force));
+      const double lean = 0.5 * (std::numbers::pi - wrap);
+      const double load = std::hypot((tight + slack) * std::cos(lean), (tight - slack) * std::sin(lean));
+      REQUIRE(load <= belt::pulling_shaft_load(pretension, force, wrap) * (1.0 + 1e-12));
+      largest = std::max(largest, tight);
+      largest_load = std::max(largest_load, load);
+    }
+  CHECK(largest == Approx(belt::carriage_span_tension(pretension, force)).epsilon(1e-5));
+  CHECK(largest_load == Approx(belt::pulling_shaft_load(pretension, force, std::numbers::pi)).epsilon(1e-5));
+  CHECK(belt::pulling_shaft_load(pretension, 0.0, 2.9) == Approx(belt::shaft_load(pretension, 2.9)));
+}
+
 TEST_CASE("belt around equal pulleys, and few teeth in mesh") {
   CHECK(belt::wrap_angle(0.03, 0.03, 0.2) == Approx(std::numbers::pi));
   CHECK(belt::length(0.03, 0.03, 0.2) == Approx(0.4 + std::numbers::pi * 0.03));
