@@ -34,6 +34,7 @@ struct AxisPlace {
   std::optional<std::size_t> parent_load_state;
   std::optional<machine::ToolPlace> tool;  ///< where compliance counts
   machine::CarriedForces carried_forces;   ///< on its guides
+  double lifting_acceleration = 0.0;       ///< m/s^2, of the axes that carry it together, what of it is upwards
   ToolStates states;                       ///< what is counted at the tool; empty where nothing is
   CountedResources counted;
   /// Where joints of screws hold its motors or carriages: what one of them has to bear.

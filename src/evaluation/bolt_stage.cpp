@@ -36,7 +36,7 @@ BoltStage::BoltStage(const machine::Axis& axis,
     : data_{.member = member,
             .require = axis.require,
             .riding_mass = member.rides ? 0.0 : machine::riding_mass_allowance(axis),
-            .climbing_acceleration = machine::climbing_acceleration(motion_of(axis))},
+            .climbing_acceleration = place.lifting_acceleration + machine::climbing_acceleration(motion_of(axis))},
       place_(place),
       is_last_(is_last) {
   name_ = axis.name + "." + member.name;

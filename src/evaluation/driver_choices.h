@@ -21,7 +21,7 @@ namespace millwright::evaluation {
 
 /// Largest amplitude of the current that a driver gives [A]: its peak current or, where that is less, the peak of a
 /// sine of its greatest RMS current; NaN where no peak current is stated. Makers round both figures: as long as they
-/// say the same within a hundredth the peak current counts.
+/// say the same within about a hundredth (1.1 %: 1.4 A and 2 A) the peak current counts.
 double largest_amplitude(double peak_current, double rms_current);
 /// Every such amplitude.
 scalar::Interval largest_amplitude(const scalar::Interval& peak_current, const scalar::Interval& rms_current);

@@ -24,7 +24,8 @@ GuideStage::GuideStage(const machine::Axis& axis,
             .require = axis.require,
             .riding_mass = machine::riding_mass_allowance(axis),
             .on_face = machine::rails_on_face(axis),
-            .carried = place.carried_forces},
+            .carried = place.carried_forces,
+            .lifting_acceleration = place.lifting_acceleration},
       place_(place),
       acceleration_time_(axis.acceleration_time) {
   name_ = axis.name + ".guide";

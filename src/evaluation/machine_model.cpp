@@ -18,6 +18,7 @@
 #include "evaluation/same_parts.h"
 #include "evaluation/short_bars.h"
 #include "evaluation/what_counts.h"
+#include "machine/carrying.h"
 
 namespace millwright::evaluation {
 
@@ -338,6 +339,8 @@ void MachineModel::add_axis(std::size_t index, const PriceBook& prices) {
     place.states = tool_states(problem_);
   }
   if (axis.guide) place.carried_forces = machine::carried_forces(problem_, index);
+  for (const std::size_t below : machine::carriers(problem_, index))
+    if (below != index) place.lifting_acceleration += machine::climbing_acceleration(motion_of(problem_.axes[below]));
   for (StageEntry& entry :
        axis_stages(axis, place, problem_.supply_voltages, catalogue_, prices, solver_problem_.first_state))
     entries_.push_back(std::move(entry));

@@ -28,7 +28,8 @@ MemberStage::MemberStage(const machine::Axis& axis,
       place_(place) {
   name_ = axis.name + "." + member.name;
   data_.acceleration = machine::largest_acceleration(motion_of(axis));
-  data_.climbing_acceleration = machine::climbing_acceleration(motion_of(axis));
+  data_.lifting_acceleration = place.lifting_acceleration;
+  data_.climbing_acceleration = place.lifting_acceleration + machine::climbing_acceleration(motion_of(axis));
   take_material(catalogue.table(Family::materials), prices);
   if (!member.sections.empty()) {
     take_sections(catalogue, prices);

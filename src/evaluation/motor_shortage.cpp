@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "evaluation/driver_choices.h"
 #include "machine/word_column.h"
 #include "scalar/unit.h"
 
@@ -66,11 +67,13 @@ std::string driver_shortage(const catalogue::Table& drivers,
   const std::vector<double>& currents = axis.motor.currents;
   const double smallest = currents.empty() ? 0.0 : *std::min_element(currents.begin(), currents.end());
   const std::vector<int> running = rows;
-  if (!narrow(rows, [&](int row) { return drivers.number("peak_current", row) >= smallest; }))
+  double most_current = 0.0;
+  for (const int row : running) most_current = std::max(most_current, largest_amplitude(drivers, row));
+  if (!narrow(rows, [&](int row) { return largest_amplitude(drivers, row) >= smallest; }))
     return fmt::format("no driver that runs at the supply's {} gives {}: {} at most",
                        volts(voltages),
                        in_unit(smallest, "A"),
-                       in_unit(most("peak_current", running), "A"));
+                       in_unit(most_current, "A"));
   return {};
 }
 

@@ -72,7 +72,8 @@ T available_torque(const MotorPair& pair, std::size_t voltage, const T& angular_
 enum class TorqueOrigin {
   published,  ///< a curve says it
   modelled,   ///< the winding model alone
-  beyond,     ///< the model beyond the end of a curve
+  shared,     ///< the share of the model that counts beside curves
+  beyond,     ///< the same beyond the end of a curve
   bounded     ///< a curve published at more voltage and current, below the model
 };
 
@@ -82,7 +83,8 @@ inline TorqueOrigin torque_origin(const MotorPair& pair, std::size_t voltage, do
   if (curve != nullptr && (angular_speed < curve->end() || torque >= curve->points().back().torque))
     return TorqueOrigin::published;
   if (ceiling != nullptr && torque >= (*ceiling)(angular_speed)) return TorqueOrigin::bounded;
-  return curve != nullptr ? TorqueOrigin::beyond : TorqueOrigin::modelled;
+  if (curve != nullptr) return TorqueOrigin::beyond;
+  return ceiling != nullptr ? TorqueOrigin::shared : TorqueOrigin::modelled;
 }
 
 /// What is said of a torque that no curve says.
@@ -91,7 +93,9 @@ constexpr const char* note_of(TorqueOrigin origin) {
     case TorqueOrigin::beyond:
       return "beyond the end of the published curve torque is an estimate from the winding: the share of one counts";
     case TorqueOrigin::bounded:
-      return "no published curve at this voltage and current: one at more of them bounds the torque";
+      return "a curve published at as much voltage and current or more bounds the torque";
+    case TorqueOrigin::shared:
+      return "no published curve at this voltage and current: the share of an estimate from the winding counts";
     default:
       return "torque at speed is an estimate from the winding: no published curve at this voltage and current";
   }

@@ -69,7 +69,13 @@ double largest_acceleration(const MotionData& data) {
 }
 
 double climbing_acceleration(const MotionData& data) {
-  return has_gravity_along(data) ? std::sin(data.inclination) * largest_acceleration(data) : 0.0;
+  if (!has_gravity_along(data)) return 0.0;
+  double largest = largest_acceleration(data);
+  for (const Move& move : data.moves)
+    if (move.profile)
+      for (const ProfilePhase& phase : move.profile->phases)
+        largest = std::max(largest, phase.backwards ? -phase.acceleration : phase.acceleration);
+  return std::sin(data.inclination) * largest;
 }
 
 }  // namespace millwright::machine

@@ -35,11 +35,15 @@ CarriedForces carried_forces(const Problem& problem, std::size_t index) {
   result.along_arm = std::abs(guide.load_offset_x);
   result.across_arm = std::abs(guide.load_offset_y);
   result.height_arm = std::abs(guide.force_height);
+  result.own_across_arm = guide.tool_at ? std::abs((*guide.tool_at)[1]) : result.across_arm;
+  result.own_height_arm = std::max(result.height_arm, guide.tool_at ? std::abs((*guide.tool_at)[2]) : 0.0);
   if (problem.tool && guide.tool_at) {
     const ToolPlace tool = tool_place(problem, index);
     result.along_arm = tool.along_arm;
     result.across_arm = tool.across_arm;
     result.height_arm = tool.height_arm;
+    result.own_across_arm = tool.across_arm;
+    result.own_height_arm = std::max(result.own_height_arm, tool.height_arm);
   }
   return result;
 }

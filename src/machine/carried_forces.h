@@ -17,6 +17,9 @@ struct CarriedForces {
   /// Levers about the middle of the carriages [m], not negative: those of the tool where the problem has one and says
   /// where it stands (at the worst positions of all axes), else those of the moved weight and of the axis's own force.
   double along_arm = 0.0, across_arm = 0.0, height_arm = 0.0;
+  /// Those of the axis's own process force [m]: of the tool as far as it is said where it stands, else of the moved
+  /// weight and `force_height`.
+  double own_across_arm = 0.0, own_height_arm = 0.0;
 };
 
 /// The largest process force of each linear axis that `index` carries, directly or not, all at once. One whose

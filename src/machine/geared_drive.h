@@ -89,7 +89,7 @@ void GearedDrive<T>::derive_gears(const T& moved, const T& travel_per_radian, co
   efficiency = reduction.present ? T(data->efficiency * reduction.efficiency) : T(data->efficiency);
   cycle = duty_cycle(data->motion, moved, acceleration_time);
   const T turning = named("J_t", reduction.with_own(reduction.reflected(output_inertia)));
-  rotating_inertia = named("J_rot", motor.rotor_inertia + turning);
+  rotating_inertia = named("J_rot", motor.rotor_inertia + reduction.with_own(reduction.sped_up(output_inertia)));
   load_inertia = named("J_L", turning + reduction.reflected(mechanics::transmission::belt_load_inertia(moved, radius)));
   derive_phases(output_inertia);
   peak_speed = named("ω", reduction.at_motor(cycle.peak_speed / radius));

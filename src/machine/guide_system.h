@@ -62,6 +62,7 @@ struct GuideData {
   double riding_mass = 0.0;  ///< kg, allowance for the nut or belt, chosen after the guide
   bool on_face = false;      ///< weight draws across the rails, not on them
   CarriedForces carried = {};
+  double lifting_acceleration = 0.0;  ///< m/s^2, of the axes that carry this one, what of it is upwards
 };
 
 /// Round guide shafts are hardened bearing steel; E as in the materials table, and the core's yield as of the C45 it is
@@ -97,7 +98,7 @@ void GuideSystem<T>::derive() {
   const GuideChoice& c = data->choice;
   moved_mass = named("m", carried_mass + guide.carriage_mass + in_unit<T>(data->riding_mass, dimension::mass));
   cycle = duty_cycle(data->motion, moved_mass, acceleration_time);
-  const T weight = named("G", moved_mass * in_unit<T>(standard_gravity, dimension::acceleration));
+  const T weight = named("G", pull_of_mass(moved_mass, data->lifting_acceleration));
   const T none = in_unit<T>(0.0, dimension::force);
   // On a slope one part of the weight presses on the guides and the other pulls along them.
   const double steep = std::sin(data->motion.inclination);
@@ -114,18 +115,18 @@ void GuideSystem<T>::derive() {
   // What pulls, and the mass where it accelerates, turns the slide by its height above the line of the drive; on a
   // steep axis an offset along x is the distance from the rails and such a lever too.
   const double height = std::max(std::abs(c.load_height), steep < 1e-9 ? 0.0 : std::abs(c.load_offset_x));
-  const T steady_pitch =
-      named("M_y",
-            pressing * length(std::abs(c.load_offset_x)) + pulling * length(height) +
-                cycle.process_force * length(std::abs(c.force_height)) + from_above * length(data->carried.along_arm));
+  const T steady_pitch = named("M_y",
+                               pressing * length(std::abs(c.load_offset_x)) + pulling * length(height) +
+                                   cycle.process_force * length(data->carried.own_height_arm) +
+                                   from_above * length(data->carried.along_arm));
   const T roll =
       named("M_x",
             pressing * length(std::abs(c.load_offset_y)) + sideways * length(std::abs(c.load_height)) +
                 from_above * length(data->carried.across_arm) + from_aside * length(data->carried.height_arm));
-  const T steady_yaw =
-      named("M_z",
-            pulling * length(std::abs(c.load_offset_y)) + sideways * length(std::abs(c.load_offset_x)) +
-                from_aside * length(data->carried.along_arm));
+  const T steady_yaw = named(
+      "M_z",
+      pulling * length(std::abs(c.load_offset_y)) + sideways * length(std::abs(c.load_offset_x)) +
+          cycle.process_force * length(data->carried.own_across_arm) + from_aside * length(data->carried.along_arm));
   const T on_rails = pressing + from_above, across_rails = sideways + from_aside;
   const auto load = [&](const T& inertia) {
     const T pitch = steady_pitch + inertia * length(height);

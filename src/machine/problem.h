@@ -49,7 +49,7 @@ struct Move {
   std::optional<CuttingProcess> cutting;    ///< what the tool does in this move; sets force and speed
   double dwell = 0.0;                       ///< s after the move
   bool counts_in_cycle = true;              ///< of the machine; a coordinated move counts on one of its axes only
-  bool returns = false;  ///< done back as well, though no gravity acts: a coordinated move on which another axis climbs
+  bool returns = false;                     ///< done there and back: a coordinated move on which an axis climbs
   SourceSpan where;
 };
 

@@ -72,6 +72,8 @@ T loss_share_of_ramp(const T& changing) {
   };
   if constexpr (std::is_same_v<T, Interval>)
     return over_ramps(T(std::min(changing.lower, 0.5), std::min(changing.upper, 0.5)), 0.0, share);  // it rises
+  else if constexpr (std::is_constructible_v<T, Interval>)
+    return share(T(smaller(changing, T(0.5))));  // no bound of a ramp's time leaves it less than what changes in it
   else
     return share(changing);
 }

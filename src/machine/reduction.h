@@ -73,7 +73,12 @@ struct DriveReduction : ReductionReading<T> {
   [[nodiscard]] T reflected(const T& behind) const {
     return present ? T(mechanics::transmission::reflected_inertia(behind, this->ratio)) : behind;
   }
-  /// The same with its own, as it hangs on the rotor.
+  /// What it adds to that which the motor speeds up: the torque for it passes the reduction, of which only its
+  /// efficiency comes through. While the load brakes it is less: taken so it is on the safe side.
+  [[nodiscard]] T sped_up(const T& behind) const {
+    return present ? T(this->reflected(behind) / this->efficiency) : behind;
+  }
+  /// With its own, as it hangs on the rotor.
   [[nodiscard]] T with_own(const T& others) const { return present ? T(this->inertia + others) : others; }
   /// The smaller of a speed of the motor and that for which the reduction is made.
   [[nodiscard]] T limited(const T& motor_speed) const {

@@ -226,7 +226,7 @@ void ScrewDrive<T>::derive() {
                           data->nut_rotates    ? in_unit<T>(data->nut_inertia, dimension::inertia)
                           : data->has_coupling ? T(coupling.inertia + screw.inertia)
                                                : screw.inertia);
-  rotating_inertia = named("J_rot", motor.rotor_inertia + reduction.with_own(reduction.reflected(turning)));
+  rotating_inertia = named("J_rot", motor.rotor_inertia + reduction.with_own(reduction.sped_up(turning)));
   output_inertia = reduction.reflected(turning + mechanics::transmission::screw_load_inertia(moved_mass, screw.lead));
   load_inertia = named("J_L", reduction.with_own(output_inertia));
   derive_phases(turning);

@@ -73,7 +73,8 @@ struct MemberData {
   double ultimate_strength = 0.0;      ///< of a rotating shaft
   double endurance_limit = 0.0;        ///< Pa, of a polished rotating bar; 0 = steel, from its tensile strength
   double acceleration = 0.0;           ///< m/s^2, the hardest of the axis
-  double climbing_acceleration = 0.0;  ///< m/s^2, what of it is upwards
+  double climbing_acceleration = 0.0;  ///< m/s^2, what of it is upwards, with that of the axes that carry this one
+  double lifting_acceleration = 0.0;   ///< m/s^2, of those alone
 };
 
 template <class T>
@@ -103,6 +104,10 @@ struct StructureMember {
   }
   [[nodiscard]] T lateral_force() const {
     return scalar::in_unit<T>(data->member.lateral_force / data->member.count, scalar::dimension::force);
+  }
+  /// At which the member itself is sped up upwards.
+  [[nodiscard]] double own_climbing() const {
+    return data->member.rides ? data->climbing_acceleration : data->lifting_acceleration;
   }
   /// Mass that one member carries.
   [[nodiscard]] T mass_on_member() const {
@@ -247,8 +252,7 @@ template <class T>
 void StructureMember<T>::derive_bending() {
   using namespace scalar;
   namespace sec = mechanics::section;
-  const T gravity = in_unit<T>(standard_gravity, dimension::acceleration);
-  const T own = section.mass_per_length * gravity;
+  const T own = pull_of_mass(section.mass_per_length, own_climbing());
   const T no_load = in_unit<T>(0.0, dimension::force / dimension::length);
   const T lateral = lateral_force();
   moment = named("M", moment_of(force, own));
@@ -272,7 +276,7 @@ void StructureMember<T>::derive_portal() {
   using namespace scalar;
   namespace col = mechanics::column;
   namespace sec = mechanics::section;
-  const T own = section.mass_per_length * in_unit<T>(standard_gravity, dimension::acceleration);
+  const T own = pull_of_mass(section.mass_per_length, own_climbing());
   const T lateral = lateral_force();
   const T rise = column_length();
   const T& second_moment = section.strong_second_moment;

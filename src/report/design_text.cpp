@@ -359,7 +359,9 @@ std::string assumptions_text(const Design& design, const Style& style) {
   out += "  " + t(machining_assumption(design)) + "\n  " + t(length_assumption(design)) + "\n";
   const auto counts = [&](machine::Quantity quantity) { return !std::isnan(design.total(quantity)); };
   if (counts(machine::Quantity::cycle_time))
-    out += "  Cycle time: every move of every axis, and its dwell, one after the other; coordinated moves once.\n";
+    out +=
+        "  Cycle time: every move of every axis, and its dwell, one after the other; coordinated moves once,\n"
+        "  there and back where one of their axes climbs.\n";
   if (counts(machine::Quantity::energy))
     out +=
         "  Energy is an estimate, of the drives' input while their own axis goes through its cycle: copper losses at\n"

@@ -101,7 +101,7 @@ std::string said_place(const Texts& t, std::string_view english) {
   const std::size_t comma = english.rfind(", ");
   if (comma == std::string_view::npos) return t.said(english);
   std::string_view move = english.substr(0, comma), direction;
-  for (const std::string_view each : {" up", " down"})
+  for (const std::string_view each : {" up", " down", " there", " back"})
     if (move.ends_with(each)) {
       direction = each.substr(1);
       move.remove_suffix(each.size());

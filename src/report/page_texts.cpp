@@ -303,8 +303,11 @@ std::vector<PageText> report_texts() {
        "{}: penyeimbang {} N (counterbalance_force) diandaikan ada; tidak termasuk komponen, harga, dan massa. Ia "
        "dianggap pegas: bobot imbang akan ikut bergerak dan menambah massa yang dipercepat."},
       {"assume.cycle",
-       "Cycle time: every move of every axis, and its dwell, one after the other; coordinated moves once.",
-       "Waktu siklus: setiap gerak tiap sumbu beserta jedanya, satu per satu; gerak terkoordinasi sekali."},
+       "Cycle time: every move of every axis, and its dwell, one after the other; coordinated moves once, there and "
+       "back "
+       "where one of their axes climbs.",
+       "Waktu siklus: setiap gerak tiap sumbu beserta jedanya, satu per satu; gerak terkoordinasi sekali, pergi dan "
+       "kembali bila salah satu sumbunya menanjak."},
       {"assume.energy",
        "Energy is an estimate, of the drives' input while their own axis goes through its cycle: copper losses at full "
        "current, usual iron losses, driver efficiency 0.9; nothing is fed back.",

@@ -19,19 +19,22 @@ using machine::CarriedForces;
 
 namespace {
 
+std::string axis(const char* name, const std::string& more, const char* force) {
+  return fmt::format(
+      "[[axis]]\nname = \"{}\"\nstroke = \"100 mm\"\nstructure_mass = \"2 kg\"\nacceleration_time = \"0.1 s\"\n"
+      "mechanism = {{ kind = \"belt\", idler_distance = \"80 mm\" }}\n{}\n"
+      "[[axis.moves]]\ndistance = \"50 mm\"\ntime = \"1 s\"\nforce = \"{}\"\n",
+      name,
+      more,
+      force);
+}
+
+const std::string head = "[currency]\nUSD = 1.0\n[supply]\nvoltage = [\"24 V\"]\n";
+
 /// x carries y, which carries z; z drills with 80 N, y mills with 60 N, x with 50 N. `of_x` are more keys of x.
 std::string portal_mill(const std::string& of_x, const std::string& of_y = "", const char* drilling = "80 N") {
-  const auto axis = [](const char* name, const std::string& more, const char* force) {
-    return fmt::format(
-        "[[axis]]\nname = \"{}\"\nstroke = \"100 mm\"\nstructure_mass = \"2 kg\"\nacceleration_time = \"0.1 s\"\n"
-        "mechanism = {{ kind = \"belt\", idler_distance = \"80 mm\" }}\n{}\n"
-        "[[axis.moves]]\ndistance = \"50 mm\"\ntime = \"1 s\"\nforce = \"{}\"\n",
-        name,
-        more,
-        force);
-  };
-  return "[currency]\nUSD = 1.0\n[supply]\nvoltage = [\"24 V\"]\n" + axis("z", "direction = \"vertical\"", drilling) +
-         axis("y", "carries = [\"z\"]\n" + of_y, "60 N") + axis("x", "carries = [\"y\"]\n" + of_x, "50 N");
+  return head + axis("z", "direction = \"vertical\"", drilling) + axis("y", "carries = [\"z\"]\n" + of_y, "60 N") +
+         axis("x", "carries = [\"y\"]\n" + of_x, "50 N");
 }
 
 const std::string guide =
@@ -51,6 +54,15 @@ TEST_CASE("Forces of carried axes press on guides, or draw across them, by their
   CHECK(lying.along_arm == Approx(0.02));
   CHECK(lying.across_arm == Approx(0.03));
   CHECK(lying.height_arm == Approx(0.04));
+  CHECK(lying.own_across_arm == Approx(0.03));
+  CHECK(lying.own_height_arm == Approx(0.04));
+  // Where it is said where the tool stands the axis's own force acts there.
+  std::string at_tool = guide;
+  at_tool.insert(at_tool.size() - 2, ", tool_at = [\"10 mm\", \"-300 mm\", \"70 mm\"]");
+  const CarriedForces aside = forces_on(portal_mill(at_tool), 2);
+  CHECK(aside.own_across_arm == Approx(0.3));
+  CHECK(aside.own_height_arm == Approx(0.07));
+  CHECK(aside.across_arm == Approx(0.03));
   // Its own force is the drive's, and what it is carried by is below it.
   const CarriedForces of_y = forces_on(portal_mill("", guide), 1);
   CHECK(of_y.pressing == Approx(80.0));
@@ -112,6 +124,23 @@ TEST_CASE("Guides below a drill are loaded by it, worked by hand") {
   CHECK(forces.along_arm == Approx(0.05));
   CHECK(forces.across_arm == Approx(0.06 + 0.05));
   CHECK(forces.height_arm == Approx(0.07 + 0.05));
+}
+
+// 50 mm in 1 s with ramps of 0.1 s: 0.0556 m/s, 0.556 m/s2 upwards while it goes up or stops on its way down.
+TEST_CASE("On the guides of an axis that another lifts it weighs more while that one speeds up") {
+  const auto load = [](const std::string& direction) {
+    const std::string lifted =
+        "guide = { rails = 2, carriages = 4, carriage_spacing = \"100 mm\", rail_spacing = "
+        "\"200 mm\" }";
+    const MachineModel model(problem_of_text(head + axis("x", lifted, "0 N") +
+                                             axis("z", "direction = \"" + direction + "\"\ncarries = [\"x\"]", "0 N")),
+                             parts());
+    const Design d = design_of(model, {{"x", "guide", {{"R12"}}, {}}});
+    for (const Check& check : d.checks)
+      if (check.axis == "x" && check.id == "C-GD-STATIC") return check.value;
+    return 0.0;
+  };
+  CHECK(load("vertical") / load("horizontal") == Approx((g + 0.05 / 0.9 / 0.1) / g).epsilon(1e-9));
 }
 
 }  // namespace carried_forces_test

@@ -153,7 +153,11 @@ TEST_CASE("A rack axis with a reduction worked by hand") {
   REQUIRE((rpm > 600.0 && rpm < 1200.0 && std::abs(rpm - 1131.77) < 0.01));
   const double available = 0.6 - 0.3 * (rpm - 600.0) / 600.0;
   const double F = m * a + friction + 30.0;
-  expect(d, "drive", "C-ST-TORQUE", (F * r / (i * eta) + (280e-7 + turning) * a * i / r) / available, 0.7);
+  expect(d,
+         "drive",
+         "C-ST-TORQUE",
+         (F * r / (i * eta) + (280e-7 + 2e-6 + 90e-7 / 16.0 / 0.8) * a * i / r) / available,
+         0.7);
   expect(d, "drive", "C-ST-STEPRATE", omega / (2.0 * pi) * 3.2, 24.0);
   expect(d, "drive", "C-SYS-SPEED", v * 1e3, 24e3 / 3200.0 * 2.0 * pi * r / i * 1e3);
   expect(d, "drive", "C-ST-HOLD", 30.0 * r * eta / i, 0.5 * 1.2 / std::sqrt(2.0));

@@ -80,7 +80,7 @@ TEST_CASE("A lead screw behind a belt reduction worked by hand") {
   const double screw = pi * 7850.0 * cut * std::pow(0.014, 4) / 32.0;
   const double omega = 2.0 * pi * v / lead, alpha = 2.0 * pi * a / lead;  // of the screw
 
-  const double torque = force * per_newton / (i * eta_g) + (280e-7 + 3e-6 + screw / 4.0) * alpha * i;
+  const double torque = force * per_newton / (i * eta_g) + (280e-7 + 3e-6 + screw / 4.0 / eta_g) * alpha * i;
   expect(d, "drive", "C-ST-TORQUE", torque / torque_of_motor(i * omega), 0.7);
   expect(d, "drive", "C-ST-80", steady * per_newton / (i * eta_g), 0.8 * 1.2);
   const double load = (screw + m * std::pow(lead / (2.0 * pi), 2)) / 4.0;
@@ -169,7 +169,7 @@ TEST_CASE("A ball screw behind a gearbox worked by hand") {
   const double per_newton = lead / (2.0 * pi * eta);
   const double turning = pi * 7850.0 * cut * std::pow(0.0145, 4) / 32.0 + 10e-7;  // with the coupling
   const double omega = 2.0 * pi * v / lead, alpha = 2.0 * pi * a / lead;
-  const double torque = force * per_newton / (i * eta_g) + (280e-7 + 2e-6 + turning / 9.0) * alpha * i;
+  const double torque = force * per_newton / (i * eta_g) + (280e-7 + 2e-6 + turning / 9.0 / eta_g) * alpha * i;
   expect(d, "drive", "C-ST-TORQUE", torque / torque_of_motor(i * omega), 0.7);
   const double load = (turning + m * std::pow(lead / (2.0 * pi), 2)) / 9.0;
   expect(d, "drive", "C-ST-INERTIA", (2e-6 + load) * 1e4, 10.0 * 280e-7 * 1e4);
@@ -224,7 +224,7 @@ reduction_service_factor = 1.25
   const double span = 0.5 + 0.02 + 0.08, r = 0.01, i = 2.0, eta = 0.95 * 0.9;
   const double m = 6.0 + 0.02 * (2.0 * span + pi / 2.0 * 0.04), speed = 0.4 / 0.8, ramp = speed / 0.2;
   const double friction = 1.0 + 0.02 * m * g, force = m * ramp + friction + 5.0, pulleys = 30e-7;
-  const double torque = force * r / (i * eta) + (280e-7 + 4e-6 + pulleys / 4.0) * ramp / r * i;
+  const double torque = force * r / (i * eta) + (280e-7 + 4e-6 + pulleys / 4.0 / 0.9) * ramp / r * i;
   expect(d, "drive", "C-ST-TORQUE", torque / torque_of_motor(speed / r * i), 0.7);
   expect(d, "drive", "C-ST-80", (friction + 5.0) * r / (i * eta), 0.8 * 1.2);
   expect(d, "drive", "C-ST-INERTIA", (4e-6 + (pulleys + m * r * r) / 4.0) * 1e4, 10.0 * 280e-7 * 1e4);
@@ -288,7 +288,7 @@ time = "1 s"
   const double friction = 4.0 + 0.05 * m * g, steady = friction + 50.0, force = m * a + steady;
   const double slope = lead / (pi * 0.0165), eta = (1.0 - 0.005 * slope) / (1.0 + 0.005 / slope);
   const double per_newton = lead / (2.0 * pi * eta), omega = 2.0 * pi * v / lead, alpha = 2.0 * pi * a / lead;
-  const double torque = force * per_newton / (i * eta_g) + (280e-7 + 3e-6 + 4e-4 / 4.0) * alpha * i;
+  const double torque = force * per_newton / (i * eta_g) + (280e-7 + 3e-6 + 4e-4 / 4.0 / eta_g) * alpha * i;
   expect(d, "drive", "C-ST-TORQUE", torque / torque_of_motor(i * omega), 0.7, "x");
   expect(d,
          "drive",

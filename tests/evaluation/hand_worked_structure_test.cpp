@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "evaluation/hand_worked.h"
+#include "machine/axis_motion.h"
 
 namespace hand_worked_structure_test {
 
@@ -170,10 +171,42 @@ TEST_CASE("The structure of a climbing axis bears what its ramps take") {
         {"x", "part", {{"box60"}}, {}});
     const double own = 8.0 * g;
     expect(arm, "part", "C-FR-STRESS", ((down + 30.0) * 0.3 + own * 0.09 / 2.0) * 0.03 / 5e-7 * 1e-6, 120.0);
+    // One that rides is sped up as well.
+    const Design riding = built(
+        "kind = \"beam\"\nmaterial = \"steel\"\nsupport = \"cantilever\"\nlength = \"300 mm\"\nrides = "
+        "true\nload_share "
+        "= 0\nsections = [\"steel_sections\"]\n",
+        {"x", "part", {{"box60"}}, {}});
+    const double moved = 8.0 * (g + way.sine * acceleration);
+    expect(riding, "part", "C-FR-STRESS", (30.0 * 0.3 + moved * 0.09 / 2.0) * 0.03 / 5e-7 * 1e-6, 120.0);
     const Design joint = built("kind = \"bolts\"\nrow_spacing = \"80 mm\"\ncolumn_spacing = \"60 mm\"\nfitted = true\n",
                                {"x", "part", {{"M8 8.8"}}, {}});
     expect(joint, "part", "C-BOLT-SHEAR", (down + 30.0) / 4.0 / 36e-6 * 1e-6, 640.0 / std::sqrt(3.0) / 2.0);
   }
+}
+
+// A recording that goes up gently and is stopped hard on its way down: 1 m/s2 up, 4 m/s2 while it stops.
+TEST_CASE("What a recorded motion does upwards counts, also at the end of its way down") {
+  machine::MotionData motion;
+  motion.inclination = pi / 2.0;
+  machine::Move move;
+  std::vector<double> times, speeds;
+  const auto until = [&](double time, double speed) {
+    times.push_back(time);
+    speeds.push_back(speed);
+  };
+  until(0.0, 0.0);
+  until(0.2, 0.2);
+  until(0.4, 0.0);
+  until(0.8, -0.4);
+  until(0.9, 0.0);
+  move.profile = machine::measured_profile(times, speeds, {});
+  motion.moves = {move};
+  CHECK(machine::climbing_acceleration(motion) == Approx(4.0));
+  motion.inclination = pi / 6.0;
+  CHECK(machine::climbing_acceleration(motion) == Approx(2.0));
+  motion.inclination = 0.0;
+  CHECK(machine::climbing_acceleration(motion) == 0.0);
 }
 
 TEST_CASE("Twist of members worked by hand") {
