@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "solver/easing.h"
+#include "solver/relaxation.h"
 #include "solver/rest_curve.h"
 #include "solver/variable_halves.h"
 
@@ -51,6 +52,7 @@ BranchAndBound::BranchAndBound(const Problem& problem,
   for (const StagePlan& plan : plans_) {
     label_sets_.emplace_back(criteria_, plan.before, labels_, by, slack_);
     worth_.emplace_back(plan.region.rows.size());
+    set_proofs_.emplace_back();
     const bool shares = many_labels && !shared_.empty() && !plan.region.rows.empty();
     shared_.push_back(shares ? std::make_unique<SharedRegions>(plan, control_.desk(0)) : nullptr);
     auto& tail = tail_.emplace_back();
@@ -173,6 +175,17 @@ void BranchAndBound::expand_stream(const Node& node, Outcome& outcome, Desk& des
   if (make_stream(node.label, region + 1, others)) outcome.nodes.push_back(std::move(others));
 }
 
+/// Of variables that decide feasibility only (or move the least handed on, least_state.h): others are divided anyway.
+bool BranchAndBound::refuted_by_variables(const Node& node, Outcome& outcome, Desk& desk) const {
+  const Label& label = labels_[node.label];
+  const StagePlan& plan = plans_[label.stage];
+  if (node.region.variables.empty() || is_covered(plan) || !set_proofs_[label.stage].worth_asking(nodes_)) return false;
+  const std::uint64_t before = desk.evaluations;
+  const bool refuted = proves_infeasible(plan, label.enclosure, node.region, SetProofs::boxes_for(node.region), desk);
+  outcome.asked = SetProofs::Asked{desk.evaluations - before, refuted};
+  return refuted;
+}
+
 void BranchAndBound::branch(const Node& node, Outcome& outcome, Desk& desk) const {
   const Label& label = labels_[node.label];
   const StagePlan& plan = plans_[label.stage];
@@ -199,7 +212,7 @@ void BranchAndBound::expand(const Node& node, Outcome& outcome, Desk& desk) cons
   } else if (node.part != nullptr) {
     expand_part(node, outcome, desk);
   } else if (!node.region.one_design_per_slot()) {
-    branch(node, outcome, desk);
+    if (!refuted_by_variables(node, outcome, desk)) branch(node, outcome, desk);
   } else {
     const Label& label = labels_[node.label];
     const std::size_t stage = label.stage;
@@ -223,6 +236,7 @@ void BranchAndBound::expand(const Node& node, Outcome& outcome, Desk& desk) cons
 }
 
 void BranchAndBound::merge(Node& node, Outcome& outcome) {
+  if (outcome.asked) set_proofs_[labels_[node.label].stage].count(*outcome.asked);
   std::array<std::optional<Reached>, 2> parts;  // that a region was divided into
   for (std::size_t i = 0; i < outcome.nodes.size(); ++i) {
     const Reached reached{outcome.nodes[i].utilisation, outcome.nodes[i].score[0]};

@@ -9,7 +9,7 @@
 //   - a label that arrives at a stage takes over the regions of the stage's relaxation one by one, cheapest first;
 //   - a region with several rows in some slot is split in two, in these rows (row_profile.h) or in a variable
 //     (variable_halves.h); rows without a fitting partner drop out, and each half is bounded with the label's own
-//     state;
+//     state; if no value of the variables is left for it, it is given up before (set_proofs.h);
 //   - a region with one row per slot is a design: its variables are dealt with (continuous.h), and it becomes a label
 //     of the next stage, or after the last stage a build.
 // A node is given up when a constraint is certainly violated in it, when the builds known settle it (incumbents.h), or
@@ -35,6 +35,7 @@
 #include "solver/incumbents.h"
 #include "solver/leaf_precision.h"
 #include "solver/search_control.h"
+#include "solver/set_proofs.h"
 #include "solver/shared_regions.h"
 #include "solver/split_worth.h"
 
@@ -108,6 +109,7 @@ class BranchAndBound {
     bool is_leaf = false;
     std::vector<OpenBox> boxes = {};          ///< in which a leaf is looked at
     std::optional<std::size_t> divided = {};  ///< the slot in which a region was divided
+    std::optional<SetProofs::Asked> asked = {};
   };
 
   [[nodiscard]] double slack_of_labels() const;
@@ -134,6 +136,7 @@ class BranchAndBound {
   [[nodiscard]] bool make_part(const Node& from, SharedPart& part, Node& node) const;
   void go_down(const Node& from, SharedPart* part, double up_to, Outcome& outcome) const;
   void expand_part(const Node& node, Outcome& outcome, Desk& desk) const;
+  bool refuted_by_variables(const Node& node, Outcome& outcome, Desk& desk) const;
   void branch(const Node& node, Outcome& outcome, Desk& desk) const;
   bool bound_node(Node& node, Desk& desk) const;
   void offer(const Node& from, Region part, Outcome& outcome, Desk& desk) const;
@@ -170,6 +173,7 @@ class BranchAndBound {
   /// [stage][region][score]: least of the regions from this one on, with all stages after.
   std::vector<std::vector<std::vector<double>>> tail_;
   std::vector<SplitWorth> worth_;                       ///< [stage]
+  std::vector<SetProofs> set_proofs_;                   ///< [stage]
   std::vector<std::unique_ptr<SharedRegions>> shared_;  ///< [stage]; null: each label divides regions by itself
   std::vector<SharedRegions::Cell*> cells_;             ///< [label]; null: it does
   std::vector<double> rates_;                           ///< [further objective]: worth in the first, in order_of

@@ -9,6 +9,7 @@
 #include "solver/least_state.h"
 #include "solver/region_order.h"
 #include "solver/relaxation.h"
+#include "solver/set_proofs.h"
 
 namespace millwright::solver {
 namespace {
@@ -71,6 +72,7 @@ class CandidateSearch {
 
   void look_at(Node& node) {
     if (!leave_out_dominated(node)) return;
+    if (refuted_by_variables(node)) return;
     if (node.region.one_design_per_slot())
       settle(node);
     else if (nodes_ > nodes_together && !std::has_single_bit(node.groups))
@@ -78,6 +80,33 @@ class CandidateSearch {
     else
       divide(node, [&](Region part) { return offer(std::move(part), node.groups); });
   }
+  /// Of a design that moves what is handed on, whether it is of use counts, too.
+  bool refuted_by_variables(const Node& node) {
+    const bool moves = plan_.moved_state.has_value();
+    const bool single = node.region.one_design_per_slot();  // else that is settled at once
+    if (node.region.variables.empty() || (single && !moves) || !set_proofs_.worth_asking(nodes_)) return false;
+    OfNoUse of_no_use;
+    if (moves) of_no_use = [&](const Answer<Interval>& answer) { return matters_to_no_group(node, answer); };
+    const std::uint64_t before = desk_.evaluations;
+    const bool refuted =
+        proves_infeasible(plan_, node.view->states, node.region, SetProofs::boxes_for(node.region), desk_, of_no_use);
+    set_proofs_.count({desk_.evaluations - before, refuted});
+    return refuted;
+  }
+
+  /// Of a part of a node's region.
+  bool matters_to_no_group(const Node& node, const Answer<Interval>& answer) {
+    read_bounds(plan_, answer, part_);
+    if (part_.utilisation > 1.0) return true;
+    bool matters = false;
+    for_each_group(node.groups, [&](std::size_t group) {
+      if (matters || !groups_.may_matter(group, *node.view, part_)) return;
+      groups_.best_key(group, *node.view, part_, key_);
+      matters = !known_[group].dominates(key_);
+    });
+    return !matters;
+  }
+
   template <class Offer>
   void divide(const Node& node, Offer&& offer) {
     branch(plan_, node.region, node.bounds.open, {node.bounds.utilisation, node.value}, worth_, offer);
@@ -326,12 +355,14 @@ class CandidateSearch {
   const Comparison& comparison_;
   Desk& desk_;
   SplitWorth worth_;
+  SetProofs set_proofs_;
   RegionOrder order_;
   BestFirst<Node> open_;
   CandidateGroups groups_;
   std::vector<KnownKeys> known_;    ///< [group]: universal designs
   std::vector<CandidateSet> sets_;  ///< [group]
   std::vector<double> key_;
+  Bounds part_;  ///< of a node's region
   std::size_t node_limit_;
   std::uint64_t nodes_ = 0;
   bool complete_ = true;

@@ -12,6 +12,8 @@
 //     what dominates is found before what it dominates, but for equal sums (and in quick passes, which prove nothing);
 //   - where variables move one component handed on and nothing else, of a design the least of it counts: bounds of that
 //     over all of H, and the values of the variables that are best at its worst (least_state.h);
+//   - a set of designs for which no value of the variables is left, or none that is of use, is dropped as a whole
+//     (set_proofs.h);
 //   - a design that is neither infeasible nor universal is kept: whether it is feasible is decided label by label.
 // Nothing about feasibility is assumed between one state and another; the wider H, the more designs are not universal.
 //

@@ -111,24 +111,36 @@ bool narrow_one_by_one(const StagePlan& plan,
 
 namespace {
 
-/// Whether the middle of a box of variables is feasible at the middle of the states: then no proof will succeed.
+/// Whether the middle of a box of variables is feasible and of use at the middle of the states: then no proof will
+/// succeed.
 bool middle_is_feasible(const StagePlan& plan,
                         std::span<const Interval> inherited,
                         const Region& region,
                         std::span<const Interval> box,
-                        Desk& desk) {
+                        Desk& desk,
+                        const OfNoUse& of_no_use) {
   std::vector<double> state, variables;
   std::vector<Row> rows;
   for (const Interval& side : inherited) state.push_back(middle(side));
   for (const RowSet& set : region.rows) rows.push_back(set->front());
   for (const Interval& side : box) variables.push_back(middle(side));
-  return worst_of(desk.evaluate(*plan.stage, {plan.shared, state, rows, variables}).utilisation) <= 1.0;
+  const Answer<double>& answer = desk.evaluate(*plan.stage, {plan.shared, state, rows, variables});
+  if (!(worst_of(answer.utilisation) <= 1.0)) return false;
+  const auto intervals = [](const std::vector<double>& numbers) {
+    return std::vector<Interval>(numbers.begin(), numbers.end());
+  };
+  return !of_no_use ||
+         !of_no_use({intervals(answer.utilisation), intervals(answer.resources), intervals(answer.handed_on)});
 }
 
 }  // namespace
 
-bool proves_infeasible(
-    const StagePlan& plan, std::span<const Interval> inherited, const Region& region, std::size_t limit, Desk& desk) {
+bool proves_infeasible(const StagePlan& plan,
+                       std::span<const Interval> inherited,
+                       const Region& region,
+                       std::size_t limit,
+                       Desk& desk,
+                       const OfNoUse& of_no_use) {
   constexpr std::size_t one_by_one_after = 24;  // boxes
   constexpr std::size_t pieces = 16;
   constexpr double narrow = 1e-9;
@@ -142,8 +154,8 @@ bool proves_infeasible(
     const std::vector<Interval> box = std::move(open.back());
     open.pop_back();
     const auto& answer = desk.bound(*plan.stage, plan.shared, inherited, region, box);
-    if (worst_lower(answer.utilisation) > 1.0) continue;
-    if (middle_is_feasible(plan, inherited, region, box, desk)) return false;
+    if (worst_lower(answer.utilisation) > 1.0 || (of_no_use && of_no_use(answer))) continue;
+    if (middle_is_feasible(plan, inherited, region, box, desk, of_no_use)) return false;
     const std::size_t widest = widest_side(*plan.stage, box, narrow);
     if (widest == box.size()) return false;
     const double cut = middle(box[widest]);

@@ -35,8 +35,15 @@ bool narrow_one_by_one(const StagePlan& plan,
                        Desk& desk);
 
 inline constexpr std::size_t usual_proof_boxes = 60;
-/// Whether bisection of the variables proves, within `limit` boxes, that a region has no feasible design.
-bool proves_infeasible(
-    const StagePlan& plan, std::span<const Interval> inherited, const Region& region, std::size_t limit, Desk& desk);
+/// Whether designs of which `bound` says this are of no use even if they are feasible.
+using OfNoUse = std::function<bool(const Answer<Interval>& answer)>;
+/// Whether bisection of the variables proves, within `limit` boxes, that a region has no feasible design, or none but
+/// such as are of no use.
+bool proves_infeasible(const StagePlan& plan,
+                       std::span<const Interval> inherited,
+                       const Region& region,
+                       std::size_t limit,
+                       Desk& desk,
+                       const OfNoUse& of_no_use = {});
 
 }  // namespace millwright::solver
