@@ -107,9 +107,9 @@ class BranchAndBound {
     std::vector<Node> nodes;
     LeafAnswer leaf;
     bool is_leaf = false;
-    std::vector<OpenBox> boxes = {};          ///< in which a leaf is looked at
-    std::optional<std::size_t> divided = {};  ///< the slot in which a region was divided
-    std::optional<SetProofs::Asked> asked = {};
+    std::vector<OpenBox> boxes = {};             ///< in which a leaf is looked at
+    std::optional<std::size_t> divided = {};     ///< the slot in which a region was divided
+    std::optional<SetProofs::Asked> asked = {};  ///< about a region as a whole (refuted_by_variables)
   };
 
   [[nodiscard]] double slack_of_labels() const;

@@ -80,10 +80,12 @@ class CandidateSearch {
     else
       divide(node, [&](Region part) { return offer(std::move(part), node.groups); });
   }
-  /// Of a design that moves what is handed on, whether it is of use counts, too.
+
+  /// Whether dividing the variables proves that no design of a node's region is feasible, or, where they move what is
+  /// handed on, that none is both feasible and of use. False: not proved, or not worth the questions (set_proofs.h).
   bool refuted_by_variables(const Node& node) {
     const bool moves = plan_.moved_state.has_value();
-    const bool single = node.region.one_design_per_slot();  // else that is settled at once
+    const bool single = node.region.one_design_per_slot();  // `settle` asks whether that is feasible
     if (node.region.variables.empty() || (single && !moves) || !set_proofs_.worth_asking(nodes_)) return false;
     OfNoUse of_no_use;
     if (moves) of_no_use = [&](const Answer<Interval>& answer) { return matters_to_no_group(node, answer); };
@@ -94,7 +96,7 @@ class CandidateSearch {
     return refuted;
   }
 
-  /// Of a part of a node's region.
+  /// What bounds say of a part of a node's region: infeasible, or for every group too dear or dominated.
   bool matters_to_no_group(const Node& node, const Answer<Interval>& answer) {
     read_bounds(plan_, answer, part_);
     if (part_.utilisation > 1.0) return true;
